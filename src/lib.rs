@@ -1,0 +1,18 @@
+//! sins
+#![deny(missing_docs)]
+#[forbid(unsafe_code)]
+pub mod earth;
+#[forbid(unsafe_code)]
+mod error;
+#[forbid(unsafe_code)]
+pub mod math;
+#[forbid(unsafe_code)]
+pub mod mechanization;
+#[forbid(unsafe_code)]
+pub mod signal;
+#[forbid(unsafe_code)]
+pub mod state;
+#[forbid(unsafe_code)]
+pub mod truth;
+
+pub use error::{Error, ErrorKind, Rule};

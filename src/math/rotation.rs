@@ -1,0 +1,236 @@
+//! Rotations: quaternions (scalar first in print, `nalgebra` order inside), rotation vectors, Euler angles.
+//!
+//! `q_nb` rotates a vector from body to navigation axes: `v_n = rotate(q_nb, v_b)`.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::{Quaternion, Vector3};
+
+use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
+
+/// The two coefficients from which every rotation formula is built, for a rotation angle n:
+/// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
+#[derive(Debug, Clone, Copy)]
+pub struct RotationSeries {
+    /// (1 - cos n) / n²
+    pub square: f64,
+    /// (n - sin n) / n³
+    pub cubic: f64,
+}
+
+impl RotationSeries {
+    /// The coefficients for the squared angle `n2` = n² [rad²].
+    #[inline]
+    pub fn new(n2: f64) -> Self {
+        // Taylor series below half a radian: the dropped terms are below 1e-18; the closed forms cancel at 0.
+        if n2 < 0.25 {
+            let x = n2;
+            let square = 1.0 / 2.0
+                - x * (1.0 / 24.0
+                    - x * (1.0 / 720.0
+                        - x * (1.0 / 40_320.0
+                            - x * (1.0 / 3_628_800.0
+                                - x * (1.0 / 479_001_600.0
+                                    - x * (1.0 / 87_178_291_200.0 - x / 20_922_789_888_000.0))))));
+            let cubic = 1.0 / 6.0
+                - x * (1.0 / 120.0
+                    - x * (1.0 / 5_040.0
+                        - x * (1.0 / 362_880.0
+                            - x * (1.0 / 39_916_800.0
+                                - x * (1.0 / 6_227_020_800.0
+                                    - x * (1.0 / 1_307_674_368_000.0 - x / 355_687_428_096_000.0))))));
+            Self { square, cubic }
+        } else {
+            let n = n2.sqrt();
+            let (half_sin, _) = sin_cos(0.5 * n);
+            Self { square: 2.0 * half_sin * half_sin / n2, cubic: (n - sin_cos(n).0) / (n2 * n) }
+        }
+    }
+}
+
+/// `v` rotated by the unit quaternion `q`.
+#[inline]
+pub fn rotate(q: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    let u = q.imag();
+    let t = 2.0 * u.cross(v);
+    v + q.w * t + u.cross(&t)
+}
+
+/// `v` rotated by the inverse of the unit quaternion `q`.
+#[inline]
+pub fn rotate_inverse(q: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    let u = q.imag();
+    let t = 2.0 * v.cross(&u);
+    v + q.w * t + t.cross(&u)
+}
+
+/// Quaternion of the rotation vector `phi` [rad], less the identity: small rotations keep all their digits.
+#[inline]
+pub fn rotation_increment(phi: &Vector3<f64>) -> Quaternion<f64> {
+    let quarter = 0.25 * phi.norm_squared();
+    let series = RotationSeries::new(quarter);
+    let imaginary = phi * (0.5 * (1.0 - quarter * series.cubic));
+    Quaternion::from_parts(-quarter * series.square, imaginary)
+}
+
+/// Quaternion of the rotation vector `phi` [rad].
+#[inline]
+pub fn rotation_quaternion(phi: &Vector3<f64>) -> Quaternion<f64> {
+    let mut q = rotation_increment(phi);
+    q.w += 1.0;
+    q
+}
+
+/// Rotation vector [rad] of the quaternion `q`, of length 0 to π. The norm of `q` cancels.
+///
+/// The arc tangent of vector over scalar part; 2 acos(w) would give 0 for rotations below 1e-8 rad.
+#[inline]
+pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
+    let u = if q.w < 0.0 { -q.imag() } else { q.imag() };
+    let w = q.w.abs();
+    let n2 = u.norm_squared();
+    let t = n2 / (w * w);
+    // atan(√t)/√t; the first dropped term is below 1e-18 of it.
+    if t < 4e-3 {
+        let series = 1.0
+            - t * (1.0 / 3.0
+                - t * (1.0 / 5.0 - t * (1.0 / 7.0 - t * (1.0 / 9.0 - t * (1.0 / 11.0 - t * (1.0 / 13.0 - t / 15.0))))));
+        u * (2.0 * series / w)
+    } else {
+        let n = n2.sqrt();
+        u * (2.0 * atan2(n, w) / n)
+    }
+}
+
+/// Rate of the rotation vector `phi` [rad] when the body turns at `omega` (body axes): the inverse of the right
+/// Jacobian applied to `omega`.
+#[inline]
+pub fn inverse_right_jacobian(phi: &Vector3<f64>, omega: &Vector3<f64>) -> Vector3<f64> {
+    let n2 = phi.norm_squared();
+    let coefficient = if n2 < 0.04 {
+        let x = n2;
+        1.0 / 12.0
+            + x * (1.0 / 720.0
+                + x * (1.0 / 30_240.0
+                    + x * (1.0 / 1_209_600.0 + x * (1.0 / 47_900_160.0 + x * (691.0 / 1_307_674_368_000.0)))))
+    } else {
+        let s = RotationSeries::new(n2);
+        (1.0 - 0.5 * (1.0 - n2 * s.cubic) / s.square) / n2
+    };
+    let cross = phi.cross(omega);
+    omega + 0.5 * cross + coefficient * phi.cross(&cross)
+}
+
+/// Attitude angles of body axes right-forward-up against east-north-up [rad].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Euler {
+    /// Right wing down positive, -π..π.
+    pub roll: f64,
+    /// Nose up positive, -π/2..π/2.
+    pub pitch: f64,
+    /// Clockwise from true north, 0..2π.
+    pub heading: f64,
+}
+
+/// `q_nb` of the aerospace sequence heading, pitch, roll: C = Rz(-heading) Rx(pitch) Ry(roll).
+pub fn attitude_from_euler(euler: &Euler) -> Quaternion<f64> {
+    let (sr, cr) = sin_cos(0.5 * euler.roll);
+    let (sp, cp) = sin_cos(0.5 * euler.pitch);
+    let (sh, ch) = sin_cos(0.5 * euler.heading);
+    Quaternion::new(
+        ch * cp * cr + sh * sp * sr,
+        ch * sp * cr + sh * cp * sr,
+        ch * cp * sr - sh * sp * cr,
+        ch * sp * sr - sh * cp * cr,
+    )
+}
+
+/// Attitude angles of `q_nb`, by the sum and the difference of heading and roll, so that near pitch ±90° the one
+/// that is still defined keeps all its digits.
+pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
+    let (w, x, y, z) = (q.w, q.i, q.j, q.k);
+    let half_difference = atan2(-(y + z), w + x);
+    let half_sum = atan2(y - z, w - x);
+    let pitch = 2.0 * atan2(hypot(w + x, y + z), hypot(w - x, y - z)) - FRAC_PI_2;
+    let heading = wrap_angle(half_sum + half_difference);
+    let mut roll = half_sum - half_difference;
+    if roll.abs() > PI {
+        roll = wrap_angle(roll);
+    }
+    Euler { roll, pitch, heading: if heading < 0.0 { heading + TAU } else { heading } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Matrix3;
+
+    fn distance(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
+        (a - b).norm().min((a + b).norm())
+    }
+
+    #[test]
+    fn rotation_vector_and_quaternion_are_inverse_from_nothing_to_half_a_turn() {
+        let axis = Vector3::new(0.36, -0.48, 0.8);
+        for angle in [0.0, 1e-300, 1e-16, 1e-9, 1e-3, 0.12, 0.499_999, 0.500_001, 1.0, 3.0, 3.14] {
+            let phi = axis * angle;
+            let back = rotation_vector(&rotation_quaternion(&phi));
+            // cos(n/2) near π/2 and sin near 0 hold 1e-16 absolute; the arc tangent spreads it evenly.
+            assert!((back - phi).norm() <= 8.0 * f64::EPSILON * angle, "{angle}: {}", (back - phi).norm());
+        }
+    }
+
+    #[test]
+    fn series_and_closed_form_meet() {
+        let below = RotationSeries::new(0.25 - 1e-15);
+        let above = RotationSeries::new(0.25);
+        assert!((below.square - above.square).abs() < 4.0 * f64::EPSILON);
+        assert!((below.cubic - above.cubic).abs() < 16.0 * f64::EPSILON);
+        let omega = Vector3::new(0.3, -1.0, 0.5);
+        let axis = Vector3::new(0.6, 0.0, 0.8);
+        let low = inverse_right_jacobian(&(axis * (0.2 - 1e-15)), &omega);
+        let high = inverse_right_jacobian(&(axis * 0.2), &omega);
+        assert!((low - high).norm() < 1e-14);
+    }
+
+    #[test]
+    fn jacobian_and_its_inverse_cancel() {
+        let phi = Vector3::new(0.4, -0.7, 1.1);
+        let rate = Vector3::new(-0.2, 0.9, 0.5);
+        let s = RotationSeries::new(phi.norm_squared());
+        let cross = phi.cross(&rate);
+        let omega = rate - s.square * cross + s.cubic * phi.cross(&cross);
+        assert!((inverse_right_jacobian(&phi, &omega) - rate).norm() < 16.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn euler_angles_are_the_sequence_heading_pitch_roll() {
+        let euler = Euler { roll: 0.3, pitch: -0.6, heading: 5.0 };
+        let (sr, cr) = sin_cos(euler.roll);
+        let (sp, cp) = sin_cos(euler.pitch);
+        let (sh, ch) = sin_cos(euler.heading);
+        let c = Matrix3::new(ch, sh, 0.0, -sh, ch, 0.0, 0.0, 0.0, 1.0)
+            * Matrix3::new(1.0, 0.0, 0.0, 0.0, cp, -sp, 0.0, sp, cp)
+            * Matrix3::new(cr, 0.0, sr, 0.0, 1.0, 0.0, -sr, 0.0, cr);
+        let q = attitude_from_euler(&euler);
+        for v in [Vector3::x(), Vector3::y(), Vector3::z()] {
+            assert!((rotate(&q, &v) - c * v).norm() < 8.0 * f64::EPSILON);
+            assert!((rotate_inverse(&q, &v) - c.transpose() * v).norm() < 8.0 * f64::EPSILON);
+        }
+    }
+
+    #[test]
+    fn euler_angles_come_back_even_beside_the_gimbal_lock() {
+        for pitch in [-FRAC_PI_2, -FRAC_PI_2 + 1e-12, -1.0, 0.0, 1.5, FRAC_PI_2 - 1e-9, FRAC_PI_2] {
+            for roll in [-3.1, -1.0, 0.0, 2.0] {
+                for heading in [0.0, 1.0, 3.2, 6.2] {
+                    let q = attitude_from_euler(&Euler { roll, pitch, heading });
+                    let back = euler_from_attitude(&q);
+                    assert!(distance(&attitude_from_euler(&back), &q) < 4.0 * f64::EPSILON);
+                    assert!((back.pitch - pitch).abs() < 4.0 * f64::EPSILON);
+                    assert!((0.0..=TAU).contains(&back.heading) && back.roll.abs() <= PI);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Every transcendental function of the crate goes through here, on the `libm` crate: the same bits on every
+//! operating system, processor and word size. `f64::sin` and its kin call the platform's library and are
+//! forbidden elsewhere (`clippy.toml`).
+
+use core::f64::consts::TAU;
+
+/// Sine and cosine of `x` [rad].
+#[inline]
+pub fn sin_cos(x: f64) -> (f64, f64) {
+    libm::sincos(x)
+}
+
+/// Tangent of `x` [rad].
+#[inline]
+pub fn tan(x: f64) -> f64 {
+    libm::tan(x)
+}
+
+/// Arc sine [rad].
+#[inline]
+pub fn asin(x: f64) -> f64 {
+    libm::asin(x)
+}
+
+/// Arc tangent [rad].
+#[inline]
+pub fn atan(x: f64) -> f64 {
+    libm::atan(x)
+}
+
+/// Angle of the point (`x`, `y`) [rad], -π to π.
+#[inline]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
+/// e to the `x`.
+#[inline]
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// e to the `x`, less one, without cancellation near 0.
+#[inline]
+pub fn exp_m1(x: f64) -> f64 {
+    libm::expm1(x)
+}
+
+/// Hyperbolic tangent.
+#[inline]
+pub fn tanh(x: f64) -> f64 {
+    libm::tanh(x)
+}
+
+/// Length of (`x`, `y`), for arguments whose squares neither overflow nor vanish: Earth-fixed coordinates.
+#[inline]
+pub fn hypot(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// `angle` [rad] brought to -π..π by an exact remainder.
+#[inline]
+pub fn wrap_angle(angle: f64) -> f64 {
+    if angle.abs() <= core::f64::consts::PI { angle } else { libm::remainder(angle, TAU) }
+}

@@ -1,0 +1,118 @@
+//! The navigation-frame part in Earth-fixed axes: regular everywhere, and the navigation axes turn at the constant
+//! Earth rate W alone.
+
+use nalgebra::{Quaternion, Vector3};
+
+use super::{BodyMotion, renormalize, two_sided_increment};
+use crate::earth::{Earth, Vertical};
+use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment};
+use crate::state::EarthFixedState;
+
+/// Position, velocity and attitude in Earth-fixed axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EarthFixed {
+    r_e: Compensated<3>,
+    v_e: Compensated<3>,
+    /// Components i, j, k, w.
+    q_eb: Compensated<4>,
+    /// Gravity of the last update [m/s²].
+    gravity_e: Vector3<f64>,
+    vertical: Vertical,
+}
+
+impl EarthFixed {
+    /// Starts from `state`.
+    pub fn new(earth: &Earth, state: &EarthFixedState) -> Self {
+        Self {
+            r_e: Compensated::new(state.r_e),
+            v_e: Compensated::new(state.v_e),
+            q_eb: Compensated::new(state.q_eb.coords),
+            gravity_e: earth.gravity(&state.r_e),
+            vertical: earth.vertical(&state.r_e),
+        }
+    }
+
+    /// One update of length `t` [s]. W× is the cross product with the Earth rate:
+    /// ```text
+    /// Δv = C S1 - T W×C(S1 - S2) + T²/6 W×(W×C S1) + T g - 2 W×Δr
+    /// Δr = T v + T C S2 - T² W×C S3 + T²/2 g - T²/12 Δg - 2 T W×(r̄ - r)
+    /// q  ← q(-W T) q q(Φ)
+    /// ```
+    /// g is gravity at the mean position r̄ of the update, Δg its change since the update before. The Coriolis integral
+    /// is exact: ∫ v dt is Δr.
+    pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
+        let w = earth.rate_rad_s;
+        let (q, v) = (self.q(), self.v_e.value);
+        let s1 = rotate(&q, &body.s1);
+        let s2 = rotate(&q, &body.s2);
+        let s3 = rotate(&q, &body.s3);
+
+        let dv_gravity_free = s1 - earth_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) / 6.0;
+        let acceleration_t = s1 + (self.gravity_e - earth_cross(2.0 * w, &v)) * t;
+        let to_mean_position = (v * 0.5 + acceleration_t / 6.0) * t;
+        let gravity_e = earth.gravity(&(self.r_e.value + to_mean_position));
+        let gravity_change = gravity_e - self.gravity_e;
+
+        let dr = (v + s2 - earth_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change / 12.0) * t
+            - earth_cross(2.0 * w, &to_mean_position))
+            * t;
+        let dv = dv_gravity_free + gravity_e * t - earth_cross(2.0 * w, &dr);
+        let dq = two_sided_increment(&q, &Vector3::new(0.0, 0.0, -w * t), &body.rotation);
+        self.add(&dr, &dv, &dq);
+        self.gravity_e = gravity_e;
+    }
+
+    /// One update of the paper's approximations: Φ - Cᵀ W T as the rotation vector, factor I - ½ T W×, Coriolis and
+    /// gravity of the start, position by the velocity of the start.
+    pub fn update_paper(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
+        let w = earth.rate_rad_s;
+        let (q, v) = (self.q(), self.v_e.value);
+        let s1 = rotate(&q, &body.s1);
+        let gravity_e = earth.gravity(&self.r_e.value);
+        let dv = s1 - earth_cross(0.5 * w * t, &s1) + (gravity_e - earth_cross(2.0 * w, &v)) * t;
+        let rotation = body.rotation - rotate_inverse(&q, &Vector3::new(0.0, 0.0, w * t));
+        let dq = q * rotation_increment(&rotation);
+        self.add(&(v * t), &dv, &dq);
+        self.gravity_e = gravity_e;
+    }
+
+    fn add(&mut self, dr: &Vector3<f64>, dv: &Vector3<f64>, dq: &Quaternion<f64>) {
+        self.r_e.add(dr);
+        self.v_e.add(dv);
+        self.q_eb.add(&dq.coords);
+        renormalize(&mut self.q_eb);
+    }
+
+    fn q(&self) -> Quaternion<f64> {
+        Quaternion::from(self.q_eb.value)
+    }
+
+    /// Height above the ellipsoid [m] and velocity up [m/s], and the vertical kept for the correction that follows.
+    pub fn observe_vertical(&mut self, earth: &Earth) -> (f64, f64) {
+        self.vertical = earth.vertical_near(&self.r_e.value, &self.vertical);
+        (self.vertical.height_m, self.vertical.up_e.dot(&self.v_e.value))
+    }
+
+    /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays.
+    pub fn shift_vertical(&mut self, height_m: f64, velocity_up_m_s: f64) {
+        self.r_e.add(&(self.vertical.up_e * height_m));
+        self.v_e.add(&(self.vertical.up_e * velocity_up_m_s));
+    }
+
+    /// The state.
+    pub fn state(&self) -> EarthFixedState {
+        EarthFixedState { r_e: self.r_e.value, v_e: self.v_e.value, q_eb: self.q() }
+    }
+}
+
+/// (0, 0, `w`) × `v`
+#[inline]
+fn earth_cross(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-w * v.y, w * v.x, 0.0)
+}
+
+/// (0, 0, `w`) × ((0, 0, `w`) × `v`)
+#[inline]
+fn earth_cross_twice(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-w * w * v.x, -w * w * v.y, 0.0)
+}

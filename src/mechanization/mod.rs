@@ -1,0 +1,162 @@
+//! The strapdown mechanization (the paper's equations (7)-(24)): from measured increments to position, velocity and
+//! attitude.
+//!
+//! A body-frame piece ([`BodyMotion`]) and a navigation-frame piece (Earth-fixed or geographic); each scheme is a pair.
+
+mod body;
+mod earth_fixed;
+mod geographic;
+mod vertical;
+
+pub use body::{BodyMotion, MAX_SUBSAMPLES};
+pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode};
+
+use nalgebra::{Quaternion, Vector3};
+
+use crate::earth::Earth;
+use crate::error::{Error, ErrorKind, Rule};
+use crate::math::{Compensated, rotation_increment};
+use crate::signal::Increment;
+use crate::state::{BodyAxes, EarthFixedState, Navigation};
+use earth_fixed::EarthFixed;
+use geographic::Geographic;
+
+/// In which axes the mechanization navigates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Frame {
+    /// Earth-fixed: regular everywhere.
+    #[default]
+    EarthFixed,
+    /// East-north-up: the paper's.
+    Geographic,
+}
+
+/// Which algorithm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Scheme {
+    /// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+    #[default]
+    Exact,
+    /// The paper's, misprints mended, approximations kept.
+    Paper,
+}
+
+/// Heights [m] beyond which the solution counts as diverged: far outside of what a sample may be, far inside of what
+/// the equations can represent.
+const MIN_HEIGHT_M: f64 = -500e3;
+const MAX_HEIGHT_M: f64 = 20_000e3;
+
+/// Speed [m/s] beyond which the solution counts as diverged.
+const MAX_SPEED_M_S: f64 = 100e3;
+
+/// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
+const MIN_COS_LATITUDE: f64 = 1e-3;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Axes {
+    EarthFixed(EarthFixed),
+    Geographic(Geographic),
+}
+
+/// The navigator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mechanization {
+    earth: Earth,
+    scheme: Scheme,
+    axes: Axes,
+    vertical: VerticalLoop,
+}
+
+impl Mechanization {
+    /// Starts from `state`.
+    pub fn new(earth: Earth, frame: Frame, scheme: Scheme, state: &EarthFixedState) -> Self {
+        let axes = match frame {
+            Frame::EarthFixed => Axes::EarthFixed(EarthFixed::new(&earth, state)),
+            Frame::Geographic => Axes::Geographic(Geographic::new(&earth, state)),
+        };
+        Self { earth, scheme, axes, vertical: VerticalLoop::new() }
+    }
+
+    /// Whether another update can be made from here; the state itself is good either way.
+    pub fn check(&self) -> Result<(), Error> {
+        let (height, speed2) = match &self.axes {
+            Axes::EarthFixed(axes) => {
+                let state = axes.state();
+                let radius = state.r_e.norm_squared().sqrt();
+                (radius - self.earth.equatorial_radius_m, state.v_e.norm_squared())
+            }
+            Axes::Geographic(axes) => {
+                let cos = crate::math::sin_cos(axes.latitude_rad()).1;
+                if cos < MIN_COS_LATITUDE {
+                    let rule = Rule::WordsAnd("the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least", MIN_COS_LATITUDE);
+                    return Err(Error::of(ErrorKind::Singular, "cosine of the navigated latitude", cos, rule));
+                }
+                let navigation = axes.observe_vertical();
+                (navigation.0, axes.speed2())
+            }
+        };
+        let diverged = |field, value, rule| Err(Error::of(ErrorKind::Diverged, field, value, rule));
+        // The comparisons are false for NaN too.
+        if !(height > MIN_HEIGHT_M && height < MAX_HEIGHT_M) {
+            return diverged("navigated height_m", height, Rule::Between(MIN_HEIGHT_M, MAX_HEIGHT_M));
+        }
+        if !(speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S) {
+            return diverged("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S));
+        }
+        Ok(())
+    }
+
+    /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.
+    pub fn update(&mut self, increments: &[Increment], t: f64) {
+        match (self.scheme, &mut self.axes) {
+            (Scheme::Exact, Axes::EarthFixed(axes)) => axes.update(&self.earth, &BodyMotion::exact(increments), t),
+            (Scheme::Exact, Axes::Geographic(axes)) => axes.update(&self.earth, &BodyMotion::exact(increments), t),
+            (Scheme::Paper, Axes::EarthFixed(axes)) => axes.update_paper(&self.earth, &BodyMotion::paper(increments), t),
+            (Scheme::Paper, Axes::Geographic(axes)) => axes.update_paper(&self.earth, &BodyMotion::paper(increments), t),
+        }
+    }
+
+    /// Keeps the vertical channel, at the end of an interval of length `t` [s].
+    pub fn aid_vertical(&mut self, aid: &VerticalAid, t: f64) {
+        if *aid == VerticalAid::None {
+            return;
+        }
+        let (height, velocity_up) = match &mut self.axes {
+            Axes::EarthFixed(axes) => axes.observe_vertical(&self.earth),
+            Axes::Geographic(axes) => axes.observe_vertical(),
+        };
+        let correction = match *aid {
+            VerticalAid::None => return,
+            VerticalAid::Truth { height_m, velocity_up_m_s } => {
+                VerticalCorrection { height_m: height_m - height, velocity_up_m_s: velocity_up_m_s - velocity_up }
+            }
+            VerticalAid::Barometer { height_m } => self.vertical.correct(height - height_m, t),
+        };
+        match &mut self.axes {
+            Axes::EarthFixed(axes) => axes.shift_vertical(correction.height_m, correction.velocity_up_m_s),
+            Axes::Geographic(axes) => axes.shift_vertical(correction.height_m, correction.velocity_up_m_s),
+        }
+    }
+
+    /// The solution in geographic terms.
+    pub fn navigation(&self, axes: BodyAxes) -> Navigation {
+        match &self.axes {
+            Axes::EarthFixed(state) => state.state().navigation(&self.earth, axes),
+            Axes::Geographic(state) => state.navigation(axes),
+        }
+    }
+}
+
+/// q(`left`) q q(`right`) - q for two rotation vectors [rad], without ever forming a quaternion near 1.
+#[inline]
+fn two_sided_increment(q: &Quaternion<f64>, left: &Vector3<f64>, right: &Vector3<f64>) -> Quaternion<f64> {
+    let turned = q * rotation_increment(right);
+    turned + rotation_increment(left) * (q + turned)
+}
+
+/// Puts what the norm of a quaternion lacks to 1 into the carry, so that it is never rounded away.
+#[inline]
+fn renormalize(q: &mut Compensated<4>) {
+    let correction = 0.5 * (1.0 - q.value.norm_squared());
+    q.carry += q.value * correction;
+}

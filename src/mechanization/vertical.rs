@@ -1,0 +1,83 @@
+//! The vertical channel: by itself it is unstable (e-fold 569 s), so it is damped by a barometric height or held to the
+//! truth.
+
+/// How the vertical channel is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum VerticalMode {
+    /// Third-order loop on a barometric height.
+    #[default]
+    Damped,
+    /// Height and vertical velocity set to the truth at each sample.
+    FollowTruth,
+    /// Left to itself.
+    Free,
+}
+
+/// What the vertical channel is told at the end of an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum VerticalAid {
+    /// Nothing.
+    None,
+    /// The truth: height [m] and velocity up [m/s].
+    Truth {
+        /// Height above the ellipsoid [m].
+        height_m: f64,
+        /// Velocity up [m/s].
+        velocity_up_m_s: f64,
+    },
+    /// A barometric height [m].
+    Barometer {
+        /// Height above the ellipsoid [m].
+        height_m: f64,
+    },
+}
+
+/// Third-order barometric loop (Kayton and Fried 1997, §7.5): with e = height - barometric height,
+/// h' = v - c1 e, v' = a - c2 e - d, d' = c3 e; c1 = 3/τ, c2 = 3/τ² + 2 g/R, c3 = 1/τ³: all three poles at -1/τ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VerticalLoop {
+    /// d, the estimate of the vertical channel's constant error [m/s²].
+    bias_m_s2: f64,
+}
+
+/// Corrections of the vertical channel over one interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VerticalCorrection {
+    /// To the height [m].
+    pub height_m: f64,
+    /// To the velocity up [m/s].
+    pub velocity_up_m_s: f64,
+}
+
+impl VerticalLoop {
+    /// τ [s]
+    pub const TIME_CONSTANT_S: f64 = 100.0;
+    /// 2 g/R [1/s²], which makes the free channel unstable.
+    const GRAVITY_GRADIENT: f64 = 3.08e-6;
+
+    /// A loop that has found no error yet.
+    pub fn new() -> Self {
+        Self { bias_m_s2: 0.0 }
+    }
+
+    /// Corrections for a residual `residual_m` = height - barometric height over an interval `t` [s].
+    #[inline]
+    pub fn correct(&mut self, residual_m: f64, t: f64) -> VerticalCorrection {
+        const RATE: f64 = 1.0 / VerticalLoop::TIME_CONSTANT_S;
+        let c1 = 3.0 * RATE;
+        let c2 = 3.0 * RATE * RATE + Self::GRAVITY_GRADIENT;
+        let c3 = RATE * RATE * RATE;
+        let correction = VerticalCorrection {
+            height_m: -c1 * residual_m * t,
+            velocity_up_m_s: -(c2 * residual_m + self.bias_m_s2) * t,
+        };
+        self.bias_m_s2 += c3 * residual_m * t;
+        correction
+    }
+}
+
+impl Default for VerticalLoop {
+    fn default() -> Self {
+        Self::new()
+    }
+}

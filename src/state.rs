@@ -1,0 +1,123 @@
+//! Position, velocity and attitude of a vehicle: Earth-fixed, as the blocks compute with it, and geographic, as it is
+//! read.
+
+use nalgebra::{Quaternion, Vector3};
+
+use crate::earth::{Earth, Geodetic, navigation_axes};
+use crate::math::{Euler, euler_from_attitude, rotate, rotate_inverse, wrap_angle};
+
+/// How the sensor axes lie in the vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BodyAxes {
+    /// x right, y forward, z up: the paper's.
+    #[default]
+    RightForwardUp,
+    /// x forward, y right, z down: the aerospace convention.
+    ForwardRightDown,
+}
+
+impl BodyAxes {
+    /// Attitude of the sensor axes for the attitude `q` of the axes right-forward-up; its own inverse, as the two
+    /// differ by half a turn about the bisector of x and y. Products with √½ alone: no component is lost.
+    pub fn exchange(self, q: &Quaternion<f64>) -> Quaternion<f64> {
+        match self {
+            Self::RightForwardUp => *q,
+            Self::ForwardRightDown => {
+                let s = core::f64::consts::FRAC_1_SQRT_2;
+                Quaternion::new(-s * (q.i + q.j), s * (q.w - q.k), s * (q.w + q.k), s * (q.i - q.j))
+            }
+        }
+    }
+}
+
+/// Where a body is, how it moves and how it lies, in Earth-fixed axes: regular everywhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EarthFixedState {
+    /// Position [m].
+    pub r_e: Vector3<f64>,
+    /// Velocity against the Earth [m/s].
+    pub v_e: Vector3<f64>,
+    /// Attitude: rotates sensor axes to Earth-fixed axes.
+    pub q_eb: Quaternion<f64>,
+}
+
+/// The same in geographic terms.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Navigation {
+    /// Latitude, longitude (-π..π), height.
+    pub place: Geodetic,
+    /// Velocity against the Earth, east-north-up [m/s].
+    pub v_n: Vector3<f64>,
+    /// Attitude: rotates sensor axes to east-north-up.
+    pub q_nb: Quaternion<f64>,
+    /// Roll, pitch, heading (0..2π) of the vehicle.
+    pub euler: Euler,
+}
+
+impl EarthFixedState {
+    /// The geographic view.
+    pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
+        let place = earth.to_geodetic(&self.r_e);
+        let q_en = navigation_axes(place.latitude_rad, place.longitude_rad);
+        Navigation::new(place, rotate_inverse(&q_en, &self.v_e), q_en.conjugate() * self.q_eb, axes)
+    }
+}
+
+impl Navigation {
+    /// Fills in the attitude angles, and brings the longitude to -π..π.
+    pub fn new(place: Geodetic, v_n: Vector3<f64>, q_nb: Quaternion<f64>, axes: BodyAxes) -> Self {
+        let place = Geodetic { longitude_rad: wrap_angle(place.longitude_rad), ..place };
+        Self { place, v_n, q_nb, euler: euler_from_attitude(&axes.exchange(&q_nb)) }
+    }
+
+    /// The Earth-fixed view.
+    pub fn earth_fixed(&self, earth: &Earth) -> EarthFixedState {
+        let q_en = navigation_axes(self.place.latitude_rad, self.place.longitude_rad);
+        EarthFixedState {
+            r_e: earth.to_earth_fixed(&self.place),
+            v_e: rotate(&q_en, &self.v_n),
+            q_eb: q_en * self.q_nb,
+        }
+    }
+
+    /// Distance from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
+    pub fn distance_from_axis(&self, earth: &Earth) -> f64 {
+        let (sin, cos) = crate::math::sin_cos(self.place.latitude_rad);
+        (earth.radii(sin).transverse_m + self.place.height_m) * cos
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::attitude_from_euler;
+
+    #[test]
+    fn geographic_and_earth_fixed_views_are_inverse() {
+        let earth = Earth::default();
+        for latitude_rad in [-1.570_796, -0.3, 0.0, 0.9, 1.570_796_326_794_8] {
+            let place = Geodetic { latitude_rad, longitude_rad: -2.9, height_m: 1234.5 };
+            let q_nb = attitude_from_euler(&Euler { roll: 0.2, pitch: 1.2, heading: 4.0 });
+            let navigation = Navigation::new(place, Vector3::new(100.0, -200.0, 3.0), q_nb, BodyAxes::default());
+            let back = navigation.earth_fixed(&earth).navigation(&earth, BodyAxes::default());
+            // Where the axis is near, longitude and heading share an error of 1 nm over the distance to it.
+            let angle = 4e-16 + 2e-9 / navigation.distance_from_axis(&earth);
+            assert!((back.place.latitude_rad - latitude_rad).abs() < 4e-16);
+            assert!((back.place.longitude_rad + 2.9).abs() < angle + 4e-16);
+            assert!((back.v_n - navigation.v_n).norm() < 300.0 * (angle + 1e-15));
+            assert!((back.euler.pitch - 1.2).abs() < 1e-15 && (back.euler.heading - 4.0).abs() < angle + 4e-15);
+        }
+    }
+
+    #[test]
+    fn forward_right_down_exchanges_x_and_y_and_turns_z() {
+        let q = attitude_from_euler(&Euler { roll: 0.2, pitch: 0.4, heading: 1.0 });
+        let frd = BodyAxes::ForwardRightDown.exchange(&q);
+        let near = |a: Vector3<f64>, b: Vector3<f64>| (a - b).norm() < 8.0 * f64::EPSILON;
+        assert!(near(rotate(&frd, &Vector3::x()), rotate(&q, &Vector3::y())));
+        assert!(near(rotate(&frd, &Vector3::y()), rotate(&q, &Vector3::x())));
+        assert!(near(rotate(&frd, &Vector3::z()), -rotate(&q, &Vector3::z())));
+        let back = BodyAxes::ForwardRightDown.exchange(&frd);
+        assert!((back + q).norm() < 8.0 * f64::EPSILON, "half a turn twice is a full one");
+    }
+}

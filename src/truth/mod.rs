@@ -1,0 +1,7 @@
+//! Truth: what the flight simulator tells, checked on entry and brought to Earth-fixed axes.
+
+mod intake;
+mod sample;
+
+pub use intake::{Intake, IntakeLimits, QUEUE_CAPACITY, TruthPoint};
+pub use sample::FlightSample;

@@ -1,0 +1,69 @@
+//! One flight-control sample of the host.
+
+use nalgebra::Vector3;
+
+use crate::earth::{Earth, Geodetic};
+use crate::error::{Error, check_range, check_ranges};
+use crate::math::{Euler, attitude_from_euler};
+use crate::state::{BodyAxes, Navigation};
+
+/// True position, velocity and attitude at an instant, as a flight simulator gives them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlightSample {
+    /// Time stamp [s].
+    pub time_s: f64,
+    /// Geodetic position.
+    pub place: Geodetic,
+    /// Velocity against the Earth, east-north-up [m/s]; `None`: it follows from position.
+    pub v_n: Option<Vector3<f64>>,
+    /// Attitude angles [rad], any number of turns.
+    pub euler: Euler,
+    /// Angular rate against inertial space in sensor axes [rad/s], if the host knows it.
+    pub omega_ib_b: Option<Vector3<f64>>,
+    /// Specific force in sensor axes [m/s²], if the host knows it.
+    pub f_b: Option<Vector3<f64>>,
+}
+
+impl FlightSample {
+    /// Checks each field by itself.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_range("sample.time_s", self.time_s, -1e9, 1e9)?;
+        // A quarter turn that the host rounded up in degrees is still a pole.
+        let quarter = core::f64::consts::FRAC_PI_2 + 1e-9;
+        check_range("sample.latitude_rad", self.place.latitude_rad, -quarter, quarter)?;
+        check_range("sample.longitude_rad", self.place.longitude_rad, -100.0, 100.0)?;
+        check_range("sample.height_m", self.place.height_m, -20e3, 2000e3)?;
+        if let Some(v_n) = &self.v_n {
+            check_ranges("sample.velocity_enu_m_s", v_n.as_slice(), -20e3, 20e3)?;
+        }
+        check_range("sample.roll_rad", self.euler.roll, -1e4, 1e4)?;
+        check_range("sample.pitch_rad", self.euler.pitch, -1e4, 1e4)?;
+        check_range("sample.heading_rad", self.euler.heading, -1e4, 1e4)?;
+        if let Some(rate) = &self.omega_ib_b {
+            check_ranges("sample.angular_rate_rad_s", rate.as_slice(), -1e3, 1e3)?;
+        }
+        if let Some(force) = &self.f_b {
+            check_ranges("sample.specific_force_m_s2", force.as_slice(), -1e5, 1e5)?;
+        }
+        Ok(())
+    }
+
+    /// The sample in geographic terms; a missing velocity reads as zero.
+    pub fn navigation(&self, axes: BodyAxes) -> Navigation {
+        let quarter = core::f64::consts::FRAC_PI_2;
+        let place = Geodetic { latitude_rad: self.place.latitude_rad.clamp(-quarter, quarter), ..self.place };
+        let q_nb = axes.exchange(&attitude_from_euler(&self.euler));
+        Navigation::new(place, self.v_n.unwrap_or_default(), q_nb, axes)
+    }
+
+    /// The sample at rest relative to `earth`, for tests and examples: position and attitude as given, no velocity.
+    pub fn at_rest(time_s: f64, place: Geodetic, euler: Euler) -> Self {
+        Self { time_s, place, v_n: Some(Vector3::zeros()), euler, omega_ib_b: None, f_b: None }
+    }
+
+    /// Host-given angular rate against the Earth [rad/s] in sensor axes.
+    pub(super) fn omega_eb_b(&self, earth: &Earth, q_eb: &nalgebra::Quaternion<f64>) -> Option<Vector3<f64>> {
+        let earth_rate = Vector3::new(0.0, 0.0, earth.rate_rad_s);
+        self.omega_ib_b.map(|omega| omega - crate::math::rotate_inverse(q_eb, &earth_rate))
+    }
+}
