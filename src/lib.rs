@@ -9,6 +9,8 @@ pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
 #[forbid(unsafe_code)]
+pub mod sensors;
+#[forbid(unsafe_code)]
 pub mod signal;
 #[forbid(unsafe_code)]
 pub mod state;

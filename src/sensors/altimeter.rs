@@ -1,0 +1,117 @@
+//! The barometric altimeter that damps the vertical channel.
+
+use super::gauss_markov::MarkovStep;
+use super::parameters::check_markov_time;
+use super::stream::{Purpose, Source, Stream, StreamKey};
+use crate::error::{Error, check_range};
+use crate::math::exp_m1;
+
+/// Errors of the barometric height. All zero is an ideal altimeter.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AltimeterParameters {
+    /// Constant bias [m].
+    pub bias_m: f64,
+    /// Standard deviation of the first-order Gauss-Markov error [m].
+    pub markov_sigma_m: f64,
+    /// Its correlation time [s].
+    pub markov_time_s: f64,
+    /// Standard deviation of the independent error of each sample [m].
+    pub noise_m: f64,
+    /// Scale factor error.
+    pub scale_factor: f64,
+    /// Time constant of the first-order lag of the static pressure [s].
+    pub lag_s: f64,
+}
+
+impl AltimeterParameters {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_range("altimeter.bias_m", self.bias_m, -1e5, 1e5)?;
+        check_range("altimeter.markov_sigma_m", self.markov_sigma_m, 0.0, 1e5)?;
+        check_markov_time("altimeter.markov_time_s", self.markov_time_s, self.markov_sigma_m)?;
+        check_range("altimeter.noise_m", self.noise_m, 0.0, 1e5)?;
+        check_range("altimeter.scale_factor", self.scale_factor, -1.0, 1.0)?;
+        check_range("altimeter.lag_s", self.lag_s, 0.0, 1e6)
+    }
+}
+
+/// The altimeter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Altimeter {
+    parameters: AltimeterParameters,
+    /// Gauss-Markov process of unit variance.
+    x: f64,
+    markov: Stream,
+    noise: Stream,
+    /// True height of the last sample and height behind the lag [m].
+    height_m: f64,
+    lagged_m: f64,
+}
+
+impl Altimeter {
+    /// An ideal altimeter at the true height `height_m`, whose random errors draw from the streams of `key`.
+    pub fn new(key: StreamKey, height_m: f64) -> Self {
+        let mut markov = Stream::new(key, Source::Altimeter, 0, Purpose::GaussMarkov);
+        let noise = Stream::new(key, Source::Altimeter, 0, Purpose::SampleNoise);
+        let x = markov.normal();
+        Self { parameters: AltimeterParameters::default(), x, markov, noise, height_m, lagged_m: height_m }
+    }
+
+    /// Takes validated parameters.
+    pub fn set(&mut self, parameters: &AltimeterParameters) {
+        self.parameters = *parameters;
+    }
+
+    /// The truth jumped to `height_m`: the lag settles there at once.
+    pub fn reposition(&mut self, height_m: f64) {
+        self.height_m = height_m;
+        self.lagged_m = height_m;
+    }
+
+    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last.
+    pub fn sense(&mut self, height_m: f64, dt: f64) -> f64 {
+        let p = &self.parameters;
+        // Lag of a height that ran straight from the last sample to this, exactly.
+        if p.lag_s > 0.0 {
+            let behind = (height_m - self.height_m) / dt * p.lag_s;
+            let decayed = 1.0 + exp_m1(-dt / p.lag_s);
+            self.lagged_m = height_m - behind + (self.lagged_m - self.height_m + behind) * decayed;
+        } else {
+            self.lagged_m = height_m;
+        }
+        self.height_m = height_m;
+
+        let mut indicated = self.lagged_m + p.bias_m + p.scale_factor * self.lagged_m;
+        if p.markov_sigma_m > 0.0 {
+            MarkovStep::new(dt, p.markov_time_s).advance(&mut self.x, &mut self.markov);
+            indicated += p.markov_sigma_m * self.x;
+        }
+        if p.noise_m > 0.0 {
+            indicated += p.noise_m * self.noise.normal();
+        }
+        indicated
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_ideal_altimeter_shows_the_height() {
+        let mut altimeter = Altimeter::new(StreamKey::default(), 100.0);
+        assert_eq!(altimeter.sense(123.456, 0.01), 123.456);
+    }
+
+    #[test]
+    fn in_a_steady_climb_the_lag_is_climb_rate_times_time_constant() {
+        let mut altimeter = Altimeter::new(StreamKey::default(), 0.0);
+        altimeter.set(&AltimeterParameters { lag_s: 2.0, bias_m: 5.0, scale_factor: 0.01, ..Default::default() });
+        let mut shown = 0.0;
+        for step in 1..=1000 {
+            shown = altimeter.sense(10.0 * 0.1 * f64::from(step), 0.1);
+        }
+        // 1000 m less 10 m/s for 2 s (e^-50 of the start is left), 1 % more, and the bias.
+        assert!((shown - (980.0 * 1.01 + 5.0)).abs() < 1e-9, "{shown}");
+    }
+}

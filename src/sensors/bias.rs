@@ -1,0 +1,40 @@
+//! Bias: a given constant and one drawn at turn-on.
+
+use nalgebra::Vector3;
+
+use super::parameters::{Sensor, TriadParameters};
+use super::stream::{Purpose, Stream, StreamKey};
+
+/// ε_b = bias + σ z, z drawn once a run (the paper's random constant).
+///
+/// Departure: the paper prints ε_b = 0 for its derivative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bias {
+    /// z, one standard normal number an axis.
+    turn_on: Vector3<f64>,
+    value: Vector3<f64>,
+}
+
+impl Bias {
+    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+        let [mut x, mut y, mut z] = Stream::triad(key, sensor.source(), Purpose::TurnOnBias);
+        Self { turn_on: Vector3::new(x.normal(), y.normal(), z.normal()), value: Vector3::zeros() }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.value = parameters.bias + parameters.bias_sigma.component_mul(&self.turn_on);
+        self.value != Vector3::zeros()
+    }
+
+    /// [u]
+    pub fn value(&self) -> Vector3<f64> {
+        self.value
+    }
+
+    /// Adds the integral over `dt` [s].
+    #[inline]
+    pub fn apply(&self, dt: f64, measured: &mut Vector3<f64>) {
+        *measured += self.value * dt;
+    }
+}

@@ -1,0 +1,88 @@
+//! Errors with which the navigation starts.
+
+use nalgebra::Vector3;
+
+use super::stream::{Purpose, Source, Stream, StreamKey};
+use crate::error::{Error, check_ranges};
+
+/// Where the misalignment at the start comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Alignment {
+    /// The given one alone.
+    #[default]
+    Given,
+    /// Added to it, what levelling and gyrocompassing leave with the sensor errors of the start.
+    LevelAndGyrocompass,
+}
+
+/// Initial errors, computed - true, east-north-up; each given part and one drawn once a run.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct InitialErrorParameters {
+    /// Position [m].
+    pub position_n: Vector3<f64>,
+    /// Velocity [m/s].
+    pub velocity_n: Vector3<f64>,
+    /// Misalignment φ [rad]: computed C = (I - [φ×]) C.
+    pub misalignment_n: Vector3<f64>,
+    /// Standard deviation of the drawn position error [m].
+    pub position_sigma_n: Vector3<f64>,
+    /// Standard deviation of the drawn velocity error [m/s].
+    pub velocity_sigma_n: Vector3<f64>,
+    /// Standard deviation of the drawn misalignment [rad].
+    pub misalignment_sigma_n: Vector3<f64>,
+    /// Where the rest of the misalignment comes from.
+    pub alignment: Alignment,
+}
+
+/// The initial errors of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct InitialErrors {
+    /// Position [m].
+    pub position_n: Vector3<f64>,
+    /// Velocity [m/s].
+    pub velocity_n: Vector3<f64>,
+    /// Misalignment φ [rad].
+    pub misalignment_n: Vector3<f64>,
+}
+
+impl InitialErrorParameters {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        let pi = core::f64::consts::PI;
+        check_ranges("initial.position_enu_m", self.position_n.as_slice(), -1e6, 1e6)?;
+        check_ranges("initial.velocity_enu_m_s", self.velocity_n.as_slice(), -1e4, 1e4)?;
+        check_ranges("initial.misalignment_enu_rad", self.misalignment_n.as_slice(), -pi, pi)?;
+        check_ranges("initial.position_sigma_enu_m", self.position_sigma_n.as_slice(), 0.0, 1e5)?;
+        check_ranges("initial.velocity_sigma_enu_m_s", self.velocity_sigma_n.as_slice(), 0.0, 1e3)?;
+        check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)
+    }
+
+    /// The errors of the run `key`, without those that the alignment adds.
+    pub fn draw(&self, key: StreamKey) -> InitialErrors {
+        let drawn = |given: &Vector3<f64>, sigma: &Vector3<f64>, purpose| {
+            let mut streams = Stream::triad(key, Source::InitialErrors, purpose);
+            given + sigma.component_mul(&Vector3::from_fn(|axis, _| streams[axis].normal()))
+        };
+        InitialErrors {
+            position_n: drawn(&self.position_n, &self.position_sigma_n, Purpose::InitialPosition),
+            velocity_n: drawn(&self.velocity_n, &self.velocity_sigma_n, Purpose::InitialVelocity),
+            misalignment_n: drawn(&self.misalignment_n, &self.misalignment_sigma_n, Purpose::InitialMisalignment),
+        }
+    }
+}
+
+/// Misalignment [rad] that levelling and gyrocompassing at rest leave, from the steady errors of the gyros [rad/s] and the
+/// accelerometers [m/s²] in east-north-up, gravity `g` [m/s²] and the Earth rate's north and up components [rad/s]: the
+/// steady state of the error equations, 0 = f×φ + nabla and 0 = -w×φ - eps in the level and azimuth channels.
+pub fn alignment_error(
+    gyro_error_n: &Vector3<f64>,
+    accel_error_n: &Vector3<f64>,
+    g: f64,
+    earth_rate_north: f64,
+    earth_rate_up: f64,
+) -> Vector3<f64> {
+    let east = -accel_error_n.y / g;
+    let north = accel_error_n.x / g;
+    let up = (earth_rate_up * north - gyro_error_n.x) / earth_rate_north;
+    Vector3::new(east, north, up)
+}

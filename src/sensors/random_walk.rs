@@ -1,0 +1,46 @@
+//! White noise of rate or force: angle or velocity random walk.
+
+use nalgebra::Vector3;
+
+use super::parameters::{Sensor, TriadParameters};
+use super::stream::{Purpose, Stream, StreamKey};
+
+/// w: its integral over dt is N √dt n, n standard normal, independent from one increment to the next; the density N
+/// [u √s] does not depend on the rate at which it is sampled.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct RandomWalk {
+    density: Vector3<f64>,
+    root_dt: f64,
+    streams: [Stream; 3],
+}
+
+impl RandomWalk {
+    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+        Self {
+            density: Vector3::zeros(),
+            root_dt: 0.0,
+            streams: Stream::triad(key, sensor.source(), Purpose::RandomWalk),
+        }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.density = parameters.random_walk;
+        self.density != Vector3::zeros()
+    }
+
+    /// Takes the length of the increments to come [s].
+    pub fn set_interval(&mut self, dt: f64) {
+        self.root_dt = dt.sqrt();
+    }
+
+    /// Adds one increment's noise.
+    #[inline]
+    pub fn apply(&mut self, measured: &mut Vector3<f64>) {
+        for axis in 0..3 {
+            if self.density[axis] != 0.0 {
+                measured[axis] += self.density[axis] * self.root_dt * self.streams[axis].normal();
+            }
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect moves another one's draws.
+
+use rand::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use rand_xoshiro::Xoshiro256PlusPlus;
+
+/// Who draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    Gyro = 0,
+    Accelerometer = 1,
+    Altimeter = 2,
+    InitialErrors = 3,
+}
+
+/// For what. The numbers are part of the bit-for-bit guarantee: never reuse one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    TurnOnBias = 0,
+    GaussMarkov = 1,
+    RandomWalk = 2,
+    InitialPosition = 16,
+    InitialVelocity = 17,
+    InitialMisalignment = 18,
+    SampleNoise = 19,
+}
+
+/// Key of a run: the streams of two different keys are independent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StreamKey {
+    /// Chosen by the user.
+    pub seed: u64,
+    /// Number of the run in an ensemble.
+    pub run: u64,
+}
+
+/// A stream of standard normal numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Stream(Xoshiro256PlusPlus);
+
+impl Stream {
+    pub fn new(key: StreamKey, source: Source, axis: usize, purpose: Purpose) -> Self {
+        let words = [key.seed, key.run, source as u64, axis as u64, purpose as u64];
+        Self(Xoshiro256PlusPlus::seed_from_u64(words.into_iter().fold(0, |hash, word| mix(hash ^ word))))
+    }
+
+    /// Streams of the three axes.
+    pub fn triad(key: StreamKey, source: Source, purpose: Purpose) -> [Self; 3] {
+        [0, 1, 2].map(|axis| Self::new(key, source, axis, purpose))
+    }
+
+    /// The next number, mean 0 and variance 1.
+    #[inline]
+    pub fn normal(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.0)
+    }
+}
+
+/// Step and finalizer of SplitMix64 (Steele, Lea and Flood 2014): every bit of the input moves every bit of the output.
+fn mix(x: u64) -> u64 {
+    let mut z = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_part_of_the_key_gives_another_stream() {
+        let key = StreamKey { seed: 1, run: 0 };
+        let mut first = vec![
+            Stream::new(key, Source::Gyro, 0, Purpose::GaussMarkov),
+            Stream::new(key, Source::Gyro, 1, Purpose::GaussMarkov),
+            Stream::new(key, Source::Accelerometer, 0, Purpose::GaussMarkov),
+            Stream::new(key, Source::Gyro, 0, Purpose::RandomWalk),
+            Stream::new(StreamKey { seed: 2, ..key }, Source::Gyro, 0, Purpose::GaussMarkov),
+            Stream::new(StreamKey { run: 1, ..key }, Source::Gyro, 0, Purpose::GaussMarkov),
+            Stream::new(StreamKey { seed: 0, run: 1 }, Source::Gyro, 0, Purpose::GaussMarkov),
+        ]
+        .iter_mut()
+        .map(|stream| stream.normal().to_bits())
+        .collect::<Vec<_>>();
+        first.sort_unstable();
+        first.dedup();
+        assert_eq!(first.len(), 7);
+        let mut again = Stream::new(key, Source::Gyro, 0, Purpose::GaussMarkov);
+        assert!(first.contains(&again.normal().to_bits()));
+    }
+}
