@@ -5,6 +5,8 @@ pub mod earth;
 #[forbid(unsafe_code)]
 mod error;
 #[forbid(unsafe_code)]
+pub mod errors;
+#[forbid(unsafe_code)]
 pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
@@ -13,8 +15,13 @@ pub mod sensors;
 #[forbid(unsafe_code)]
 pub mod signal;
 #[forbid(unsafe_code)]
+mod simulator;
+#[forbid(unsafe_code)]
 pub mod state;
 #[forbid(unsafe_code)]
 pub mod truth;
 
 pub use error::{Error, ErrorKind, Rule};
+pub use simulator::{
+    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
+};

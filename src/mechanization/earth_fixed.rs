@@ -3,7 +3,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, renormalize, two_sided_increment};
+use super::{BodyMotion, VerticalCorrection, renormalize, two_sided_increment};
 use crate::earth::{Earth, Vertical};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment};
 use crate::state::EarthFixedState;
@@ -93,10 +93,13 @@ impl EarthFixed {
         (self.vertical.height_m, self.vertical.up_e.dot(&self.v_e.value))
     }
 
-    /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays.
-    pub fn shift_vertical(&mut self, height_m: f64, velocity_up_m_s: f64) {
-        self.r_e.add(&(self.vertical.up_e * height_m));
-        self.v_e.add(&(self.vertical.up_e * velocity_up_m_s));
+    /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays. `displacement_m` is what the velocity
+    /// correction would have added to the height within the interval: the Coriolis integral -2 W×Δr follows it.
+    pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
+        let up = &self.vertical.up_e;
+        self.r_e.add(&(up * correction.height_m));
+        let coriolis = earth_cross(2.0 * earth.rate_rad_s, &(up * correction.displacement_m));
+        self.v_e.add(&(up * correction.velocity_up_m_s - coriolis));
     }
 
     /// The state.

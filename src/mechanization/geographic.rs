@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, renormalize, two_sided_increment};
+use super::{BodyMotion, VerticalCorrection, renormalize, two_sided_increment};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
@@ -147,10 +147,14 @@ impl Geographic {
         (self.place.value.z, self.v_n.value.z)
     }
 
-    /// Shifts height [m] and velocity up [m/s].
-    pub fn shift_vertical(&mut self, height_m: f64, velocity_up_m_s: f64) {
-        self.place.add(&Vector3::new(0.0, 0.0, height_m));
-        self.v_n.add(&Vector3::new(0.0, 0.0, velocity_up_m_s));
+    /// Shifts height [m] and velocity up [m/s], with the Coriolis integral of the displacement that the velocity
+    /// correction stands for.
+    pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
+        let local = Local::at(earth, self.place.value.x, self.place.value.z);
+        let omega = 2.0 * local.omega_ie + local.transport(&self.v_n.value);
+        let coriolis = omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
+        self.place.add(&Vector3::new(0.0, 0.0, correction.height_m));
+        self.v_n.add(&(Vector3::new(0.0, 0.0, correction.velocity_up_m_s) - coriolis));
     }
 
     /// The state in geographic terms, without a detour over Earth-fixed axes.

@@ -49,9 +49,6 @@ const MAX_HEIGHT_M: f64 = 20_000e3;
 /// Speed [m/s] beyond which the solution counts as diverged.
 const MAX_SPEED_M_S: f64 = 100e3;
 
-/// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
-const MIN_COS_LATITUDE: f64 = 1e-3;
-
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Axes {
     EarthFixed(EarthFixed),
@@ -68,6 +65,9 @@ pub struct Mechanization {
 }
 
 impl Mechanization {
+    /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
+    pub const MIN_COS_LATITUDE: f64 = 1e-3;
+
     /// Starts from `state`.
     pub fn new(earth: Earth, frame: Frame, scheme: Scheme, state: &EarthFixedState) -> Self {
         let axes = match frame {
@@ -87,8 +87,8 @@ impl Mechanization {
             }
             Axes::Geographic(axes) => {
                 let cos = crate::math::sin_cos(axes.latitude_rad()).1;
-                if cos < MIN_COS_LATITUDE {
-                    let rule = Rule::WordsAnd("the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least", MIN_COS_LATITUDE);
+                if cos < Self::MIN_COS_LATITUDE {
+                    let rule = Rule::WordsAnd("the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least", Self::MIN_COS_LATITUDE);
                     return Err(Error::of(ErrorKind::Singular, "cosine of the navigated latitude", cos, rule));
                 }
                 let navigation = axes.observe_vertical();
@@ -128,13 +128,13 @@ impl Mechanization {
         let correction = match *aid {
             VerticalAid::None => return,
             VerticalAid::Truth { height_m, velocity_up_m_s } => {
-                VerticalCorrection { height_m: height_m - height, velocity_up_m_s: velocity_up_m_s - velocity_up }
+                VerticalCorrection::to_truth(height_m - height, velocity_up_m_s - velocity_up, t)
             }
             VerticalAid::Barometer { height_m } => self.vertical.correct(height - height_m, t),
         };
         match &mut self.axes {
-            Axes::EarthFixed(axes) => axes.shift_vertical(correction.height_m, correction.velocity_up_m_s),
-            Axes::Geographic(axes) => axes.shift_vertical(correction.height_m, correction.velocity_up_m_s),
+            Axes::EarthFixed(axes) => axes.shift_vertical(&self.earth, &correction),
+            Axes::Geographic(axes) => axes.shift_vertical(&self.earth, &correction),
         }
     }
 

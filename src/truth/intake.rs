@@ -97,6 +97,16 @@ impl Intake {
         self.trail = [None; 3];
     }
 
+    /// Number of points that wait.
+    pub fn len(&self) -> usize {
+        self.queue.len()
+    }
+
+    /// Whether no point waits.
+    pub fn is_empty(&self) -> bool {
+        self.queue.is_empty()
+    }
+
     /// The oldest point that waits.
     pub fn front(&self) -> Option<&TruthPoint> {
         self.queue.front()

@@ -1,0 +1,149 @@
+//! Accuracy figures of one run, in the language of data sheets. One run is no ensemble.
+
+use nalgebra::Vector3;
+
+use super::NavigationErrors;
+
+/// R50 = 0.8326 √(mean RER²): half of the radial errors, circular normal distribution (√ln 2).
+pub const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
+
+/// R95 = 1.7308 √(mean RER²): 95 % of the radial errors, circular normal distribution (√ln 20).
+pub const RADIAL_95: f64 = 1.730_818_382_602_285;
+
+/// One nautical mile an hour [m/s].
+const NMI_PER_HOUR: f64 = 1852.0 / 3600.0;
+
+/// Time since the start before which the radial error rate is not taken [s]: as t → 0 it is initial error over nothing.
+const WINDOW_START_S: f64 = 300.0;
+
+/// Errors are sampled this far apart at the least [s].
+const SAMPLE_INTERVAL_S: f64 = 1.0;
+
+/// Sums over the run so far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accuracy {
+    start_s: f64,
+    next_s: f64,
+    samples: u64,
+    velocity_squares: Vector3<f64>,
+    windowed: u64,
+    rate_squares: f64,
+    /// Σ 1, t, t², r, t r over the window for the straight line through the radial error.
+    line: [f64; 5],
+}
+
+/// The figures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AccuracyFigures {
+    /// Time since the navigation started [s].
+    pub duration_s: f64,
+    /// Where the window of the radial error rate begins, in time since the start [s].
+    pub window_start_s: f64,
+    /// Samples in the window; the rates are 0 while there is none.
+    pub window_samples: u64,
+    /// √(mean RER²), RER = radial position error / time since the start [m/s].
+    pub radial_error_rate_rms_m_s: f64,
+    /// Slope of the straight line of least squares through the radial position error [m/s].
+    pub radial_error_slope_m_s: f64,
+    /// Root mean square velocity error, east, north, up [m/s].
+    pub velocity_rms_n: Vector3<f64>,
+}
+
+impl Accuracy {
+    /// Starts at the time `start_s` [s].
+    pub fn new(start_s: f64) -> Self {
+        Self {
+            start_s,
+            next_s: start_s + SAMPLE_INTERVAL_S,
+            samples: 0,
+            velocity_squares: Vector3::zeros(),
+            windowed: 0,
+            rate_squares: 0.0,
+            line: [0.0; 5],
+        }
+    }
+
+    /// Whether the errors at `time_s` [s] are to be added.
+    #[inline]
+    pub fn is_due(&self, time_s: f64) -> bool {
+        time_s >= self.next_s
+    }
+
+    /// Adds the errors at `time_s` [s].
+    pub fn add(&mut self, time_s: f64, errors: &NavigationErrors) {
+        self.next_s = time_s + SAMPLE_INTERVAL_S * (1.0 - 1e-6);
+        self.samples += 1;
+        self.velocity_squares += errors.velocity_n.component_mul(&errors.velocity_n);
+        let t = time_s - self.start_s;
+        if t >= WINDOW_START_S {
+            let r = errors.position_n.xy().norm_squared().sqrt();
+            self.windowed += 1;
+            self.rate_squares += (r / t) * (r / t);
+            for (sum, term) in self.line.iter_mut().zip([1.0, t, t * t, r, t * r]) {
+                *sum += term;
+            }
+        }
+    }
+
+    /// The figures at `time_s` [s].
+    pub fn figures(&self, time_s: f64) -> AccuracyFigures {
+        let mean = |sum: f64, count: u64| if count > 0 { sum / count as f64 } else { 0.0 };
+        let [n, t, t2, r, tr] = self.line;
+        let spread = n * t2 - t * t;
+        AccuracyFigures {
+            duration_s: time_s - self.start_s,
+            window_start_s: WINDOW_START_S,
+            window_samples: self.windowed,
+            radial_error_rate_rms_m_s: mean(self.rate_squares, self.windowed).sqrt(),
+            radial_error_slope_m_s: if self.windowed > 1 { (n * tr - t * r) / spread } else { 0.0 },
+            velocity_rms_n: self.velocity_squares.map(|sum| mean(sum, self.samples).sqrt()),
+        }
+    }
+}
+
+impl AccuracyFigures {
+    /// R50 = 0.8326 √(mean RER²) [nmi/h], circular normal distribution.
+    pub fn cep_rate_nmi_h(&self) -> f64 {
+        RADIAL_CEP * self.radial_error_rate_rms_m_s / NMI_PER_HOUR
+    }
+
+    /// R95 = 1.7308 √(mean RER²) [nmi/h], circular normal distribution.
+    pub fn radial_95_rate_nmi_h(&self) -> f64 {
+        RADIAL_95 * self.radial_error_rate_rms_m_s / NMI_PER_HOUR
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An error that grows by 1 nmi/h: every figure has its closed form.
+    #[test]
+    fn a_steady_drift_gives_its_own_rate() {
+        let mut accuracy = Accuracy::new(100.0);
+        let mut errors = NavigationErrors {
+            position_n: Vector3::zeros(),
+            latitude_rad: 0.0,
+            longitude_rad: 0.0,
+            velocity_n: Vector3::new(0.3 * NMI_PER_HOUR, 0.4 * NMI_PER_HOUR, 0.0),
+            misalignment_n: Vector3::zeros(),
+            roll_rad: 0.0,
+            pitch_rad: 0.0,
+            heading_rad: 0.0,
+            outside_validity: false,
+        };
+        for second in 1..=3600 {
+            let t = f64::from(second);
+            errors.position_n = Vector3::new(0.6, 0.8, 9.0) * NMI_PER_HOUR * t;
+            assert!(accuracy.is_due(100.0 + t));
+            accuracy.add(100.0 + t, &errors);
+            assert!(!accuracy.is_due(100.5 + t));
+        }
+        let figures = accuracy.figures(3700.0);
+        assert_eq!(figures.window_samples, 3301);
+        assert!((figures.cep_rate_nmi_h() - 0.832_554_611).abs() < 1e-9);
+        assert!((figures.radial_95_rate_nmi_h() - 1.730_818_383).abs() < 1e-9);
+        assert!((figures.radial_error_slope_m_s - NMI_PER_HOUR).abs() < 1e-9);
+        assert!((figures.velocity_rms_n.y - 0.4 * NMI_PER_HOUR).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,28 @@
+//! Error data 2: navigation minus truth.
+
+use super::NavigationErrors;
+use crate::earth::Earth;
+use crate::math::{rotation_vector, wrap_angle};
+use crate::state::Navigation;
+
+/// Errors of `navigation` against `truth`. Position is differenced in Earth-fixed axes and attitude as a rotation vector:
+/// no wrap of longitude or heading, no gimbal lock and no pole spoils them.
+pub fn navigation_minus_truth(earth: &Earth, navigation: &Navigation, truth: &Navigation) -> NavigationErrors {
+    let displacement = earth.to_earth_fixed(&navigation.place) - earth.to_earth_fixed(&truth.place);
+    let (east, north, _) = earth.east_north_up(&truth.place);
+    NavigationErrors {
+        position_n: nalgebra::Vector3::new(
+            displacement.dot(&east),
+            displacement.dot(&north),
+            navigation.place.height_m - truth.place.height_m,
+        ),
+        latitude_rad: navigation.place.latitude_rad - truth.place.latitude_rad,
+        longitude_rad: wrap_angle(navigation.place.longitude_rad - truth.place.longitude_rad),
+        velocity_n: navigation.v_n - truth.v_n,
+        misalignment_n: -rotation_vector(&(navigation.q_nb * truth.q_nb.conjugate())),
+        roll_rad: wrap_angle(navigation.euler.roll - truth.euler.roll),
+        pitch_rad: navigation.euler.pitch - truth.euler.pitch,
+        heading_rad: wrap_angle(navigation.euler.heading - truth.euler.heading),
+        outside_validity: false,
+    }
+}

@@ -1,0 +1,35 @@
+//! The two error outputs: navigation minus truth (the paper's error data 2), and the error differential equations driven
+//! by the same sensor errors (error data 1); and the accuracy figures made of the first.
+
+mod accuracy;
+mod difference;
+mod model;
+
+pub use accuracy::{Accuracy, AccuracyFigures, RADIAL_95, RADIAL_CEP};
+pub use difference::navigation_minus_truth;
+pub use model::{ErrorModel, SensorErrors, StartErrors};
+
+use nalgebra::Vector3;
+
+/// Errors of a solution, computed less true. Angles are wrapped differences.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NavigationErrors {
+    /// Position [m]: displacement from truth along true east and north, and difference of heights.
+    pub position_n: Vector3<f64>,
+    /// Latitude [rad].
+    pub latitude_rad: f64,
+    /// Longitude [rad]; without meaning near a pole.
+    pub longitude_rad: f64,
+    /// Velocity [m/s], difference of the components in each solution's own east-north-up.
+    pub velocity_n: Vector3<f64>,
+    /// Misalignment φ [rad]: computed C = (I - [φ×]) C for the attitude of sensor axes in east-north-up.
+    pub misalignment_n: Vector3<f64>,
+    /// Roll, pitch, heading [rad].
+    pub roll_rad: f64,
+    /// See `roll_rad`.
+    pub pitch_rad: f64,
+    /// See `roll_rad`.
+    pub heading_rad: f64,
+    /// Linear model: its states have outgrown what it drops.
+    pub outside_validity: bool,
+}

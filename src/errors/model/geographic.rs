@@ -1,0 +1,177 @@
+//! The error equations in geographic axes: the paper's (4)-(6) with their misprints mended.
+
+use nalgebra::Vector3;
+
+use super::geometry::LocalGeometry;
+use super::{SensorErrors, StartErrors};
+use crate::earth::Earth;
+use crate::math::rotate;
+use crate::mechanization::VerticalCorrection;
+use crate::signal::{IntervalMotion, MotionNode};
+
+/// φ [rad], δv [m/s], (δL [rad], δλ [rad], δh [m]).
+///
+/// Departure: against the paper, eps enters (4) with a minus sign, the gravity gradient enters the vertical row of (5), each
+/// term has the radius of its own direction, and the radii's change with latitude is kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct GeographicForm {
+    phi: Vector3<f64>,
+    dv: Vector3<f64>,
+    d_place: Vector3<f64>,
+}
+
+/// The coefficients at an instant.
+struct Coefficients {
+    local: LocalGeometry,
+    /// Tangent and squared secant of latitude.
+    tan: f64,
+    sec: f64,
+    /// Velocity, specific force, gyro and accelerometer error, east-north-up.
+    v: Vector3<f64>,
+    f: Vector3<f64>,
+    eps: Vector3<f64>,
+    nabla: Vector3<f64>,
+    /// Earth rate W cos L, W sin L and rate of the axes w_in [rad/s].
+    rate_north: f64,
+    rate_up: f64,
+    omega_in: Vector3<f64>,
+    /// dRM/dL, dRN/dL [m/rad]
+    dm: f64,
+    dn: f64,
+    /// Derivatives of gravity's north and up components with height [1/s²] and with latitude [m/s²/rad].
+    north_h: f64,
+    up_h: f64,
+    north_l: f64,
+    up_l: f64,
+}
+
+impl Coefficients {
+    fn at(earth: &Earth, node: &MotionNode, errors: &SensorErrors) -> Self {
+        let local = LocalGeometry::at(earth, &node.r_e);
+        let (s, c) = (local.sin, local.cos);
+        let (tan, sec) = (s / c, 1.0 / c);
+        let v = local.to_local(&node.v_e);
+        let (rate_north, rate_up) = (earth.rate_rad_s * c, earth.rate_rad_s * s);
+        let omega_in =
+            Vector3::new(-v.y / local.m, rate_north + v.x / local.n, rate_up + v.x * tan / local.n);
+        let e2 = earth.eccentricity2;
+        let w2 = 1.0 - e2 * s * s;
+        let radii = earth.radii(s);
+        let gradient = earth.gravity_gradient(&node.r_e);
+        let gravity = earth.gravity(&node.r_e);
+        let by_north = gradient * local.north * local.m;
+        let by_up = gradient * local.up;
+        Self {
+            tan,
+            sec,
+            v,
+            f: local.to_local(&node.f_e),
+            eps: local.to_local(&rotate(&node.q_eb, &errors.gyro_b)),
+            nabla: local.to_local(&rotate(&node.q_eb, &errors.accel_b)),
+            rate_north,
+            rate_up,
+            omega_in,
+            dm: 3.0 * radii.meridian_m * e2 * s * c / w2,
+            dn: radii.transverse_m * e2 * s * c / w2,
+            north_h: local.north.dot(&by_up),
+            up_h: local.up.dot(&by_up),
+            // North and up themselves turn with latitude.
+            north_l: local.north.dot(&by_north) - local.up.dot(&gravity),
+            up_l: local.up.dot(&by_north) + local.north.dot(&gravity),
+            local,
+        }
+    }
+}
+
+impl GeographicForm {
+    pub fn new(local: &LocalGeometry, start: &StartErrors) -> Self {
+        Self { phi: start.misalignment_n, dv: start.velocity_n, d_place: local.change_of_place(&start.position_n) }
+    }
+
+    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion, errors: &SensorErrors) {
+        let t = motion.interval_s;
+        let [c0, c1, c2] = [0.0, 0.5, 1.0].map(|u| Coefficients::at(earth, &motion.node(u), errors));
+        let k1 = self.rate(&c0);
+        let k2 = self.plus(&k1, 0.5 * t).rate(&c1);
+        let k3 = self.plus(&k2, 0.5 * t).rate(&c1);
+        let k4 = self.plus(&k3, t).rate(&c2);
+        *self = self.plus(&k1, t / 6.0).plus(&k2, t / 3.0).plus(&k3, t / 3.0).plus(&k4, t / 6.0);
+    }
+
+    /// The system matrix, row by row.
+    fn rate(&self, k: &Coefficients) -> Self {
+        let Coefficients { tan: t, sec, dm, dn, rate_north: wn, rate_up: wu, .. } = *k;
+        let (m, n) = (k.local.m, k.local.n);
+        let (m2, n2) = (m * m, n * n);
+        let (ve, vn, vu) = (k.v.x, k.v.y, k.v.z);
+        let (fe, fn_, fu) = (k.f.x, k.f.y, k.f.z);
+        let w = &k.omega_in;
+        let (pe, pn, pu) = (self.phi.x, self.phi.y, self.phi.z);
+        let (dve, dvn, dvu) = (self.dv.x, self.dv.y, self.dv.z);
+        let (dl, dh) = (self.d_place.x, self.d_place.z);
+        let sec2 = sec * sec;
+        Self {
+            phi: Vector3::new(
+                w.z * pn - w.y * pu - dvn / m + vn / m2 * (dh + dm * dl),
+                -w.z * pe + w.x * pu + dve / n - ve / n2 * dh + (-wu - ve * dn / n2) * dl,
+                w.y * pe - w.x * pn + t * dve / n - ve * t / n2 * dh
+                    + (wn + ve * sec2 / n - ve * t * dn / n2) * dl,
+            ) - k.eps,
+            dv: Vector3::new(
+                -fu * pn + fn_ * pu + (vn * t - vu) / n * dve + (2.0 * wu + ve * t / n) * dvn
+                    - (2.0 * wn + ve / n) * dvu
+                    + (ve * vu - ve * vn * t) / n2 * (dh + dn * dl)
+                    + (2.0 * wn * vn + ve * vn * sec2 / n + 2.0 * wu * vu) * dl,
+                fu * pe - fe * pu - 2.0 * (wu + ve * t / n) * dve - vu / m * dvn - vn / m * dvu
+                    + (ve * ve * t / n2 + vn * vu / m2 + k.north_h) * dh
+                    + (-(2.0 * wn + ve * sec2 / n) * ve + ve * ve * t * dn / n2 + vn * vu * dm / m2 + k.north_l) * dl,
+                -fn_ * pe + fe * pn + 2.0 * (wn + ve / n) * dve + 2.0 * vn / m * dvn
+                    + (-(vn * vn / m2 + ve * ve / n2) + k.up_h) * dh
+                    + (-2.0 * wu * ve - (vn * vn * dm / m2 + ve * ve * dn / n2) + k.up_l) * dl,
+            ) + k.nabla,
+            d_place: Vector3::new(
+                dvn / m - vn / m2 * (dh + dm * dl),
+                sec / n * dve - ve * sec / n2 * dh + (ve * sec * t / n - ve * sec * dn / n2) * dl,
+                dvu,
+            ),
+        }
+    }
+
+    fn plus(&self, rate: &Self, t: f64) -> Self {
+        Self {
+            phi: self.phi + rate.phi * t,
+            dv: self.dv + rate.dv * t,
+            d_place: self.d_place + rate.d_place * t,
+        }
+    }
+
+    /// Errors of height [m] and of velocity up [m/s].
+    pub fn observe_vertical(&self) -> (f64, f64) {
+        (self.d_place.z, self.dv.z)
+    }
+
+    pub fn shift_vertical(
+        &mut self,
+        earth: &Earth,
+        local: &LocalGeometry,
+        v_e: &Vector3<f64>,
+        correction: &VerticalCorrection,
+    ) {
+        let v = local.to_local(v_e);
+        let east = v.x / local.n;
+        let omega = Vector3::new(
+            -v.y / local.m,
+            2.0 * earth.rate_rad_s * local.cos + east,
+            2.0 * earth.rate_rad_s * local.sin + east * local.sin / local.cos,
+        );
+        self.d_place.z += correction.height_m;
+        self.dv.z += correction.velocity_up_m_s;
+        self.dv -= omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
+    }
+
+    pub fn errors(&self, local: &LocalGeometry) -> StartErrors {
+        let position_n =
+            Vector3::new(self.d_place.y * local.n * local.cos, self.d_place.x * local.m, self.d_place.z);
+        StartErrors { position_n, velocity_n: self.dv, misalignment_n: self.phi }
+    }
+}

@@ -1,0 +1,63 @@
+//! Local axes and curvature at a point of the true path.
+
+use nalgebra::Vector3;
+
+use crate::earth::Earth;
+
+/// Cosines of latitude below this are taken as this: tan L stays finite at a pole, where it has no meaning.
+const MIN_COS: f64 = 1e-9;
+
+/// East, north, up and the radii at a position.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LocalGeometry {
+    pub east: Vector3<f64>,
+    pub north: Vector3<f64>,
+    pub up: Vector3<f64>,
+    pub sin: f64,
+    pub cos: f64,
+    /// M = RM + h, N = RN + h [m]
+    pub m: f64,
+    pub n: f64,
+}
+
+impl LocalGeometry {
+    pub fn at(earth: &Earth, r_e: &Vector3<f64>) -> Self {
+        let vertical = earth.vertical(r_e);
+        let up = vertical.up_e;
+        let cos = (up.x * up.x + up.y * up.y).sqrt();
+        let east = if cos > 0.0 { Vector3::new(-up.y / cos, up.x / cos, 0.0) } else { Vector3::y() };
+        let radii = earth.radii(up.z);
+        Self {
+            east,
+            north: up.cross(&east),
+            up,
+            sin: up.z,
+            cos: cos.max(MIN_COS),
+            m: radii.meridian_m + vertical.height_m,
+            n: radii.transverse_m + vertical.height_m,
+        }
+    }
+
+    /// Earth-fixed to local components.
+    pub fn to_local(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(self.east.dot(v), self.north.dot(v), self.up.dot(v))
+    }
+
+    /// Local to Earth-fixed components.
+    pub fn to_earth(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        self.east * v.x + self.north * v.y + self.up * v.z
+    }
+
+    /// Changes of latitude [rad], longitude [rad] and height [m] for a displacement [m].
+    pub fn change_of_place(&self, position_n: &Vector3<f64>) -> Vector3<f64> {
+        let limit = core::f64::consts::PI;
+        let longitude = (position_n.x / (self.n * self.cos)).clamp(-limit, limit);
+        Vector3::new(position_n.y / self.m, longitude, position_n.z)
+    }
+
+    /// Rotation of the local axes for a displacement: dth = (-dL, dλ cos L, dλ sin L) [rad].
+    pub fn rotation_of_axes(&self, position_n: &Vector3<f64>) -> Vector3<f64> {
+        let east = position_n.x / self.n;
+        Vector3::new(-position_n.y / self.m, east, east * self.sin / self.cos)
+    }
+}

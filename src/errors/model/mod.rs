@@ -1,0 +1,128 @@
+//! Error data 1: the error differential equations (the paper's (4)-(6), misprints mended), by classical fourth-order
+//! Runge-Kutta, driven by the sensor errors that the mechanization receives and kept by the same vertical channel.
+//!
+//! Two forms of the same equations: Earth-fixed, which no pole disturbs, and the paper's geographic one.
+
+mod earth_fixed;
+mod geographic;
+mod geometry;
+
+use nalgebra::Vector3;
+
+use super::NavigationErrors;
+use crate::earth::Earth;
+use crate::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
+use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
+use crate::signal::IntervalMotion;
+use crate::state::{BodyAxes, EarthFixedState, Navigation};
+use earth_fixed::EarthFixedForm;
+use geographic::GeographicForm;
+use geometry::LocalGeometry;
+
+/// Misalignment [rad] and displacement [m] beyond which the terms that the linear model drops are no longer small:
+/// 1e-3 of the solution.
+const VALID_MISALIGNMENT_RAD: f64 = 0.035;
+const VALID_DISPLACEMENT_M: f64 = 100e3;
+
+/// Mean errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SensorErrors {
+    /// [rad/s]
+    pub gyro_b: Vector3<f64>,
+    /// [m/s²]
+    pub accel_b: Vector3<f64>,
+}
+
+/// Errors at the start, computed less true, east-north-up: position [m], velocity [m/s], misalignment φ [rad].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StartErrors {
+    /// [m]
+    pub position_n: Vector3<f64>,
+    /// [m/s]
+    pub velocity_n: Vector3<f64>,
+    /// [rad]
+    pub misalignment_n: Vector3<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Form {
+    EarthFixed(EarthFixedForm),
+    Geographic(GeographicForm),
+}
+
+/// The linear error model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ErrorModel {
+    earth: Earth,
+    form: Form,
+    vertical: VerticalLoop,
+}
+
+impl ErrorModel {
+    /// Starts at the true state `truth` with the errors `start`, in the form that belongs to `frame`.
+    pub fn new(earth: Earth, frame: Frame, truth: &EarthFixedState, start: &StartErrors) -> Self {
+        let local = LocalGeometry::at(&earth, &truth.r_e);
+        let form = match frame {
+            Frame::EarthFixed => Form::EarthFixed(EarthFixedForm::new(&local, &truth.v_e, start)),
+            Frame::Geographic => Form::Geographic(GeographicForm::new(&local, start)),
+        };
+        Self { earth, form, vertical: VerticalLoop::new() }
+    }
+
+    /// Over the interval of `motion` with the sensor errors `errors`; then the vertical channel as the mechanization has
+    /// it: `aid` is its aid, `height_m` the true height.
+    pub fn advance(&mut self, motion: &IntervalMotion, errors: &SensorErrors, aid: &VerticalAid, height_m: f64) {
+        match &mut self.form {
+            Form::EarthFixed(form) => form.advance(&self.earth, motion, errors),
+            Form::Geographic(form) => form.advance(&self.earth, motion, errors),
+        }
+        if *aid == VerticalAid::None {
+            return;
+        }
+        let t = motion.interval_s;
+        let end = motion.node(1.0);
+        let local = LocalGeometry::at(&self.earth, &end.r_e);
+        let (height_error, velocity_error) = match &self.form {
+            Form::EarthFixed(form) => form.observe_vertical(&local, &end.v_e),
+            Form::Geographic(form) => form.observe_vertical(),
+        };
+        let correction = match *aid {
+            VerticalAid::None => return,
+            VerticalAid::Truth { .. } => VerticalCorrection::to_truth(-height_error, -velocity_error, t),
+            VerticalAid::Barometer { height_m: indicated } => {
+                self.vertical.correct(height_error - (indicated - height_m), t)
+            }
+        };
+        match &mut self.form {
+            Form::EarthFixed(form) => form.shift_vertical(&self.earth, &local, &correction),
+            Form::Geographic(form) => form.shift_vertical(&self.earth, &local, &end.v_e, &correction),
+        }
+    }
+
+    /// The errors, at the true solution `truth`.
+    pub fn errors(&self, truth: &Navigation, axes: BodyAxes) -> NavigationErrors {
+        let state = truth.earth_fixed(&self.earth);
+        let local = LocalGeometry::at(&self.earth, &state.r_e);
+        let StartErrors { position_n, velocity_n, misalignment_n } = match &self.form {
+            Form::EarthFixed(form) => form.errors(&local, &state.v_e),
+            Form::Geographic(form) => form.errors(&local),
+        };
+        // C~ = (I - [φ×]) C, to first order a rotation by -φ.
+        let q_nb = rotation_quaternion(&-misalignment_n) * truth.q_nb;
+        let euler = euler_from_attitude(&axes.exchange(&q_nb));
+        let change = local.change_of_place(&position_n);
+        let displacement = position_n.norm_squared().sqrt();
+        let misalignment = misalignment_n.norm_squared().sqrt();
+        NavigationErrors {
+            position_n,
+            latitude_rad: change.x,
+            longitude_rad: change.y,
+            velocity_n,
+            misalignment_n,
+            roll_rad: wrap_angle(euler.roll - truth.euler.roll),
+            pitch_rad: euler.pitch - truth.euler.pitch,
+            heading_rad: wrap_angle(euler.heading - truth.euler.heading),
+            outside_validity: !(displacement < VALID_DISPLACEMENT_M && misalignment < VALID_MISALIGNMENT_RAD),
+        }
+    }
+}

@@ -1,0 +1,310 @@
+//! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
+
+use nalgebra::Vector3;
+
+use super::{ErrorSource, NEAR_POLE_M, Options, Sensors, Solution, singular};
+use crate::earth::Earth;
+use crate::error::Error;
+use crate::errors::{
+    Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, StartErrors, navigation_minus_truth,
+};
+use crate::math::{Compensated, rotate, rotate_inverse, rotation_quaternion, sin_cos};
+use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
+use crate::sensors::{Alignment, alignment_error};
+use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
+use crate::state::Navigation;
+use crate::truth::TruthPoint;
+
+/// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
+const MIN_GYROCOMPASS_COS: f64 = 0.01;
+
+/// Ideal and measured signals of an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImuInterval {
+    /// Time of its end [s].
+    pub time_s: f64,
+    /// Its length [s].
+    pub interval_s: f64,
+    /// What perfect sensors give.
+    pub ideal: Increment,
+    /// What the modelled sensors give.
+    pub measured: Increment,
+}
+
+/// How the navigated solution closes on the truth, and how much of that is the host's own contradiction between
+/// displacement and velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClosureFigures {
+    /// Navigation minus truth now, position [m] and velocity [m/s].
+    pub position_n: Vector3<f64>,
+    /// See `position_n`.
+    pub velocity_n: Vector3<f64>,
+    /// Sum over the flight of displacement by the host's velocities less displacement by its positions [m].
+    pub inconsistency_n: Vector3<f64>,
+    /// The largest of it in one interval [m].
+    pub inconsistency_max_m: f64,
+    /// Samples flagged for it.
+    pub inconsistent_samples: u64,
+}
+
+/// The chain in flight.
+#[derive(Debug, Clone)]
+pub(super) struct Chain {
+    options: Options,
+    earth: Earth,
+    generator: SignalGenerator,
+    measured: [Increment; MAX_INCREMENTS],
+    imu: Option<ImuInterval>,
+    mechanization: Mechanization,
+    error_model: Option<ErrorModel>,
+    accuracy: Accuracy,
+    intervals: u64,
+    /// Displacement by velocity less displacement by position, Earth-fixed axes [m].
+    inconsistency_e: Compensated<3>,
+    inconsistency_max_m: f64,
+    inconsistent_samples: u64,
+    inconsistent: bool,
+}
+
+impl Chain {
+    /// The INS set up at the truth `first` with its initial errors.
+    pub fn start(options: &Options, earth: Earth, first: &TruthPoint, sensors: &Sensors) -> Result<Self, Error> {
+        let truth = first.state.navigation(&earth, options.axes);
+        let start = start_errors(options, &earth, first, &truth, sensors)?;
+        let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
+        let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
+        mechanization.check()?;
+        let error_model =
+            options.error_model.then(|| ErrorModel::new(earth, options.frame, &first.state, &start));
+        let count = options.subsamples * options.updates_per_sample;
+        Ok(Self {
+            options: *options,
+            earth,
+            generator: SignalGenerator::new(*first, earth.rate_rad_s, count),
+            measured: [Increment::ZERO; MAX_INCREMENTS],
+            imu: None,
+            mechanization,
+            error_model,
+            accuracy: Accuracy::new(first.time_s),
+            intervals: 0,
+            inconsistency_e: Compensated::new(Vector3::zeros()),
+            inconsistency_max_m: 0.0,
+            inconsistent_samples: 0,
+            inconsistent: false,
+        })
+    }
+
+    /// Whether the interval to `next` can be flown.
+    pub fn check(&self, next: &TruthPoint) -> Result<(), Error> {
+        self.mechanization.check()?;
+        if self.options.frame == Frame::Geographic {
+            let cos = sin_cos(next.sample.place.latitude_rad).1;
+            if cos < Mechanization::MIN_COS_LATITUDE {
+                return Err(singular(
+                    "cosine of sample.latitude_rad",
+                    cos,
+                    "the geographic frame needs at least",
+                    Mechanization::MIN_COS_LATITUDE,
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Flies the interval to `next`.
+    pub fn advance(&mut self, next: &TruthPoint, sensors: &mut Sensors) {
+        let from = self.generator.newest().state.r_e;
+        let t = next.interval_s;
+        self.generator.advance(next);
+
+        // Sensors.
+        let ideal = self.generator.increments();
+        let count = ideal.len();
+        let ideal_sum = Increment::sum(ideal);
+        let increments = if sensors.are_ideal() {
+            ideal
+        } else {
+            let dt = t / count as f64;
+            for (measured, ideal) in self.measured.iter_mut().zip(ideal) {
+                *measured = sensors.sense(ideal, dt);
+            }
+            &self.measured[..count]
+        };
+        let measured_sum = Increment::sum(increments);
+        self.imu =
+            Some(ImuInterval { time_s: next.time_s, interval_s: t, ideal: ideal_sum, measured: measured_sum });
+
+        // Mechanization.
+        let updates = self.options.updates_per_sample;
+        for update in increments.chunks_exact(self.options.subsamples) {
+            self.mechanization.update(update, t / updates as f64);
+        }
+        let aid = self.vertical_aid(next, sensors);
+        self.mechanization.aid_vertical(&aid, t);
+
+        // Errors.
+        let Some(motion) = self.generator.motion() else { return };
+        if let Some(model) = &mut self.error_model {
+            let errors = SensorErrors {
+                gyro_b: (measured_sum.angle - ideal_sum.angle) / t,
+                accel_b: (measured_sum.velocity - ideal_sum.velocity) / t,
+            };
+            model.advance(motion, &errors, &aid, next.sample.place.height_m);
+        }
+        let inconsistency = motion.displacement() - (next.state.r_e - from);
+        self.note_inconsistency(&inconsistency, &next.state.v_e, t);
+        self.intervals += 1;
+        if self.accuracy.is_due(next.time_s) {
+            let errors = self.navigation_errors();
+            self.accuracy.add(next.time_s, &errors);
+        }
+    }
+
+    fn vertical_aid(&self, next: &TruthPoint, sensors: &mut Sensors) -> VerticalAid {
+        let height_m = next.sample.place.height_m;
+        match self.options.vertical {
+            VerticalMode::Free => VerticalAid::None,
+            VerticalMode::Damped => {
+                VerticalAid::Barometer { height_m: sensors.altimeter.sense(height_m, next.interval_s) }
+            }
+            VerticalMode::FollowTruth => {
+                let velocity_up_m_s = match &next.sample.v_n {
+                    Some(v_n) => v_n.z,
+                    None => self.earth.vertical(&next.state.r_e).up_e.dot(&next.state.v_e),
+                };
+                VerticalAid::Truth { height_m, velocity_up_m_s }
+            }
+        }
+    }
+
+    fn note_inconsistency(&mut self, inconsistency_e: &Vector3<f64>, v_e: &Vector3<f64>, t: f64) {
+        self.inconsistency_e.add(inconsistency_e);
+        let size = inconsistency_e.norm_squared().sqrt();
+        self.inconsistency_max_m = self.inconsistency_max_m.max(size);
+        // A hundredth of the displacement and a centimetre: coarser than any integrator, finer than a wrong unit.
+        let speed = v_e.norm_squared().sqrt();
+        self.inconsistent = size > 0.01 + 0.01 * speed * t;
+        self.inconsistent_samples += u64::from(self.inconsistent);
+    }
+
+    pub fn intervals(&self) -> u64 {
+        self.intervals
+    }
+
+    pub fn time_s(&self) -> f64 {
+        self.generator.newest().time_s
+    }
+
+    fn true_navigation(&self) -> Navigation {
+        let newest = self.generator.newest();
+        match newest.sample.v_n {
+            Some(_) => newest.sample.navigation(self.options.axes),
+            None => newest.state.navigation(&self.earth, self.options.axes),
+        }
+    }
+
+    fn solution(&self, navigation: Navigation, vertical_unaided: bool, inconsistent: bool) -> Solution {
+        Solution {
+            time_s: self.time_s(),
+            navigation,
+            near_pole: navigation.distance_from_axis(&self.earth) < NEAR_POLE_M,
+            vertical_unaided,
+            inconsistent,
+        }
+    }
+
+    pub fn truth(&self) -> Solution {
+        self.solution(self.true_navigation(), false, self.inconsistent)
+    }
+
+    pub fn navigation(&self) -> Solution {
+        let navigation = self.mechanization.navigation(self.options.axes);
+        self.solution(navigation, self.options.vertical == VerticalMode::Free, false)
+    }
+
+    pub fn imu(&self) -> Option<ImuInterval> {
+        self.imu
+    }
+
+    fn navigation_errors(&self) -> NavigationErrors {
+        let navigation = self.mechanization.navigation(self.options.axes);
+        navigation_minus_truth(&self.earth, &navigation, &self.true_navigation())
+    }
+
+    pub fn errors(&self, source: ErrorSource) -> Option<NavigationErrors> {
+        match source {
+            ErrorSource::Navigation => Some(self.navigation_errors()),
+            ErrorSource::Model => {
+                self.error_model.as_ref().map(|model| model.errors(&self.true_navigation(), self.options.axes))
+            }
+        }
+    }
+
+    pub fn accuracy(&self) -> AccuracyFigures {
+        self.accuracy.figures(self.time_s())
+    }
+
+    pub fn closure(&self) -> ClosureFigures {
+        let errors = self.navigation_errors();
+        let (east, north, up) = self.earth.east_north_up(&self.true_navigation().place);
+        let inconsistency = self.inconsistency_e.value;
+        ClosureFigures {
+            position_n: errors.position_n,
+            velocity_n: errors.velocity_n,
+            inconsistency_n: Vector3::new(inconsistency.dot(&east), inconsistency.dot(&north), inconsistency.dot(&up)),
+            inconsistency_max_m: self.inconsistency_max_m,
+            inconsistent_samples: self.inconsistent_samples,
+        }
+    }
+}
+
+/// The initial errors of the run; those of the vertical channel vanish where it follows the truth.
+fn start_errors(
+    options: &Options,
+    earth: &Earth,
+    first: &TruthPoint,
+    truth: &Navigation,
+    sensors: &Sensors,
+) -> Result<StartErrors, Error> {
+    let drawn = sensors.initial.draw(options.key);
+    let mut start = StartErrors {
+        position_n: drawn.position_n,
+        velocity_n: drawn.velocity_n,
+        misalignment_n: drawn.misalignment_n,
+    };
+    if sensors.initial.alignment == Alignment::LevelAndGyrocompass {
+        let (sin, cos) = sin_cos(truth.place.latitude_rad);
+        if cos < MIN_GYROCOMPASS_COS {
+            return Err(singular(
+                "cosine of sample.latitude_rad",
+                cos,
+                "gyrocompassing needs at least",
+                MIN_GYROCOMPASS_COS,
+            ));
+        }
+        let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
+        let force_b = -rotate_inverse(&first.state.q_eb, &first.gravity_e);
+        let gyro_n = rotate(&truth.q_nb, &sensors.gyro.steady_error(&rotate_inverse(&truth.q_nb, &earth_rate_n)));
+        let accel_n = rotate(&truth.q_nb, &sensors.accel.steady_error(&force_b));
+        let g = first.gravity_e.norm_squared().sqrt();
+        start.misalignment_n += alignment_error(&gyro_n, &accel_n, g, earth_rate_n.y, earth_rate_n.z);
+    }
+    if options.vertical == VerticalMode::FollowTruth {
+        start.position_n.z = 0.0;
+        start.velocity_n.z = 0.0;
+    }
+    Ok(start)
+}
+
+/// The solution that has the errors `start` against `truth`: displaced along east and north at its height, C~ = exp(-φ) C.
+fn with_errors(earth: &Earth, options: &Options, truth: &Navigation, start: &StartErrors) -> Navigation {
+    let (east, north, _) = earth.east_north_up(&truth.place);
+    let r_e = earth.to_earth_fixed(&truth.place);
+    let mut place = truth.place;
+    if start.position_n.x != 0.0 || start.position_n.y != 0.0 {
+        place = earth.to_geodetic(&(r_e + east * start.position_n.x + north * start.position_n.y));
+    }
+    place.height_m = truth.place.height_m + start.position_n.z;
+    let q_nb = rotation_quaternion(&-start.misalignment_n) * truth.q_nb;
+    Navigation::new(place, truth.v_n + start.velocity_n, q_nb, options.axes)
+}

@@ -1,0 +1,336 @@
+//! The simulator: the blocks of the paper's figure 1 put together, one interval after the other.
+
+mod chain;
+mod navigator;
+mod options;
+
+pub use chain::{ClosureFigures, ImuInterval};
+pub use options::{MAX_UPDATES, Options};
+
+use crate::earth::Earth;
+use crate::error::{Error, ErrorKind, Rule};
+use crate::errors::{AccuracyFigures, NavigationErrors};
+use crate::sensors::{
+    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
+};
+use crate::signal::Increment;
+use crate::state::Navigation;
+use crate::truth::{FlightSample, Intake};
+use chain::Chain;
+use navigator::Navigator;
+
+/// Which of the two error outputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ErrorSource {
+    /// Navigation minus truth: the paper's error data 2.
+    Navigation,
+    /// The error differential equations: the paper's error data 1.
+    Model,
+}
+
+/// Whether a step was made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// One interval was flown.
+    Done,
+    /// There is no complete interval yet.
+    NeedSample,
+}
+
+/// A solution and what is to be known of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solution {
+    /// Time [s].
+    pub time_s: f64,
+    /// Position, velocity, attitude.
+    pub navigation: Navigation,
+    /// Within 20 km of the Earth's axis: longitude and heading turn fast, at the pole they are undefined.
+    pub near_pole: bool,
+    /// Nothing aids the vertical channel; its error grows by e every 569 s.
+    pub vertical_unaided: bool,
+    /// Truth: the displacement since the sample before contradicts the velocities.
+    pub inconsistent: bool,
+}
+
+/// Distance from the Earth's axis [m] below which a solution is flagged.
+const NEAR_POLE_M: f64 = 20e3;
+
+/// Sensor models and what the host set of them.
+#[derive(Debug, Clone)]
+struct Sensors {
+    gyro: Triad,
+    accel: Triad,
+    altimeter: Altimeter,
+    initial: InitialErrorParameters,
+    gyro_parameters: TriadParameters,
+    accel_parameters: TriadParameters,
+    altimeter_parameters: AltimeterParameters,
+}
+
+impl Sensors {
+    fn new(options: &Options) -> Self {
+        Self {
+            gyro: Triad::new(options.key, Sensor::Gyro),
+            accel: Triad::new(options.key, Sensor::Accelerometer),
+            altimeter: Altimeter::new(options.key, 0.0),
+            initial: InitialErrorParameters::default(),
+            gyro_parameters: TriadParameters::default(),
+            accel_parameters: TriadParameters::default(),
+            altimeter_parameters: AltimeterParameters::default(),
+        }
+    }
+
+    /// The same parameters, all processes and streams back at their start.
+    fn restarted(&self, options: &Options) -> Self {
+        let mut fresh = Self::new(options);
+        fresh.initial = self.initial;
+        fresh.set_gyro(&self.gyro_parameters);
+        fresh.set_accel(&self.accel_parameters);
+        fresh.set_altimeter(&self.altimeter_parameters);
+        fresh
+    }
+
+    fn set_gyro(&mut self, parameters: &TriadParameters) {
+        self.gyro_parameters = *parameters;
+        self.gyro.set(parameters);
+    }
+
+    fn set_accel(&mut self, parameters: &TriadParameters) {
+        self.accel_parameters = *parameters;
+        self.accel.set(parameters);
+    }
+
+    fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
+        self.altimeter_parameters = *parameters;
+        self.altimeter.set(parameters);
+    }
+
+    /// What the two triads make of an ideal increment over `dt` [s].
+    #[inline]
+    fn sense(&mut self, ideal: &Increment, dt: f64) -> Increment {
+        Increment { angle: self.gyro.sense(&ideal.angle, dt), velocity: self.accel.sense(&ideal.velocity, dt) }
+    }
+
+    fn are_ideal(&self) -> bool {
+        self.gyro.is_ideal() && self.accel.is_ideal()
+    }
+}
+
+/// What the simulator is doing.
+#[derive(Debug, Clone)]
+enum Mode {
+    /// Before the first step.
+    Waiting,
+    /// Flying the host's samples.
+    Flying(Chain),
+    /// Navigating on the host's increments.
+    Navigating(Navigator),
+}
+
+/// A strapdown inertial navigation system in simulation.
+#[derive(Debug, Clone)]
+pub struct Simulator {
+    options: Options,
+    earth: Earth,
+    intake: Intake,
+    sensors: Sensors,
+    mode: Mode,
+}
+
+impl Simulator {
+    /// A simulator with ideal sensors.
+    pub fn new(options: &Options) -> Result<Self, Error> {
+        options.validate()?;
+        let earth = options.earth();
+        Ok(Self {
+            options: *options,
+            earth,
+            intake: Intake::new(earth, options.axes, options.intake),
+            sensors: Sensors::new(options),
+            mode: Mode::Waiting,
+        })
+    }
+
+    /// The options it was made with.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// Sets the gyro errors, from the next interval on.
+    pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
+        parameters.validate(Sensor::Gyro)?;
+        self.sensors.set_gyro(parameters);
+        Ok(())
+    }
+
+    /// Sets the accelerometer errors, from the next interval on.
+    pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
+        parameters.validate(Sensor::Accelerometer)?;
+        self.sensors.set_accel(parameters);
+        Ok(())
+    }
+
+    /// Sets the errors of the barometric height, from the next interval on.
+    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
+        parameters.validate()?;
+        self.sensors.set_altimeter(parameters);
+        Ok(())
+    }
+
+    /// Sets the errors with which the navigation starts; before the first step.
+    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) -> Result<(), Error> {
+        parameters.validate()?;
+        if !matches!(self.mode, Mode::Waiting) {
+            return Err(Error::bad_state("initial errors can be set before the first step, after a reset or after a reposition"));
+        }
+        self.sensors.initial = *parameters;
+        Ok(())
+    }
+
+    /// Takes one flight-control sample in.
+    pub fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        self.refuse_while_navigating()?;
+        self.intake.push(sample)
+    }
+
+    /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors.
+    pub fn step(&mut self) -> Result<Step, Error> {
+        self.refuse_while_navigating()?;
+        if let Mode::Waiting = self.mode {
+            if self.intake.len() < 2 {
+                return Ok(Step::NeedSample);
+            }
+            let chain = self.chain_from_first_sample()?;
+            let Some(first) = self.intake.pop() else { return Ok(Step::NeedSample) };
+            self.sensors.altimeter.reposition(first.sample.place.height_m);
+            self.mode = Mode::Flying(chain);
+        }
+        let Mode::Flying(chain) = &mut self.mode else { return Ok(Step::NeedSample) };
+        let Some(next) = self.intake.front() else { return Ok(Step::NeedSample) };
+        chain.check(next)?;
+        chain.advance(next, &mut self.sensors);
+        self.intake.pop();
+        Ok(Step::Done)
+    }
+
+    /// Starts as a navigator alone from `navigation` at `time_s` [s], to be fed by [`Self::push_imu`].
+    pub fn start_navigation(&mut self, time_s: f64, navigation: &Navigation) -> Result<(), Error> {
+        if !matches!(self.mode, Mode::Waiting) || self.intake.len() > 0 {
+            return Err(Error::bad_state("navigation alone starts before the first sample or after a reset"));
+        }
+        let navigator = Navigator::new(&self.options, self.earth, time_s, navigation);
+        navigator.check()?;
+        self.mode = Mode::Navigating(navigator);
+        Ok(())
+    }
+
+    /// Navigates on `increments` (1 to 5, of equal length) over `interval_s` [s], to which set sensor errors are added.
+    pub fn push_imu(&mut self, increments: &[Increment], interval_s: f64) -> Result<(), Error> {
+        let Mode::Navigating(navigator) = &mut self.mode else {
+            return Err(Error::bad_state("increments need a start of the navigation first"));
+        };
+        navigator.advance(increments, interval_s, &mut self.sensors)
+    }
+
+    /// The truth jumps to `sample`: the INS starts again there, its noise goes on.
+    pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        self.refuse_while_navigating()?;
+        let mut intake = Intake::new(self.earth, self.options.axes, self.options.intake);
+        core::mem::swap(&mut intake, &mut self.intake);
+        if let Err(error) = self.intake.push(sample) {
+            self.intake = intake;
+            return Err(error);
+        }
+        self.mode = Mode::Waiting;
+        Ok(())
+    }
+
+    /// Back to before the first sample: same parameters, seed and draws.
+    pub fn reset(&mut self) {
+        self.intake.clear();
+        self.sensors = self.sensors.restarted(&self.options);
+        self.mode = Mode::Waiting;
+    }
+
+    /// Intervals flown since the start or the last reposition.
+    pub fn intervals(&self) -> u64 {
+        match &self.mode {
+            Mode::Flying(chain) => chain.intervals(),
+            _ => 0,
+        }
+    }
+
+    /// Samples that wait for a step.
+    pub fn waiting_samples(&self) -> usize {
+        self.intake.len()
+    }
+
+    /// The truth; `None` before the first sample.
+    pub fn truth(&self) -> Result<Option<Solution>, Error> {
+        self.refuse_while_navigating()?;
+        self.read(|chain| chain.truth())
+    }
+
+    /// The navigated solution; `None` before the first sample.
+    pub fn navigation(&self) -> Result<Option<Solution>, Error> {
+        match &self.mode {
+            Mode::Navigating(navigator) => Ok(Some(navigator.solution())),
+            _ => self.read(|chain| chain.navigation()),
+        }
+    }
+
+    /// Ideal and measured signals of the last interval; `None` before the first.
+    pub fn imu(&self) -> Option<ImuInterval> {
+        match &self.mode {
+            Mode::Waiting => None,
+            Mode::Flying(chain) => chain.imu(),
+            Mode::Navigating(navigator) => navigator.imu(),
+        }
+    }
+
+    /// Time [s] and errors of the navigated solution; `None` before the first sample.
+    pub fn errors(&self, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
+        self.refuse_while_navigating()?;
+        if source == ErrorSource::Model && !self.options.error_model {
+            return Err(Error::bad_state("the error model is off: options.error_model"));
+        }
+        let errors = self.read(|chain| chain.errors(source).map(|errors| (chain.time_s(), errors)))?;
+        Ok(errors.flatten())
+    }
+
+    /// Accuracy and closure so far; `None` before the first sample.
+    pub fn accuracy(&self) -> Result<Option<(f64, AccuracyFigures, ClosureFigures)>, Error> {
+        self.refuse_while_navigating()?;
+        self.read(|chain| (chain.time_s(), chain.accuracy(), chain.closure()))
+    }
+
+    /// Reads the chain as it is, or as it will start from the first sample that waits.
+    fn read<T>(&self, view: impl FnOnce(&Chain) -> T) -> Result<Option<T>, Error> {
+        match &self.mode {
+            Mode::Flying(chain) => Ok(Some(view(chain))),
+            _ if self.intake.len() == 0 => Ok(None),
+            _ => Ok(Some(view(&self.chain_from_first_sample()?))),
+        }
+    }
+
+    fn chain_from_first_sample(&self) -> Result<Chain, Error> {
+        match self.intake.front() {
+            Some(first) => Chain::start(&self.options, self.earth, first, &self.sensors),
+            None => Err(Error::bad_state("no sample yet")),
+        }
+    }
+
+    fn refuse_while_navigating(&self) -> Result<(), Error> {
+        match self.mode {
+            Mode::Navigating(_) => {
+                Err(Error::bad_state("navigating on increments: there is no truth; reset before samples are pushed"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The rule that a solution is singular in what was asked of it.
+fn singular(field: &'static str, value: f64, words: &'static str, limit: f64) -> Error {
+    Error::of(ErrorKind::Singular, field, value, Rule::WordsAnd(words, limit))
+}

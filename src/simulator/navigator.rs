@@ -1,0 +1,83 @@
+//! Navigation alone, on recorded or foreign increments.
+
+use super::{ImuInterval, NEAR_POLE_M, Options, Sensors, Solution};
+use crate::earth::Earth;
+use crate::error::{Error, Rule, check_range, check_ranges};
+use crate::math::two_sum;
+use crate::mechanization::{MAX_SUBSAMPLES, Mechanization};
+use crate::signal::Increment;
+use crate::state::{BodyAxes, Navigation};
+
+/// A mechanization without a truth: its vertical channel is free.
+#[derive(Debug, Clone)]
+pub(super) struct Navigator {
+    earth: Earth,
+    axes: BodyAxes,
+    mechanization: Mechanization,
+    /// Time [s] and what its sum over the intervals lost.
+    time_s: f64,
+    time_carry_s: f64,
+    imu: Option<ImuInterval>,
+}
+
+impl Navigator {
+    pub fn new(options: &Options, earth: Earth, time_s: f64, navigation: &Navigation) -> Self {
+        let state = navigation.earth_fixed(&earth);
+        let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
+        Self { earth, axes: options.axes, mechanization, time_s, time_carry_s: 0.0, imu: None }
+    }
+
+    pub fn check(&self) -> Result<(), Error> {
+        self.mechanization.check()
+    }
+
+    pub fn advance(
+        &mut self,
+        increments: &[Increment],
+        interval_s: f64,
+        sensors: &mut Sensors,
+    ) -> Result<(), Error> {
+        check_range("imu.interval_s", interval_s, 5e-5, 10.0)?;
+        check_range("imu.count", increments.len() as f64, 1.0, MAX_SUBSAMPLES as f64)?;
+        for (index, increment) in increments.iter().enumerate() {
+            let at = |error: Error| error.at(3 * index + error.index.unwrap_or(0));
+            check_ranges("imu.angle_rad", increment.angle.as_slice(), -1e3, 1e3).map_err(at)?;
+            check_ranges("imu.velocity_m_s", increment.velocity.as_slice(), -1e4, 1e4).map_err(at)?;
+        }
+        let sum = Increment::sum(increments);
+        if !(sum.angle.norm_squared() < core::f64::consts::PI * core::f64::consts::PI) {
+            let angle = sum.angle.norm_squared().sqrt();
+            let rule = Rule::Words("the rotation of an interval must stay below half a turn");
+            return Err(Error::invalid("imu.angle_rad", angle, rule));
+        }
+        self.check()?;
+
+        let dt = interval_s / increments.len() as f64;
+        let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
+        for (measured, ideal) in measured.iter_mut().zip(increments) {
+            *measured = sensors.sense(ideal, dt);
+        }
+        let measured = &measured[..increments.len()];
+        self.mechanization.update(measured, interval_s);
+        let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);
+        self.time_s = time_s;
+        self.time_carry_s = lost;
+        self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured: Increment::sum(measured) });
+        Ok(())
+    }
+
+    pub fn solution(&self) -> Solution {
+        let navigation = self.mechanization.navigation(self.axes);
+        Solution {
+            time_s: self.time_s,
+            navigation,
+            near_pole: navigation.distance_from_axis(&self.earth) < NEAR_POLE_M,
+            vertical_unaided: true,
+            inconsistent: false,
+        }
+    }
+
+    pub fn imu(&self) -> Option<ImuInterval> {
+        self.imu
+    }
+}

@@ -1,0 +1,79 @@
+//! What a simulator is made with.
+
+use crate::earth::{Earth, Ellipsoid, GravityModel};
+use crate::error::{Error, Rule, check_range};
+use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme, VerticalMode};
+use crate::sensors::StreamKey;
+use crate::signal::MAX_INCREMENTS;
+use crate::state::BodyAxes;
+use crate::truth::IntakeLimits;
+
+/// Mechanization updates in a sample interval at the most.
+pub const MAX_UPDATES: usize = MAX_INCREMENTS / MAX_SUBSAMPLES;
+
+/// Options of a simulator; the default is the recommended one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// In which axes the mechanization navigates.
+    pub frame: Frame,
+    /// Which algorithm.
+    pub scheme: Scheme,
+    /// Sub-increments of an update, 1 to 5.
+    pub subsamples: usize,
+    /// Mechanization updates in a sample interval, 1 to 16.
+    pub updates_per_sample: usize,
+    /// How the vertical channel is kept.
+    pub vertical: VerticalMode,
+    /// Whether the error differential equations run along.
+    pub error_model: bool,
+    /// The ellipsoid.
+    pub ellipsoid: Ellipsoid,
+    /// The gravity field.
+    pub gravity: GravityModel,
+    /// How the sensor axes lie.
+    pub axes: BodyAxes,
+    /// Seed and run number of all random streams.
+    pub key: StreamKey,
+    /// Limits and time base of the samples.
+    pub intake: IntakeLimits,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            frame: Frame::default(),
+            scheme: Scheme::default(),
+            subsamples: 2,
+            updates_per_sample: 1,
+            vertical: VerticalMode::default(),
+            error_model: false,
+            ellipsoid: Ellipsoid::default(),
+            gravity: GravityModel::default(),
+            axes: BodyAxes::default(),
+            key: StreamKey::default(),
+            intake: IntakeLimits::default(),
+        }
+    }
+}
+
+impl Options {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_range("options.subsamples", self.subsamples as f64, 1.0, MAX_SUBSAMPLES as f64)?;
+        check_range("options.updates_per_sample", self.updates_per_sample as f64, 1.0, MAX_UPDATES as f64)?;
+        if let Some(period) = self.intake.period_s {
+            check_range("options.sample_period_s", period, 5e-5, 1e3)?;
+            if period > self.intake.max_gap_s {
+                let rule = Rule::WordsAnd("must be at most max_gap_s =", self.intake.max_gap_s);
+                return Err(Error::invalid("options.sample_period_s", period, rule));
+            }
+        }
+        check_range("options.max_gap_s", self.intake.max_gap_s, 5e-5, 1e3)?;
+        check_range("options.max_acceleration_m_s2", self.intake.max_acceleration_m_s2, 1e-3, 1e6)
+    }
+
+    /// The Earth of the run.
+    pub fn earth(&self) -> Earth {
+        Earth::new(self.ellipsoid, self.gravity)
+    }
+}
