@@ -47,8 +47,8 @@ pub struct Error {
     pub field: &'static str,
     /// Place in the field, if that is an array.
     pub index: Option<usize>,
-    /// The value at fault.
-    pub value: f64,
+    /// The value at fault, if it is one.
+    pub value: Option<f64>,
     /// The limit.
     pub rule: Rule,
 }
@@ -56,7 +56,7 @@ pub struct Error {
 impl Error {
     /// An error about the value of a field.
     pub fn of(kind: ErrorKind, field: &'static str, value: f64, rule: Rule) -> Self {
-        Self { kind, field, index: None, value, rule }
+        Self { kind, field, index: None, value: Some(value), rule }
     }
 
     /// A value out of its range.
@@ -66,7 +66,7 @@ impl Error {
 
     /// A call at the wrong moment.
     pub fn bad_state(why: &'static str) -> Self {
-        Self::of(ErrorKind::BadState, "", 0.0, Rule::Words(why))
+        Self { kind: ErrorKind::BadState, field: "", index: None, value: None, rule: Rule::Words(why) }
     }
 
     /// The same error, about element `index` of the field.
@@ -82,7 +82,10 @@ impl fmt::Display for Error {
             if let Some(index) = self.index {
                 write!(f, "[{index}]")?;
             }
-            write!(f, " = {:?}: ", self.value)?;
+            match self.value {
+                Some(value) => write!(f, " = {value:?}: ")?,
+                None => f.write_str(": ")?,
+            }
         }
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),

@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 
+use super::closure::{Closure, ClosureFigures};
 use super::{ErrorSource, NEAR_POLE_M, Options, Sensors, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
     Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, StartErrors, navigation_minus_truth,
 };
-use crate::math::{Compensated, rotate, rotate_inverse, rotation_quaternion, sin_cos};
+use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::sensors::{Alignment, alignment_error};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
@@ -31,22 +32,6 @@ pub struct ImuInterval {
     pub measured: Increment,
 }
 
-/// How the navigated solution closes on the truth, and how much of that is the host's own contradiction between
-/// displacement and velocity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ClosureFigures {
-    /// Navigation minus truth now, position [m] and velocity [m/s].
-    pub position_n: Vector3<f64>,
-    /// See `position_n`.
-    pub velocity_n: Vector3<f64>,
-    /// Sum over the flight of displacement by the host's velocities less displacement by its positions [m].
-    pub inconsistency_n: Vector3<f64>,
-    /// The largest of it in one interval [m].
-    pub inconsistency_max_m: f64,
-    /// Samples flagged for it.
-    pub inconsistent_samples: u64,
-}
-
 /// The chain in flight.
 #[derive(Debug, Clone)]
 pub(super) struct Chain {
@@ -59,11 +44,7 @@ pub(super) struct Chain {
     error_model: Option<ErrorModel>,
     accuracy: Accuracy,
     intervals: u64,
-    /// Displacement by velocity less displacement by position, Earth-fixed axes [m].
-    inconsistency_e: Compensated<3>,
-    inconsistency_max_m: f64,
-    inconsistent_samples: u64,
-    inconsistent: bool,
+    closure: Closure,
 }
 
 impl Chain {
@@ -87,10 +68,7 @@ impl Chain {
             error_model,
             accuracy: Accuracy::new(first.time_s),
             intervals: 0,
-            inconsistency_e: Compensated::new(Vector3::zeros()),
-            inconsistency_max_m: 0.0,
-            inconsistent_samples: 0,
-            inconsistent: false,
+            closure: Closure::new(),
         })
     }
 
@@ -152,7 +130,7 @@ impl Chain {
             model.advance(motion, &errors, &aid, next.sample.place.height_m);
         }
         let inconsistency = motion.displacement() - (next.state.r_e - from);
-        self.note_inconsistency(&inconsistency, &next.state.v_e, t);
+        self.closure.advance(&self.earth, next, &inconsistency);
         self.intervals += 1;
         if self.accuracy.is_due(next.time_s) {
             let errors = self.navigation_errors();
@@ -175,16 +153,6 @@ impl Chain {
                 VerticalAid::Truth { height_m, velocity_up_m_s }
             }
         }
-    }
-
-    fn note_inconsistency(&mut self, inconsistency_e: &Vector3<f64>, v_e: &Vector3<f64>, t: f64) {
-        self.inconsistency_e.add(inconsistency_e);
-        let size = inconsistency_e.norm_squared().sqrt();
-        self.inconsistency_max_m = self.inconsistency_max_m.max(size);
-        // A hundredth of the displacement and a centimetre: coarser than any integrator, finer than a wrong unit.
-        let speed = v_e.norm_squared().sqrt();
-        self.inconsistent = size > 0.01 + 0.01 * speed * t;
-        self.inconsistent_samples += u64::from(self.inconsistent);
     }
 
     pub fn intervals(&self) -> u64 {
@@ -214,7 +182,7 @@ impl Chain {
     }
 
     pub fn truth(&self) -> Solution {
-        self.solution(self.true_navigation(), false, self.inconsistent)
+        self.solution(self.true_navigation(), false, self.closure.last_flagged())
     }
 
     pub fn navigation(&self) -> Solution {
@@ -245,16 +213,7 @@ impl Chain {
     }
 
     pub fn closure(&self) -> ClosureFigures {
-        let errors = self.navigation_errors();
-        let (east, north, up) = self.earth.east_north_up(&self.true_navigation().place);
-        let inconsistency = self.inconsistency_e.value;
-        ClosureFigures {
-            position_n: errors.position_n,
-            velocity_n: errors.velocity_n,
-            inconsistency_n: Vector3::new(inconsistency.dot(&east), inconsistency.dot(&north), inconsistency.dot(&up)),
-            inconsistency_max_m: self.inconsistency_max_m,
-            inconsistent_samples: self.inconsistent_samples,
-        }
+        self.closure.figures(&self.earth, &self.true_navigation(), &self.navigation_errors())
     }
 }
 

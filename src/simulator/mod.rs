@@ -1,10 +1,12 @@
 //! The simulator: the blocks of the paper's figure 1 put together, one interval after the other.
 
 mod chain;
+mod closure;
 mod navigator;
 mod options;
 
-pub use chain::{ClosureFigures, ImuInterval};
+pub use chain::ImuInterval;
+pub use closure::ClosureFigures;
 pub use options::{MAX_UPDATES, Options};
 
 use crate::earth::Earth;
@@ -197,7 +199,7 @@ impl Simulator {
     pub fn step(&mut self) -> Result<Step, Error> {
         self.refuse_while_navigating()?;
         if let Mode::Waiting = self.mode {
-            if self.intake.len() < 2 {
+            if self.intake.waiting() < 2 {
                 return Ok(Step::NeedSample);
             }
             let chain = self.chain_from_first_sample()?;
@@ -215,7 +217,7 @@ impl Simulator {
 
     /// Starts as a navigator alone from `navigation` at `time_s` [s], to be fed by [`Self::push_imu`].
     pub fn start_navigation(&mut self, time_s: f64, navigation: &Navigation) -> Result<(), Error> {
-        if !matches!(self.mode, Mode::Waiting) || self.intake.len() > 0 {
+        if !matches!(self.mode, Mode::Waiting) || self.intake.waiting() > 0 {
             return Err(Error::bad_state("navigation alone starts before the first sample or after a reset"));
         }
         let navigator = Navigator::new(&self.options, self.earth, time_s, navigation);
@@ -262,7 +264,7 @@ impl Simulator {
 
     /// Samples that wait for a step.
     pub fn waiting_samples(&self) -> usize {
-        self.intake.len()
+        self.intake.waiting()
     }
 
     /// The truth; `None` before the first sample.
@@ -308,7 +310,7 @@ impl Simulator {
     fn read<T>(&self, view: impl FnOnce(&Chain) -> T) -> Result<Option<T>, Error> {
         match &self.mode {
             Mode::Flying(chain) => Ok(Some(view(chain))),
-            _ if self.intake.len() == 0 => Ok(None),
+            _ if self.intake.waiting() == 0 => Ok(None),
             _ => Ok(Some(view(&self.chain_from_first_sample()?))),
         }
     }

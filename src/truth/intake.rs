@@ -1,7 +1,5 @@
 //! The way in: samples are checked against each other, put on the time base and into a bounded queue.
 
-use std::collections::VecDeque;
-
 use nalgebra::{SVector, Vector3};
 
 use super::FlightSample;
@@ -65,7 +63,7 @@ pub struct Intake {
     earth: Earth,
     axes: BodyAxes,
     limits: IntakeLimits,
-    queue: VecDeque<TruthPoint>,
+    queue: Queue,
     /// The last point taken, whether still in the queue or not.
     last: Option<TruthPoint>,
     /// Time [s] and Earth-fixed position [m] of the points before, newest first, for velocity from position.
@@ -82,7 +80,7 @@ impl Intake {
             earth,
             axes,
             limits,
-            queue: VecDeque::with_capacity(QUEUE_CAPACITY),
+            queue: Queue::EMPTY,
             last: None,
             trail: [None; 3],
             first_time_s: 0.0,
@@ -92,19 +90,14 @@ impl Intake {
 
     /// Forgets everything that was taken in.
     pub fn clear(&mut self) {
-        self.queue.clear();
+        self.queue = Queue::EMPTY;
         self.last = None;
         self.trail = [None; 3];
     }
 
     /// Number of points that wait.
-    pub fn len(&self) -> usize {
-        self.queue.len()
-    }
-
-    /// Whether no point waits.
-    pub fn is_empty(&self) -> bool {
-        self.queue.is_empty()
+    pub fn waiting(&self) -> usize {
+        self.queue.len
     }
 
     /// The oldest point that waits.
@@ -114,15 +107,15 @@ impl Intake {
 
     /// Takes the oldest point out.
     pub fn pop(&mut self) -> Option<TruthPoint> {
-        self.queue.pop_front()
+        self.queue.pop()
     }
 
     /// Checks `sample` and puts it into the queue.
     pub fn push(&mut self, sample: &FlightSample) -> Result<(), Error> {
         sample.validate()?;
-        if self.queue.len() == QUEUE_CAPACITY {
+        if self.queue.len == QUEUE_CAPACITY {
             let rule = Rule::WordsAnd("step before the next sample; samples that may wait:", QUEUE_CAPACITY as f64);
-            return Err(Error::of(ErrorKind::QueueFull, "queued samples", self.queue.len() as f64, rule));
+            return Err(Error::of(ErrorKind::QueueFull, "queued samples", self.queue.len as f64, rule));
         }
         let (time_s, interval_s, ticks) = self.place_in_time(sample.time_s)?;
         let point = self.point(sample, time_s, interval_s);
@@ -130,7 +123,7 @@ impl Intake {
             self.check_jump(last, &point)?;
             if last.sample.v_n.is_none() && self.trail[1].is_none() {
                 // The first velocity is known only now: the mean of the first interval.
-                if let Some(first) = self.queue.back_mut() {
+                if let Some(first) = self.queue.back() {
                     first.state.v_e = point.state.v_e;
                 }
             }
@@ -141,7 +134,7 @@ impl Intake {
         self.trail.rotate_right(1);
         self.trail[0] = Some((point.time_s, point.state.r_e));
         self.last = Some(point);
-        self.queue.push_back(point);
+        self.queue.push(point);
         Ok(())
     }
 
@@ -237,4 +230,37 @@ impl Intake {
 /// Σ w_j r_j over points relative to the newest, whose own weight is the last and whose r is zero.
 fn weighted<const N: usize, const M: usize>(points: [(f64, Vector3<f64>); N], weights: [f64; M]) -> Vector3<f64> {
     points.iter().zip(weights).fold(SVector::zeros(), |sum, (point, weight)| sum + point.1 * weight)
+}
+
+/// First in, first out, without an allocation.
+#[derive(Debug, Clone)]
+struct Queue {
+    points: [Option<TruthPoint>; QUEUE_CAPACITY],
+    first: usize,
+    len: usize,
+}
+
+impl Queue {
+    const EMPTY: Self = Self { points: [None; QUEUE_CAPACITY], first: 0, len: 0 };
+
+    fn front(&self) -> Option<&TruthPoint> {
+        self.points[self.first].as_ref()
+    }
+
+    /// The newest, to be completed.
+    fn back(&mut self) -> Option<&mut TruthPoint> {
+        self.points[(self.first + self.len + QUEUE_CAPACITY - 1) % QUEUE_CAPACITY].as_mut()
+    }
+
+    fn push(&mut self, point: TruthPoint) {
+        self.points[(self.first + self.len) % QUEUE_CAPACITY] = Some(point);
+        self.len += 1;
+    }
+
+    fn pop(&mut self) -> Option<TruthPoint> {
+        let point = self.points[self.first].take()?;
+        self.first = (self.first + 1) % QUEUE_CAPACITY;
+        self.len -= 1;
+        Some(point)
+    }
 }

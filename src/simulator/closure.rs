@@ -1,0 +1,104 @@
+//! How the navigated solution closes on the truth, and whose share that is.
+
+use nalgebra::Vector3;
+
+use crate::earth::Earth;
+use crate::errors::NavigationErrors;
+use crate::math::Compensated;
+use crate::state::Navigation;
+use crate::truth::TruthPoint;
+
+/// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is
+/// flagged: coarser than any integrator's error, finer than a wrong unit.
+const FLAG_FLOOR_M: f64 = 0.01;
+const FLAG_SHARE: f64 = 0.01;
+
+/// Closure of the navigated solution on the truth.
+///
+/// A host's positions are never quite the integral of its velocities. The INS integrates the velocities and feels gravity
+/// at the positions, so what the host contradicts itself by comes back Schuler-tuned; the rest of the closure is the
+/// simulator's own (and the sensors').
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClosureFigures {
+    /// Navigation minus truth now: position [m].
+    pub position_n: Vector3<f64>,
+    /// Navigation minus truth now: velocity [m/s].
+    pub velocity_n: Vector3<f64>,
+    /// What of the horizontal position the host's inconsistency explains [m].
+    pub host_position_n: Vector3<f64>,
+    /// What of the horizontal velocity the host's inconsistency explains [m/s].
+    pub host_velocity_n: Vector3<f64>,
+    /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+    pub inconsistency_n: Vector3<f64>,
+    /// The largest of it in one interval [m].
+    pub inconsistency_max_m: f64,
+    /// Samples flagged for it.
+    pub inconsistent_samples: u64,
+}
+
+/// The sums behind the figures, Earth-fixed axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Closure {
+    inconsistency_e: Compensated<3>,
+    max_m: f64,
+    flagged: u64,
+    last_flagged: bool,
+    /// The INS's answer to the inconsistency: position [m] and velocity [m/s], horizontal.
+    answer_r_e: Vector3<f64>,
+    answer_v_e: Vector3<f64>,
+}
+
+impl Closure {
+    pub fn new() -> Self {
+        Self {
+            inconsistency_e: Compensated::new(Vector3::zeros()),
+            max_m: 0.0,
+            flagged: 0,
+            last_flagged: false,
+            answer_r_e: Vector3::zeros(),
+            answer_v_e: Vector3::zeros(),
+        }
+    }
+
+    /// Over the interval to `next`: the displacement by velocity contradicts that by position by `inconsistency_e` [m].
+    pub fn advance(&mut self, earth: &Earth, next: &TruthPoint, inconsistency_e: &Vector3<f64>) {
+        let t = next.interval_s;
+        let r_e = &next.state.r_e;
+        self.inconsistency_e.add(inconsistency_e);
+        let size = inconsistency_e.norm_squared().sqrt();
+        self.max_m = self.max_m.max(size);
+        let speed = next.state.v_e.norm_squared().sqrt();
+        self.last_flagged = size > FLAG_FLOOR_M + FLAG_SHARE * speed * t;
+        self.flagged += u64::from(self.last_flagged);
+
+        // δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency, semi-implicit; the vertical part is taken out.
+        let inverse_r2 = 1.0 / r_e.norm_squared();
+        let schuler2 = -next.gravity_e.dot(r_e) * inverse_r2;
+        let w2 = 2.0 * earth.rate_rad_s;
+        let (r, v) = (&mut self.answer_r_e, &mut self.answer_v_e);
+        *v += (Vector3::new(w2 * v.y, -w2 * v.x, 0.0) - *r * schuler2) * t;
+        *r += *v * t + inconsistency_e;
+        *v -= r_e * (v.dot(r_e) * inverse_r2);
+        *r -= r_e * (r.dot(r_e) * inverse_r2);
+    }
+
+    /// Whether the last sample contradicts its velocity.
+    pub fn last_flagged(&self) -> bool {
+        self.last_flagged
+    }
+
+    pub fn figures(&self, earth: &Earth, truth: &Navigation, errors: &NavigationErrors) -> ClosureFigures {
+        let (east, north, up) = earth.east_north_up(&truth.place);
+        let local = |v: &Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), v.dot(&up));
+        let horizontal = |v: &Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), 0.0);
+        ClosureFigures {
+            position_n: errors.position_n,
+            velocity_n: errors.velocity_n,
+            host_position_n: horizontal(&self.answer_r_e),
+            host_velocity_n: horizontal(&self.answer_v_e),
+            inconsistency_n: local(&self.inconsistency_e.value),
+            inconsistency_max_m: self.max_m,
+            inconsistent_samples: self.flagged,
+        }
+    }
+}
