@@ -19,6 +19,8 @@ pub enum ErrorKind {
     Diverged,
     /// The geographic mechanization came within reach of a pole.
     Singular,
+    /// No memory for what was asked.
+    OutOfMemory,
 }
 
 /// The limit that a value has to keep.

@@ -1,11 +1,15 @@
 //! sins
-#![deny(missing_docs)]
+#![deny(missing_docs, unsafe_op_in_unsafe_fn)]
+
+pub mod abi;
 #[forbid(unsafe_code)]
 pub mod earth;
 #[forbid(unsafe_code)]
 mod error;
 #[forbid(unsafe_code)]
 pub mod errors;
+#[forbid(unsafe_code)]
+pub mod flight;
 #[forbid(unsafe_code)]
 pub mod math;
 #[forbid(unsafe_code)]

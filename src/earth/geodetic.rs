@@ -142,19 +142,18 @@ impl Earth {
     /// I/N over the horizontal plane, and 1/M - 1/N in the meridian, without a division by cos L.
     pub fn curvature(&self, vertical: &Vertical) -> Matrix3<f64> {
         let up = &vertical.up_e;
-        let (radii, meridian_excess) = self.curvature_terms(vertical);
+        let (inverse_n, meridian_excess) = self.curvature_terms(up.z, vertical.height_m);
         let north_cos = Vector3::new(-up.x * up.z, -up.y * up.z, 1.0 - up.z * up.z);
-        (Matrix3::identity() - up * up.transpose()) * radii + north_cos * north_cos.transpose() * meridian_excess
+        (Matrix3::identity() - up * up.transpose()) * inverse_n + north_cos * north_cos.transpose() * meridian_excess
     }
 
     /// 1/(RN + h) [1/m], and the factor of (north cos L)(north cos L)ᵀ: (1/(RM + h) - 1/(RN + h)) / cos²L.
     #[inline]
-    fn curvature_terms(&self, vertical: &Vertical) -> (f64, f64) {
-        let sin = vertical.up_e.z;
-        let w2 = 1.0 - self.eccentricity2 * sin * sin;
-        let radii = self.radii(sin);
-        let inverse_n = 1.0 / (radii.transverse_m + vertical.height_m);
-        let inverse_m = 1.0 / (radii.meridian_m + vertical.height_m);
+    pub(crate) fn curvature_terms(&self, sin_latitude: f64, height_m: f64) -> (f64, f64) {
+        let w2 = 1.0 - self.eccentricity2 * sin_latitude * sin_latitude;
+        let radii = self.radii(sin_latitude);
+        let inverse_n = 1.0 / (radii.transverse_m + height_m);
+        let inverse_m = 1.0 / (radii.meridian_m + height_m);
         (inverse_n, radii.transverse_m * self.eccentricity2 / w2 * inverse_n * inverse_m)
     }
 

@@ -17,7 +17,7 @@ use crate::sensors::{
 };
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake};
+use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY};
 use chain::Chain;
 use navigator::Navigator;
 
@@ -260,6 +260,16 @@ impl Simulator {
             Mode::Flying(chain) => chain.intervals(),
             _ => 0,
         }
+    }
+
+    /// Whether a step has been made since the start or the last reposition.
+    pub fn has_started(&self) -> bool {
+        !matches!(self.mode, Mode::Waiting)
+    }
+
+    /// Whether the queue has no room for another sample.
+    pub fn queue_is_full(&self) -> bool {
+        self.intake.waiting() == QUEUE_CAPACITY
     }
 
     /// Samples that wait for a step.

@@ -1,0 +1,1005 @@
+/*
+ * sins.h - strapdown inertial navigation system (SINS) simulator, C interface.
+ *
+ * Truth goes in as flight samples (position, velocity, attitude); the library makes of it what perfect gyros and
+ * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
+ *
+ *   sins_sim *sim = NULL;
+ *   sins_create(NULL, &sim);                       recommended options
+ *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
+ *   while (...) {
+ *       sins_push_sample(sim, &sample);            one sample of the flight simulator
+ *       if (sins_step(sim) == SINS_OK)             one interval (the first needs two samples)
+ *           sins_get_navigation(sim, &navigation);
+ *   }
+ *   sins_destroy(sim);
+ *
+ * Zero is off. Every struct begins with struct_size, to be set to its sizeof, and a second 32-bit integer that is 0 unless
+ *   told otherwise; "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. Output structs want their struct_size set
+ *   too. Structs grow at their end only: old hosts run on new libraries and the other way round.
+ * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
+ *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
+ * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
+ *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
+ *   height above the ellipsoid.
+ * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
+ *   output, no random number drawn. SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
+ *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   sins_last_error() has the sentence: which field, which value, which limit.
+ * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
+ * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
+ *   environment and no file, and leaves the host's floating-point control state as it found it.
+ * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
+ *   pattern. Each random effect has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * This file is written by build.rs from the Rust sources; do not edit it.
+ */
+
+#ifndef SINS_H
+#define SINS_H
+
+#include <stddef.h>
+
+#if defined(_MSC_VER) && _MSC_VER < 1600
+typedef __int32 int32_t;
+typedef unsigned __int32 uint32_t;
+typedef unsigned __int64 uint64_t;
+#else
+#include <stdint.h>
+#endif
+
+/* Calling convention and linkage. Define SINS_STATIC when linking the static library. */
+#if defined(_WIN32)
+#define SINS_CALL __cdecl
+#else
+#define SINS_CALL
+#endif
+#if defined(_WIN32) && !defined(SINS_STATIC)
+#define SINS_API __declspec(dllimport)
+#else
+#define SINS_API
+#endif
+
+/* Units: multiply by them to get SI, divide to get back. */
+#define SINS_DEG 0.017453292519943295              /* degree [rad] */
+#define SINS_ARCMIN (SINS_DEG / 60.0)              /* minute of arc [rad] */
+#define SINS_ARCSEC (SINS_DEG / 3600.0)            /* second of arc [rad] */
+#define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
+#define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
+#define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
+#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1e-6)             /* millionth of g [m/s2] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_PPM 1e-6                              /* part in a million */
+#define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
+#define SINS_NMI 1852.0                            /* nautical mile [m] */
+#define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ */
+typedef struct sins_sim sins_sim;
+typedef struct sins_flight sins_flight;
+
+/*
+ * Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
+ * there is gone or means something else; what is added at the end does not change it.
+ */
+#define SINS_ABI_VERSION 1
+
+/* Release of the library, semantic versioning. */
+#define SINS_VERSION_MAJOR 0
+/* See SINS_VERSION_MAJOR. */
+#define SINS_VERSION_MINOR 1
+/* See SINS_VERSION_MAJOR. */
+#define SINS_VERSION_PATCH 0
+
+/* The call did what it says. */
+#define SINS_OK 0
+
+/* There is no complete interval yet: push the next sample. */
+#define SINS_NEED_SAMPLE 1
+
+/* A pointer that must not be null is. */
+#define SINS_ERROR_NULL_POINTER (-1)
+/* The handle is null, made up, destroyed, or of the other kind. */
+#define SINS_ERROR_BAD_HANDLE (-2)
+/* A struct_size that no release knows, or a struct of a newer release that uses what this one lacks. */
+#define SINS_ERROR_STRUCT_SIZE (-3)
+/* A value out of its range; sins_last_error() names field, value and limit. */
+#define SINS_ERROR_INVALID_ARGUMENT (-4)
+/* The right call at the wrong moment. */
+#define SINS_ERROR_BAD_STATE (-5)
+/* A sample that is not later than the one before, or off the stated sample period. */
+#define SINS_ERROR_TIME_ORDER (-6)
+/* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_reposition(). */
+#define SINS_ERROR_DISCONTINUITY (-7)
+/* The queue of samples is full: step first. */
+#define SINS_ERROR_QUEUE_FULL (-8)
+/* The solution left its representable range; the last good one stays readable. */
+#define SINS_ERROR_DIVERGED (-9)
+/* The geographic mechanization came within reach of a pole. */
+#define SINS_ERROR_SINGULAR (-10)
+/* A buffer is too small for the result. */
+#define SINS_ERROR_BUFFER_TOO_SMALL (-11)
+/* No memory, or no free handle. */
+#define SINS_ERROR_OUT_OF_MEMORY (-12)
+/* The snapshot is damaged, foreign or newer. */
+#define SINS_ERROR_SNAPSHOT (-13)
+/* A defect inside the library was caught; this handle answers so from now on, others live. */
+#define SINS_ERROR_INTERNAL (-99)
+
+/* Navigation in Earth-fixed axes: regular everywhere, poles included. */
+#define SINS_FRAME_EARTH_FIXED 0
+/* Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole. */
+#define SINS_FRAME_GEOGRAPHIC 1
+
+/* Coning, sculling and exact rotation compensation, Earth terms of the middle of the update. */
+#define SINS_SCHEME_EXACT 0
+/* The paper's equations (7)-(24), misprints mended, approximations kept. */
+#define SINS_SCHEME_PAPER 1
+
+/* Third-order loop on a barometric height, time constant 100 s. */
+#define SINS_VERTICAL_DAMPED 0
+/* Height and vertical velocity set to the truth at each sample. */
+#define SINS_VERTICAL_FOLLOW_TRUTH 1
+/* Left to itself: any error grows by e every 569 s. */
+#define SINS_VERTICAL_FREE 2
+
+/* No error differential equations: SINS_ERRORS_MODEL is not available. */
+#define SINS_ERROR_MODEL_OFF 0
+/* The error differential equations (error data 1) by fourth-order Runge-Kutta. */
+#define SINS_ERROR_MODEL_RK4 1
+
+/* World Geodetic System 1984. */
+#define SINS_EARTH_WGS84 0
+/* China Geodetic Coordinate System 2000. */
+#define SINS_EARTH_CGCS2000 1
+/* Geodetic Reference System 1980. */
+#define SINS_EARTH_GRS80 2
+/* Krassovsky 1940; Earth rate and gravitational constant as WGS-84. */
+#define SINS_EARTH_KRASSOVSKY1940 3
+
+/* Normal gravity in closed form at any height, with its north component. */
+#define SINS_GRAVITY_NORMAL 0
+/* Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it. */
+#define SINS_GRAVITY_SOMIGLIANA 1
+
+/* Sensor axes: x right, y forward, z up (the paper's). */
+#define SINS_AXES_RIGHT_FORWARD_UP 0
+/* Sensor axes: x forward, y right, z down. */
+#define SINS_AXES_FORWARD_RIGHT_DOWN 1
+
+/* Ideal signals are the integrals of the physics, so that the mechanization's own error shows. */
+#define SINS_SIGNAL_PHYSICAL 0
+/* The same with a small trim that lets error-free sensors navigate back to the truth. Not in this release: refused. */
+#define SINS_SIGNAL_CLOSED_LOOP 1
+
+/* The misalignment at the start is the given one. */
+#define SINS_ALIGNMENT_GIVEN 0
+/* Added to it, what levelling and gyrocompassing at rest leave with the sensor errors of the start. */
+#define SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS 1
+
+/* The sample carries angular_rate_rad_s. */
+#define SINS_SAMPLE_ANGULAR_RATE 1
+/* The sample carries specific_force_m_s2. */
+#define SINS_SAMPLE_SPECIFIC_FORCE 2
+/* The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval. */
+#define SINS_SAMPLE_NO_VELOCITY 4
+
+/*
+ * Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
+ * and the errors in metres stay right.
+ */
+#define SINS_NAVIGATION_NEAR_POLE 1
+/* Nothing aids the vertical channel: any error grows by e every 569 s. */
+#define SINS_NAVIGATION_VERTICAL_UNAIDED 2
+/* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm. */
+#define SINS_NAVIGATION_INCONSISTENT 4
+
+/* Navigation minus truth: the paper's error data 2. */
+#define SINS_ERRORS_NAVIGATION 0
+/* The error differential equations: the paper's error data 1 (sins_options.error_model). */
+#define SINS_ERRORS_MODEL 1
+/* Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning. */
+#define SINS_ERRORS_NEAR_POLE 1
+/* Error model: misalignment above 2 degrees or displacement above 100 km; what it drops is no longer small. */
+#define SINS_ERRORS_OUTSIDE_VALIDITY 2
+/* In a sins_record: not computed, all zero. */
+#define SINS_ERRORS_NOT_COMPUTED 4
+
+/*
+ * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
+ * white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+ */
+#define SINS_GRADE_PAPER_SIMULATION2 6
+
+/* At rest for duration_s; the speed must be 0. */
+#define SINS_MANOEUVRE_REST 0
+/* Along a geodesic at constant speed and height for duration_s. */
+#define SINS_MANOEUVRE_STRAIGHT 1
+/* By speed_change_m_s in duration_s. */
+#define SINS_MANOEUVRE_ACCELERATE 2
+/* By height_change_m in duration_s, ramp_s. */
+#define SINS_MANOEUVRE_CLIMB 3
+/*
+ * Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
+ * follows.
+ */
+#define SINS_MANOEUVRE_TURN 4
+/* turns whole rolls (right positive) in duration_s along a straight path. */
+#define SINS_MANOEUVRE_ROLL 5
+/* turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s. */
+#define SINS_MANOEUVRE_LOOP 6
+/* Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s. */
+#define SINS_MANOEUVRE_S_TURN 7
+/* Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration. */
+#define SINS_MANOEUVRE_SINUSOIDS 8
+
+/* The sinusoid moves the course [rad], with the bank of a coordinated turn. */
+#define SINS_CHANNEL_COURSE 0
+/* The sinusoid moves the climb angle [rad]. */
+#define SINS_CHANNEL_CLIMB 1
+/* The sinusoid moves the speed [m/s]. */
+#define SINS_CHANNEL_SPEED 2
+/* The sinusoid moves roll alone [rad]. */
+#define SINS_CHANNEL_ROLL 3
+/* The sinusoid moves pitch alone [rad]. */
+#define SINS_CHANNEL_PITCH 4
+/* The sinusoid moves heading alone [rad]. */
+#define SINS_CHANNEL_HEADING 5
+
+/* Result of a call: `SINS_OK`, positive "not yet", negative an error. On an error nothing changed. */
+typedef int32_t sins_status;
+
+/*
+ * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
+ * Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+ */
+typedef struct sins_gyro_params {
+    /* sizeof(sins_gyro_params) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Constant bias [rad/s], measured less true; up to 100 rad/s. */
+    double bias_rad_s[3];
+    /* Standard deviation of the turn-on bias, drawn once a run [rad/s]. */
+    double bias_sigma_rad_s[3];
+    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [rad/s]. */
+    double markov_sigma_rad_s[3];
+    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_rad_s is not 0. */
+    double markov_time_s[3];
+    /* Angle random walk N, white noise of rate [rad/sqrt(s)] = [(rad/s)/sqrt(Hz)]. */
+    double random_walk_rad_sqrt_s[3];
+    /* Rate random walk K [(rad/s)/sqrt(s)] (later). */
+    double rate_random_walk_rad_s_sqrt_s[3];
+    /* Rate ramp R [rad/s2] (later). */
+    double rate_ramp_rad_s2[3];
+    /* Flicker noise, bias instability B [rad/s] (later). */
+    double flicker_rad_s[3];
+    /* Quantization of the angle increments [rad] (later). */
+    double quantization_rad[3];
+    /* Scale factor error, -1 to 1. */
+    double scale_factor[3];
+    /* Scale factor error of positive less that of negative rates (later). */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the rate [s/rad] (later). */
+    double scale_factor_nonlinearity_s_rad[3];
+    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
+    double misalignment_rad[9];
+    /* g-sensitivity [(rad/s)/(m/s2)], row-major (later). */
+    double g_sensitivity_rad_s_per_m_s2[9];
+    /* Range, where the output saturates [rad/s] (later). */
+    double range_rad_s[3];
+    /* Bandwidth [Hz] (later). */
+    double bandwidth_hz[3];
+    /* Dead zone [rad/s] (later). */
+    double dead_zone_rad_s[3];
+} sins_gyro_params;
+
+/*
+ * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
+ * Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+ */
+typedef struct sins_accel_params {
+    /* sizeof(sins_accel_params) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Constant bias [m/s2], measured less true; up to 10000 m/s2. */
+    double bias_m_s2[3];
+    /* Standard deviation of the turn-on bias, drawn once a run [m/s2]. */
+    double bias_sigma_m_s2[3];
+    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [m/s2]. */
+    double markov_sigma_m_s2[3];
+    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m_s2 is not 0. */
+    double markov_time_s[3];
+    /* Velocity random walk N, white noise of force [(m/s)/sqrt(s)] = [(m/s2)/sqrt(Hz)]. */
+    double velocity_random_walk_m_s_sqrt_s[3];
+    /* Acceleration random walk K [(m/s2)/sqrt(s)] (later). */
+    double acceleration_random_walk_m_s2_sqrt_s[3];
+    /* Ramp R [m/s3] (later). */
+    double ramp_m_s3[3];
+    /* Flicker noise, bias instability B [m/s2] (later). */
+    double flicker_m_s2[3];
+    /* Quantization of the velocity increments [m/s] (later). */
+    double quantization_m_s[3];
+    /* Scale factor error, -1 to 1. */
+    double scale_factor[3];
+    /* Scale factor error of positive less that of negative forces (later). */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the force [s2/m] (later). */
+    double scale_factor_nonlinearity_s2_m[3];
+    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
+    double misalignment_rad[9];
+    /* Range, where the output saturates [m/s2] (later). */
+    double range_m_s2[3];
+    /* Bandwidth [Hz] (later). */
+    double bandwidth_hz[3];
+    /* Dead zone [m/s2] (later). */
+    double dead_zone_m_s2[3];
+    /* Place of each sensor [m], row = sensor: size effect (later). */
+    double lever_arm_m[9];
+    /* Vibration rectification, the g2 term [s2/m] (later). */
+    double vibration_rectification_s2_m[3];
+} sins_accel_params;
+
+/* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
+typedef struct sins_altimeter_params {
+    /* sizeof(sins_altimeter_params) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Constant bias [m]. */
+    double bias_m;
+    /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on [m]. */
+    double markov_sigma_m;
+    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
+    double markov_time_s;
+    /* Standard deviation of the independent error of each sample [m]. */
+    double noise_m;
+    /* Scale factor error of the height, -1 to 1. */
+    double scale_factor;
+    /* Time constant of the first-order lag of the static pressure [s]. */
+    double lag_s;
+} sins_altimeter_params;
+
+/*
+ * Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
+ * Where the vertical channel follows the truth, its errors start at 0.
+ */
+typedef struct sins_initial_errors {
+    /* sizeof(sins_initial_errors) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Position [m]. */
+    double position_enu_m[3];
+    /* Velocity [m/s]. */
+    double velocity_enu_m_s[3];
+    /* Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. -pi to pi. */
+    double misalignment_enu_rad[3];
+    /* Standard deviation of position [m]. */
+    double position_sigma_enu_m[3];
+    /* Standard deviation of velocity [m/s]. */
+    double velocity_sigma_enu_m_s[3];
+    /* Standard deviation of misalignment, 0 to 1 [rad]. */
+    double misalignment_sigma_enu_rad[3];
+    /* SINS_ALIGNMENT_... */
+    int32_t alignment;
+    /* Must be 0. */
+    uint32_t reserved2;
+} sins_initial_errors;
+
+/* A solution: the truth or the navigated one. */
+typedef struct sins_navigation {
+    /* sizeof(sins_navigation) */
+    uint32_t struct_size;
+    /* 0 (must be 0 where it is an input). */
+    uint32_t reserved;
+    /* Time [s]. */
+    double time_s;
+    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /* Longitude, east positive, -pi to pi [rad]. */
+    double longitude_rad;
+    /* Height above the ellipsoid [m]. */
+    double height_m;
+    /* Velocity against the Earth, east-north-up [m/s]. */
+    double velocity_enu_m_s[3];
+    /* Roll, right wing down positive, -pi to pi [rad]. */
+    double roll_rad;
+    /* Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
+    double pitch_rad;
+    /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
+    double heading_rad;
+    /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
+    double quaternion_nb[4];
+    /* SINS_NAVIGATION_... flags, or'ed. */
+    int32_t flags;
+    /* 0 */
+    uint32_t reserved2;
+} sins_navigation;
+
+/* Ideal and measured signals of the last interval, sensor axes. */
+typedef struct sins_imu {
+    /* sizeof(sins_imu) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Time of the end of the interval [s]. */
+    double time_s;
+    /* Length of the interval [s]. */
+    double interval_s;
+    /* Integral of the angular rate against inertial space, perfect gyros [rad]. */
+    double ideal_angle_rad[3];
+    /* Integral of the specific force, perfect accelerometers [m/s]. */
+    double ideal_velocity_m_s[3];
+    /* What the modelled gyros give [rad]. */
+    double measured_angle_rad[3];
+    /* What the modelled accelerometers give [m/s]. */
+    double measured_velocity_m_s[3];
+    /* ideal_angle_rad over the interval [rad/s]. */
+    double ideal_rate_rad_s[3];
+    /* ideal_velocity_m_s over the interval [m/s2]. */
+    double ideal_force_m_s2[3];
+    /* measured_angle_rad over the interval [rad/s]. */
+    double measured_rate_rad_s[3];
+    /* measured_velocity_m_s over the interval [m/s2]. */
+    double measured_force_m_s2[3];
+} sins_imu;
+
+/* Errors of the navigated solution, computed less true. */
+typedef struct sins_errors {
+    /* sizeof(sins_errors) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Time [s]. */
+    double time_s;
+    /* Displacement from truth along true east and north, and difference of heights [m]. */
+    double position_enu_m[3];
+    /* Latitude [rad]. */
+    double latitude_rad;
+    /* Longitude, wrapped to -pi..pi [rad]. */
+    double longitude_rad;
+    /* Height [m]. */
+    double height_m;
+    /* Velocity [m/s]: difference of the components, each in its own east-north-up. */
+    double velocity_enu_m_s[3];
+    /* Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. */
+    double misalignment_enu_rad[3];
+    /* Roll, wrapped [rad]. */
+    double roll_rad;
+    /* Pitch [rad]. */
+    double pitch_rad;
+    /* Heading, wrapped [rad]. */
+    double heading_rad;
+    /* SINS_ERRORS_... flags (NEAR_POLE, OUTSIDE_VALIDITY, NOT_COMPUTED), or'ed. */
+    int32_t flags;
+    /* 0 */
+    uint32_t reserved2;
+} sins_errors;
+
+/*
+ * Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
+ * which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
+ */
+typedef struct sins_accuracy {
+    /* sizeof(sins_accuracy) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Time [s]. */
+    double time_s;
+    /* Time since the start [s]. */
+    double duration_s;
+    /* Where the window of the radial error rates begins, in time since the start [s]. */
+    double window_start_s;
+    /* Samples in that window; the rates are 0 while there is none. */
+    uint64_t window_samples;
+    /* sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s]. */
+    double radial_error_rate_rms_m_s;
+    /* R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s]. */
+    double cep_rate_m_s;
+    /* R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s]. */
+    double radial_95_rate_m_s;
+    /* Slope of the straight line of least squares through the horizontal position error [m/s]. */
+    double radial_error_slope_m_s;
+    /* Root mean square velocity error since the start, east-north-up [m/s]. */
+    double velocity_rms_enu_m_s[3];
+    /* Closure: navigation minus truth now, position [m]. */
+    double closure_position_enu_m[3];
+    /* Closure: navigation minus truth now, velocity [m/s]. */
+    double closure_velocity_enu_m_s[3];
+    /*
+     * Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
+     * to displacement by velocity less displacement by position. Closure less this is the simulator's and the sensors'.
+     */
+    double host_position_enu_m[3];
+    /* The same of the velocity closure [m/s]. */
+    double host_velocity_enu_m_s[3];
+    /* Displacement by the host's velocities less displacement by its positions, summed over the flight [m]. */
+    double inconsistency_enu_m[3];
+    /* The largest of it in one interval [m]. */
+    double inconsistency_max_m;
+    /* Samples flagged SINS_NAVIGATION_INCONSISTENT. */
+    uint64_t inconsistent_samples;
+} sins_accuracy;
+
+/* How a simulator is made. All zero (but struct_size) is the recommended simulator. */
+typedef struct sins_options {
+    /* sizeof(sins_options) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_FRAME_... */
+    int32_t frame;
+    /* SINS_SCHEME_... */
+    int32_t scheme;
+    /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
+    int32_t subsamples;
+    /* Mechanization updates in a sample interval, 1 to 16; 0: 1. */
+    int32_t updates_per_sample;
+    /* SINS_VERTICAL_... */
+    int32_t vertical;
+    /* SINS_ERROR_MODEL_... */
+    int32_t error_model;
+    /* SINS_EARTH_... */
+    int32_t earth;
+    /* SINS_GRAVITY_... */
+    int32_t gravity;
+    /* SINS_AXES_..., of gyros, accelerometers, quaternions and optional sample fields. */
+    int32_t axes;
+    /* SINS_SIGNAL_... */
+    int32_t signal;
+    /* Seed of all random streams. */
+    uint64_t seed;
+    /* Number of the run in an ensemble: same seed, other draws. */
+    uint64_t run;
+    /* Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release. */
+    double closed_loop_time_s;
+    /*
+     * Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
+     * each within 0.4 of a period. 0: the samples' own time stamps.
+     */
+    double sample_period_s;
+    /* Longest interval between samples [s]; 0: 2.5 s. */
+    double max_gap_s;
+    /* Mean acceleration between two samples beyond which truth has jumped [m/s2]; 0: 2000 m/s2. */
+    double max_acceleration_m_s2;
+} sins_options;
+
+/*
+ * True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
+ * are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
+ * sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+ */
+typedef struct sins_flight_sample {
+    /* sizeof(sins_flight_sample) */
+    uint32_t struct_size;
+    /* SINS_SAMPLE_... flags, or'ed. */
+    uint32_t flags;
+    /* Time stamp [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. */
+    double time_s;
+    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /* Longitude, east positive, -100 to 100 [rad]: any wrap. */
+    double longitude_rad;
+    /* Height above the ellipsoid, -20 km to 2000 km [m]. */
+    double height_m;
+    /* Velocity against the Earth, east-north-up, each up to 20 km/s [m/s]. */
+    double velocity_enu_m_s[3];
+    /* Roll, right wing down positive, any number of turns up to 10000 rad [rad]. */
+    double roll_rad;
+    /* Pitch, nose up positive, may go beyond 90 degrees [rad]. */
+    double pitch_rad;
+    /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
+    double heading_rad;
+    /* With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant [rad/s]. */
+    double angular_rate_rad_s[3];
+    /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant [m/s2]. */
+    double specific_force_m_s2[3];
+} sins_flight_sample;
+
+/* A solution within a sins_record; never grows. Fields as in sins_navigation. */
+typedef struct sins_record_solution {
+    /* [rad] */
+    double latitude_rad;
+    /* [rad] */
+    double longitude_rad;
+    /* [m] */
+    double height_m;
+    /* [m/s] */
+    double velocity_enu_m_s[3];
+    /* [rad] */
+    double roll_rad;
+    /* [rad] */
+    double pitch_rad;
+    /* [rad] */
+    double heading_rad;
+    /* Scalar first. */
+    double quaternion_nb[4];
+    /* SINS_NAVIGATION_... flags, or'ed. */
+    int32_t flags;
+    /* 0 */
+    uint32_t reserved;
+} sins_record_solution;
+
+/* Errors within a sins_record; never grows. Fields as in sins_errors. */
+typedef struct sins_record_errors {
+    /* [m] */
+    double position_enu_m[3];
+    /* [rad] */
+    double latitude_rad;
+    /* [rad] */
+    double longitude_rad;
+    /* [m] */
+    double height_m;
+    /* [m/s] */
+    double velocity_enu_m_s[3];
+    /* [rad] */
+    double misalignment_enu_rad[3];
+    /* [rad] */
+    double roll_rad;
+    /* [rad] */
+    double pitch_rad;
+    /* [rad] */
+    double heading_rad;
+    /* SINS_ERRORS_... flags, or'ed. */
+    int32_t flags;
+    /* 0 */
+    uint32_t reserved;
+} sins_record_errors;
+
+/* Truth, navigation and both errors at one instant. */
+typedef struct sins_record {
+    /* sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others. */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Time [s]. */
+    double time_s;
+    /* As sins_get_truth(). */
+    struct sins_record_solution truth;
+    /* As sins_get_navigation(). */
+    struct sins_record_solution navigation;
+    /* As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2. */
+    struct sins_record_errors navigation_errors;
+    /* As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off. */
+    struct sins_record_errors model_errors;
+} sins_record;
+
+/* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
+typedef struct sins_imu_increment {
+    /* sizeof(sins_imu_increment) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Length of the whole interval, 5e-5 to 10 [s]. */
+    double interval_s;
+    /* Parts, 1 to 5. */
+    int32_t count;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* Integral of the angular rate against inertial space over each part: x, y, z of the first, of the second, ... [rad]. */
+    double angle_rad[15];
+    /* Integral of the specific force over each part, likewise [m/s]. */
+    double velocity_m_s[15];
+} sins_imu_increment;
+
+/* Where an embedded flight begins, level and straight. */
+typedef struct sins_flight_start {
+    /* sizeof(sins_flight_start) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /* Longitude, east positive [rad]. */
+    double longitude_rad;
+    /* Height above the ellipsoid, -20 km to 2000 km [m]. */
+    double height_m;
+    /* Speed against the Earth, 0 to 10 km/s [m/s]. */
+    double speed_m_s;
+    /* Course and heading [rad]. */
+    double heading_rad;
+    /* Roll of the body against the path's axes throughout the flight [rad]. */
+    double roll_rad;
+    /* Pitch of the body against the path's axes throughout the flight: angle of attack, or tilt at rest [rad]. */
+    double pitch_rad;
+    /* SINS_EARTH_..., as in the options of the simulator that will fly it. */
+    int32_t earth;
+    /* Must be 0. */
+    uint32_t reserved2;
+} sins_flight_start;
+
+/* One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0. */
+typedef struct sins_manoeuvre {
+    /* sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others. */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_MANOEUVRE_... */
+    int32_t kind;
+    /* Sinusoids, 1 to 6. */
+    int32_t sinusoid_count;
+    /* Duration, 1e-3 to 1e8 [s]. */
+    double duration_s;
+    /* Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s]. */
+    double ramp_s;
+    /* Change of speed [m/s]. */
+    double speed_change_m_s;
+    /* Change of height; the climb angle must stay below 64 degrees [m]. */
+    double height_change_m;
+    /* Change of heading, or amplitude of the swings of an S-turn [rad]. */
+    double heading_change_rad;
+    /* Bank of a turn, 1e-3 to 1.5 [rad]. */
+    double bank_rad;
+    /* Whole rolls or loops, or swings of an S-turn. */
+    double turns;
+    /* SINS_CHANNEL_... of each sinusoid. */
+    int32_t channel[6];
+    /* Amplitude of each sinusoid [rad] or [m/s]. */
+    double amplitude[6];
+    /* Frequency of each sinusoid, 0 to 1000 [Hz]. */
+    double frequency_hz[6];
+    /* Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad]. */
+    double phase_rad[6];
+} sins_manoeuvre;
+
+/* The version of the interface that the loaded library has. */
+SINS_API sins_status SINS_CALL sins_abi_version(uint32_t *version);
+
+/* The release of the loaded library. */
+SINS_API sins_status SINS_CALL sins_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
+
+/* The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded. */
+SINS_API sins_status SINS_CALL sins_version_string(const char **text);
+
+/*
+ * The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
+ * loaded.
+ */
+SINS_API
+sins_status sins_status_string(sins_status status,
+                               const char **text);
+
+/*
+ * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
+ * move; processes that were active go on from where they are.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
+ */
+SINS_API
+sins_status sins_set_gyro(sins_sim *sim,
+                          const struct sins_gyro_params *params);
+
+/*
+ * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
+ * effects do not move; processes that were active go on from where they are.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
+ */
+SINS_API
+sins_status sins_set_accel(sins_sim *sim,
+                           const struct sins_accel_params *params);
+
+/*
+ * Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
+ * on.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API
+sins_status sins_set_altimeter(sins_sim *sim,
+                               const struct sins_altimeter_params *params);
+
+/*
+ * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ */
+SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
+
+/*
+ * Reads the truth at the end of the last interval; before the first step, that of the first sample.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ */
+SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, struct sins_navigation *truth);
+
+/*
+ * Reads the navigated solution for the same instant as sins_get_truth().
+ *
+ * SINS_NEED_SAMPLE: no sample yet.
+ */
+SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, struct sins_navigation *navigation);
+
+/*
+ * Reads ideal and measured signals of the last interval.
+ *
+ * SINS_NEED_SAMPLE: no interval yet.
+ */
+SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu);
+
+/*
+ * Reads the errors of the navigated solution; source is SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
+ * off, or navigating on increments.
+ */
+SINS_API
+sins_status sins_get_errors(sins_sim *sim,
+                            int32_t source,
+                            struct sins_errors *errors);
+
+/*
+ * Reads the running accuracy figures.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ */
+SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
+
+/*
+ * Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+ *
+ * On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
+ * memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+ */
+SINS_API
+sins_status sins_create(const struct sins_options *options,
+                        sins_sim **sim);
+
+/*
+ * Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
+
+/*
+ * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
+ * terminated; "no error" if none failed. With a NULL handle: that of the last failed create on this thread.
+ *
+ * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+ * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+ */
+SINS_API
+sins_status sins_last_error(const sins_sim *sim,
+                            char *buffer,
+                            size_t capacity,
+                            size_t *needed);
+
+/*
+ * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER: not later than the one before.
+ * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
+ * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+ */
+SINS_API
+sins_status sins_push_sample(sins_sim *sim,
+                             const struct sins_flight_sample *sample);
+
+/*
+ * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
+ * further one one more. No allocation, no system call.
+ *
+ * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on from
+ * where it is; it stays readable, and sins_reposition() or sins_reset() start anew.
+ */
+SINS_API
+sins_status sins_step(sins_sim *sim);
+
+/*
+ * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
+ * errors, noise goes on where it was. Waiting samples and the running accuracy figures are dropped.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
+ */
+SINS_API
+sins_status sins_reposition(sins_sim *sim,
+                            const struct sins_flight_sample *sample);
+
+/* Back to before the first sample: same parameters, seed and draws. */
+SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
+
+/*
+ * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
+ * flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+ *
+ * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0.
+ * every 0: no records. written (may be NULL) gets the number of records, also on an error.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+ * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
+ * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not.
+ */
+SINS_API
+sins_status sins_run(sins_sim *sim,
+                     const struct sins_flight_sample *samples,
+                     size_t count,
+                     size_t every,
+                     struct sins_record *records,
+                     size_t capacity,
+                     size_t *written);
+
+/*
+ * Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
+ * read) of navigation, on increments that sins_push_imu() gives. There is no truth then: the vertical channel is free and
+ * flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed already.
+ */
+SINS_API
+sins_status sins_start_navigation(sins_sim *sim,
+                                  const struct sins_navigation *navigation);
+
+/*
+ * Navigates over one interval on the host's increments; sensor errors that are set are added to them.
+ * sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+ *
+ * SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
+ * turn in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on; it stays readable.
+ */
+SINS_API
+sins_status sins_push_imu(sins_sim *sim,
+                          const struct sins_imu_increment *increment);
+
+/*
+ * Fills params with the gyro errors of a grade, SINS_GRADE_...
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
+ */
+SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, struct sins_gyro_params *params);
+
+/*
+ * Fills params with the accelerometer errors of a grade, SINS_GRADE_...
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
+ */
+SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_accel_params *params);
+
+/*
+ * Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
+ * to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+ *
+ * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
+ * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY a flight too long.
+ */
+SINS_API
+sins_status sins_flight_create(const struct sins_flight_start *start,
+                               const struct sins_manoeuvre *manoeuvres,
+                               size_t count,
+                               sins_flight **flight);
+
+/* Length of the flight [s]. */
+SINS_API sins_status SINS_CALL sins_flight_duration(const sins_flight *flight, double *duration_s);
+
+/*
+ * The sample at time_s, 0 to the duration [s]: exact at any time, in any order.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
+ */
+SINS_API
+sins_status sins_flight_sample_at(const sins_flight *flight,
+                                  double time_s,
+                                  struct sins_flight_sample *sample);
+
+/*
+ * Destroys a flight.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* SINS_H */

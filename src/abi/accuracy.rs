@@ -1,0 +1,94 @@
+//! `sins_accuracy`.
+
+use super::failure::sins_status;
+use super::memory::{Output, interface_struct};
+use super::simulator::{sins_sim, with_simulator};
+use super::solution::write_or_need;
+use crate::errors::{AccuracyFigures, RADIAL_95, RADIAL_CEP};
+use crate::simulator::ClosureFigures;
+
+/// Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
+/// which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_accuracy {
+    /// sizeof(sins_accuracy)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Time [s].
+    pub time_s: f64,
+    /// Time since the start [s].
+    pub duration_s: f64,
+    /// Where the window of the radial error rates begins, in time since the start [s].
+    pub window_start_s: f64,
+    /// Samples in that window; the rates are 0 while there is none.
+    pub window_samples: u64,
+    /// sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
+    pub radial_error_rate_rms_m_s: f64,
+    /// R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
+    pub cep_rate_m_s: f64,
+    /// R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
+    pub radial_95_rate_m_s: f64,
+    /// Slope of the straight line of least squares through the horizontal position error [m/s].
+    pub radial_error_slope_m_s: f64,
+    /// Root mean square velocity error since the start, east-north-up [m/s].
+    pub velocity_rms_enu_m_s: [f64; 3],
+    /// Closure: navigation minus truth now, position [m].
+    pub closure_position_enu_m: [f64; 3],
+    /// Closure: navigation minus truth now, velocity [m/s].
+    pub closure_velocity_enu_m_s: [f64; 3],
+    /// Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
+    /// to displacement by velocity less displacement by position. Closure less this is the simulator's and the sensors'.
+    pub host_position_enu_m: [f64; 3],
+    /// The same of the velocity closure [m/s].
+    pub host_velocity_enu_m_s: [f64; 3],
+    /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+    pub inconsistency_enu_m: [f64; 3],
+    /// The largest of it in one interval [m].
+    pub inconsistency_max_m: f64,
+    /// Samples flagged SINS_NAVIGATION_INCONSISTENT.
+    pub inconsistent_samples: u64,
+}
+
+interface_struct!(sins_accuracy, "accuracy", 232);
+
+impl sins_accuracy {
+    fn new(time_s: f64, figures: &AccuracyFigures, closure: &ClosureFigures) -> Self {
+        let rate = figures.radial_error_rate_rms_m_s;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            time_s,
+            duration_s: figures.duration_s,
+            window_start_s: figures.window_start_s,
+            window_samples: figures.window_samples,
+            radial_error_rate_rms_m_s: rate,
+            cep_rate_m_s: RADIAL_CEP * rate,
+            radial_95_rate_m_s: RADIAL_95 * rate,
+            radial_error_slope_m_s: figures.radial_error_slope_m_s,
+            velocity_rms_enu_m_s: figures.velocity_rms_n.into(),
+            closure_position_enu_m: closure.position_n.into(),
+            closure_velocity_enu_m_s: closure.velocity_n.into(),
+            host_position_enu_m: closure.host_position_n.into(),
+            host_velocity_enu_m_s: closure.host_velocity_n.into(),
+            inconsistency_enu_m: closure.inconsistency_n.into(),
+            inconsistency_max_m: closure.inconsistency_max_m,
+            inconsistent_samples: closure.inconsistent_samples,
+        }
+    }
+}
+
+/// Reads the running accuracy figures.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut sins_accuracy) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(accuracy, "accuracy")? };
+        let figures = simulator.accuracy()?;
+        let figures = figures.map(|(time_s, figures, closure)| sins_accuracy::new(time_s, &figures, &closure));
+        Ok(write_or_need(&output, figures))
+    })
+}

@@ -1,0 +1,151 @@
+//! Status codes, and what a handle remembers of a failed call.
+
+use core::fmt::{self, Write};
+
+use crate::error::{Error, ErrorKind, Rule};
+
+/// Result of a call: `SINS_OK`, positive "not yet", negative an error. On an error nothing changed.
+pub type sins_status = i32;
+
+/// The call did what it says.
+pub const SINS_OK: i32 = 0;
+/// There is no complete interval yet: push the next sample.
+pub const SINS_NEED_SAMPLE: i32 = 1;
+/// A pointer that must not be null is.
+pub const SINS_ERROR_NULL_POINTER: i32 = -1;
+/// The handle is null, made up, destroyed, or of the other kind.
+pub const SINS_ERROR_BAD_HANDLE: i32 = -2;
+/// A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
+pub const SINS_ERROR_STRUCT_SIZE: i32 = -3;
+/// A value out of its range; sins_last_error() names field, value and limit.
+pub const SINS_ERROR_INVALID_ARGUMENT: i32 = -4;
+/// The right call at the wrong moment.
+pub const SINS_ERROR_BAD_STATE: i32 = -5;
+/// A sample that is not later than the one before, or off the stated sample period.
+pub const SINS_ERROR_TIME_ORDER: i32 = -6;
+/// Truth jumped: a gap, a teleport, half a turn between two samples. See sins_reposition().
+pub const SINS_ERROR_DISCONTINUITY: i32 = -7;
+/// The queue of samples is full: step first.
+pub const SINS_ERROR_QUEUE_FULL: i32 = -8;
+/// The solution left its representable range; the last good one stays readable.
+pub const SINS_ERROR_DIVERGED: i32 = -9;
+/// The geographic mechanization came within reach of a pole.
+pub const SINS_ERROR_SINGULAR: i32 = -10;
+/// A buffer is too small for the result.
+pub const SINS_ERROR_BUFFER_TOO_SMALL: i32 = -11;
+/// No memory, or no free handle.
+pub const SINS_ERROR_OUT_OF_MEMORY: i32 = -12;
+/// The snapshot is damaged, foreign or newer.
+pub const SINS_ERROR_SNAPSHOT: i32 = -13;
+/// A defect inside the library was caught; this handle answers so from now on, others live.
+pub const SINS_ERROR_INTERNAL: i32 = -99;
+
+/// A status with its sentence, as plain data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Failure {
+    pub status: sins_status,
+    error: Error,
+    /// Which sample of an array it concerns.
+    sample: Option<usize>,
+}
+
+impl Failure {
+    fn words(status: sins_status, field: &'static str, words: &'static str) -> Self {
+        let error =
+            Error { kind: ErrorKind::InvalidArgument, field, index: None, value: None, rule: Rule::Words(words) };
+        Self { status, error, sample: None }
+    }
+
+    pub fn null(name: &'static str) -> Self {
+        Self::words(SINS_ERROR_NULL_POINTER, name, "must not be null")
+    }
+
+    pub fn out_of_memory() -> Self {
+        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "out of memory, or of handles")
+    }
+
+    pub fn internal() -> Self {
+        Self::words(SINS_ERROR_INTERNAL, "", "a defect inside the library; destroy this handle")
+    }
+
+    pub fn struct_size(name: &'static str, size: usize, rule: Rule) -> Self {
+        let error = Error::invalid(name, size as f64, rule);
+        Self { status: SINS_ERROR_STRUCT_SIZE, error, sample: None }
+    }
+
+    pub fn buffer(name: &'static str, capacity: usize, needed: usize) -> Self {
+        let rule = Rule::WordsAnd("is too small; needed:", needed as f64);
+        Self { status: SINS_ERROR_BUFFER_TOO_SMALL, error: Error::invalid(name, capacity as f64, rule), sample: None }
+    }
+
+    /// The same failure, about element `index` of the array at fault.
+    pub fn of_element(self, index: usize) -> Self {
+        Self { error: self.error.at(index), ..self }
+    }
+
+    /// The same failure, about sample `index` of an array.
+    pub fn of_sample(self, index: usize) -> Self {
+        Self { sample: Some(index), ..self }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let status = match error.kind {
+            ErrorKind::InvalidArgument => SINS_ERROR_INVALID_ARGUMENT,
+            ErrorKind::BadState => SINS_ERROR_BAD_STATE,
+            ErrorKind::TimeOrder => SINS_ERROR_TIME_ORDER,
+            ErrorKind::Discontinuity => SINS_ERROR_DISCONTINUITY,
+            ErrorKind::QueueFull => SINS_ERROR_QUEUE_FULL,
+            ErrorKind::Diverged => SINS_ERROR_DIVERGED,
+            ErrorKind::Singular => SINS_ERROR_SINGULAR,
+            ErrorKind::OutOfMemory => SINS_ERROR_OUT_OF_MEMORY,
+        };
+        Self { status, error, sample: None }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.error, f)?;
+        match self.sample {
+            Some(index) => write!(f, " (samples[{index}])"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A sentence in a fixed buffer: made without an allocation, cut at a character.
+pub(super) struct Sentence {
+    bytes: [u8; 512],
+    len: usize,
+}
+
+impl Sentence {
+    pub fn of(failure: Option<&Failure>) -> Self {
+        let mut sentence = Self { bytes: [0; 512], len: 0 };
+        // Writing never fails: what does not fit is cut.
+        let _ = match failure {
+            Some(failure) => write!(sentence, "{failure}"),
+            None => sentence.write_str("no error"),
+        };
+        sentence
+    }
+
+    pub fn as_bytes(&self) -> &[u8] {
+        &self.bytes[..self.len]
+    }
+}
+
+impl Write for Sentence {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let room = self.bytes.len() - self.len;
+        let mut take = text.len().min(room);
+        while !text.is_char_boundary(take) {
+            take -= 1;
+        }
+        self.bytes[self.len..self.len + take].copy_from_slice(&text.as_bytes()[..take]);
+        self.len += take;
+        Ok(())
+    }
+}

@@ -1,0 +1,108 @@
+//! The host's floating-point control state: saved on entry, set to the default that Rust code may rely on, put back on
+//! exit. Hosts unmask exceptions (Delphi before 12), set x87 to 24 bits (Direct3D 9), flush denormals (-ffast-math).
+
+use core::arch::asm;
+
+/// What the host had.
+pub(super) struct FloatState {
+    #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+    mxcsr: u32,
+    #[cfg(target_arch = "x86")]
+    x87: [u8; 28],
+    #[cfg(target_arch = "aarch64")]
+    fpcr: u64,
+}
+
+/// All exceptions masked, round to nearest, denormals kept, no exception noted.
+#[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+static DEFAULT_MXCSR: u32 = 0x1f80;
+
+#[cfg(target_arch = "x86_64")]
+impl FloatState {
+    /// Saves the host's state and sets the default.
+    #[inline(always)]
+    pub fn enter() -> Self {
+        let mut mxcsr = 0_u32;
+        // SAFETY: both instructions touch MXCSR and the named four bytes alone; no floating-point code has run yet.
+        unsafe {
+            asm!("stmxcsr [{0}]", in(reg) &raw mut mxcsr, options(nostack, preserves_flags));
+            if mxcsr != DEFAULT_MXCSR {
+                asm!("ldmxcsr [{0}]", in(reg) &raw const DEFAULT_MXCSR, options(nostack, preserves_flags));
+            }
+        }
+        Self { mxcsr }
+    }
+
+    /// Puts the host's state back, noted exceptions included.
+    #[inline(always)]
+    pub fn leave(self) {
+        // SAFETY: loads what `enter` stored; no floating-point code of ours follows.
+        unsafe { asm!("ldmxcsr [{0}]", in(reg) &raw const self.mxcsr, options(nostack, preserves_flags)) }
+    }
+}
+
+#[cfg(target_arch = "x86")]
+impl FloatState {
+    /// Saves the host's state and sets the default.
+    #[inline(always)]
+    pub fn enter() -> Self {
+        static DEFAULT_X87: u16 = 0x037f;
+        let mut state = Self { mxcsr: 0, x87: [0; 28] };
+        // SAFETY: the instructions touch the control registers and the named bytes alone; no floating-point code has run
+        // yet. fnstenv masks all exceptions, so that none that is pending strikes in here.
+        unsafe {
+            asm!(
+                "stmxcsr [{mxcsr}]", "ldmxcsr [{default_mxcsr}]", "fnstenv [{x87}]", "fnclex", "fldcw [{default_x87}]",
+                mxcsr = in(reg) &raw mut state.mxcsr,
+                default_mxcsr = in(reg) &raw const DEFAULT_MXCSR,
+                x87 = in(reg) &raw mut state.x87,
+                default_x87 = in(reg) &raw const DEFAULT_X87,
+                options(nostack, preserves_flags)
+            );
+        }
+        state
+    }
+
+    /// Puts the host's state back, noted exceptions included.
+    #[inline(always)]
+    pub fn leave(self) {
+        // SAFETY: loads what `enter` stored; no floating-point code of ours follows.
+        unsafe {
+            asm!(
+                "ldmxcsr [{mxcsr}]", "fldenv [{x87}]",
+                mxcsr = in(reg) &raw const self.mxcsr,
+                x87 = in(reg) &raw const self.x87,
+                options(nostack, preserves_flags)
+            );
+        }
+    }
+}
+
+#[cfg(target_arch = "aarch64")]
+impl FloatState {
+    /// Saves the host's state and sets the default.
+    #[inline(always)]
+    pub fn enter() -> Self {
+        let fpcr: u64;
+        // SAFETY: reads and writes the control register alone; no floating-point code has run yet.
+        unsafe {
+            asm!("mrs {0}, fpcr", out(reg) fpcr, options(nostack, preserves_flags));
+            if fpcr != 0 {
+                asm!("msr fpcr, {0}", in(reg) 0_u64, options(nostack, preserves_flags));
+            }
+        }
+        Self { fpcr }
+    }
+
+    /// Puts the host's state back.
+    #[inline(always)]
+    pub fn leave(self) {
+        if self.fpcr != 0 {
+            // SAFETY: writes what `enter` read; no floating-point code of ours follows.
+            unsafe { asm!("msr fpcr, {0}", in(reg) self.fpcr, options(nostack, preserves_flags)) }
+        }
+    }
+}
+
+#[cfg(not(any(target_arch = "x86_64", target_arch = "x86", target_arch = "aarch64")))]
+compile_error!("how this processor keeps its floating-point control state is not known here");

@@ -1,0 +1,75 @@
+//! `sins_initial_errors`.
+
+use nalgebra::Vector3;
+
+use super::failure::{SINS_OK, sins_status};
+use super::memory::{interface_struct, read};
+use super::options::{check_reserved, one_of};
+use super::simulator::{sins_sim, with_simulator};
+use crate::sensors::{Alignment, InitialErrorParameters};
+
+/// The misalignment at the start is the given one.
+pub const SINS_ALIGNMENT_GIVEN: i32 = 0;
+/// Added to it, what levelling and gyrocompassing at rest leave with the sensor errors of the start.
+pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: i32 = 1;
+
+/// Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
+/// Where the vertical channel follows the truth, its errors start at 0.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_initial_errors {
+    /// sizeof(sins_initial_errors)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Position [m].
+    pub position_enu_m: [f64; 3],
+    /// Velocity [m/s].
+    pub velocity_enu_m_s: [f64; 3],
+    /// Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. -pi to pi.
+    pub misalignment_enu_rad: [f64; 3],
+    /// Standard deviation of position [m].
+    pub position_sigma_enu_m: [f64; 3],
+    /// Standard deviation of velocity [m/s].
+    pub velocity_sigma_enu_m_s: [f64; 3],
+    /// Standard deviation of misalignment, 0 to 1 [rad].
+    pub misalignment_sigma_enu_rad: [f64; 3],
+    /// SINS_ALIGNMENT_...
+    pub alignment: i32,
+    /// Must be 0.
+    pub reserved2: u32,
+}
+
+interface_struct!(sins_initial_errors, "initial", 160);
+
+/// Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_set_initial_errors(sim: *mut sins_sim, errors: *const sins_initial_errors) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let errors = unsafe { read(errors, "errors")? };
+        check_reserved("initial.reserved", errors.reserved)?;
+        check_reserved("initial.reserved2", errors.reserved2)?;
+        let alignment = one_of(
+            "initial.alignment",
+            errors.alignment,
+            &[
+                (SINS_ALIGNMENT_GIVEN, Alignment::Given),
+                (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, Alignment::LevelAndGyrocompass),
+            ],
+            "must be a SINS_ALIGNMENT_ constant, 0 or 1",
+        )?;
+        simulator.set_initial_errors(&InitialErrorParameters {
+            position_n: Vector3::from(errors.position_enu_m),
+            velocity_n: Vector3::from(errors.velocity_enu_m_s),
+            misalignment_n: Vector3::from(errors.misalignment_enu_rad),
+            position_sigma_n: Vector3::from(errors.position_sigma_enu_m),
+            velocity_sigma_n: Vector3::from(errors.velocity_sigma_enu_m_s),
+            misalignment_sigma_n: Vector3::from(errors.misalignment_sigma_enu_rad),
+            alignment,
+        })?;
+        Ok(SINS_OK)
+    })
+}

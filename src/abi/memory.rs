@@ -1,0 +1,212 @@
+//! Structs and buffers of the host: every raw pointer of the interface is read and written here.
+
+use core::mem::MaybeUninit;
+
+use super::failure::{Failure, SINS_ERROR_BUFFER_TOO_SMALL, SINS_OK, sins_status};
+use crate::error::Rule;
+
+/// Larger struct sizes are garbage, not a later release.
+const MAX_STRUCT_SIZE: usize = 1 << 16;
+
+/// A struct of the interface: begins with `struct_size` and a second 32-bit integer.
+///
+/// # Safety
+/// `repr(C)`, made of integers and floating-point numbers alone: any bytes are a value, and there is no padding.
+pub(super) unsafe trait Struct: Copy {
+    /// Its name in messages.
+    const NAME: &'static str;
+    /// Its size in the first release that had it.
+    const FIRST_SIZE: usize;
+}
+
+/// Declares a struct of the interface with its name in messages and its size in its first release.
+macro_rules! interface_struct {
+    ($type:ty, $name:literal, $first_size:literal) => {
+        const _: () = assert!(size_of::<$type>() >= $first_size && size_of::<$type>() % 8 == 0);
+        // SAFETY: repr(C) of numbers, and 32-bit integers come in pairs: no padding.
+        unsafe impl $crate::abi::memory::Struct for $type {
+            const NAME: &'static str = concat!($name, ".struct_size");
+            const FIRST_SIZE: usize = $first_size;
+        }
+    };
+}
+pub(super) use interface_struct;
+
+/// Checks a struct size that a host states.
+fn check_size<T: Struct>(size: usize) -> Result<usize, Failure> {
+    if size < T::FIRST_SIZE || size > MAX_STRUCT_SIZE || size % 8 != 0 {
+        let rule = Rule::WordsAnd("must be sizeof the struct; in this release", size_of::<T>() as f64);
+        return Err(Failure::struct_size(T::NAME, size, rule));
+    }
+    Ok(size)
+}
+
+/// The struct size at `pointer`.
+///
+/// # Safety
+/// `pointer` is null or points to a struct that begins with its size.
+unsafe fn stated_size<T: Struct>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
+    if pointer.is_null() {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not null; any alignment is read.
+    check_size::<T>(unsafe { pointer.cast::<u32>().read_unaligned() } as usize)
+}
+
+/// Reads a struct of the host: a missing tail reads as zero, a longer one must be zero.
+///
+/// # Safety
+/// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
+pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> Result<T, Failure> {
+    // SAFETY: as this function.
+    let size = unsafe { stated_size(pointer, name)? };
+    // SAFETY: `size` bytes are readable.
+    unsafe { read_sized(pointer, size) }
+}
+
+/// # Safety
+/// `pointer` points to `size` readable bytes.
+unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Failure> {
+    let known = size_of::<T>();
+    let mut value = MaybeUninit::<T>::zeroed();
+    // SAFETY: the shorter of both lengths; the host's bytes and a local do not overlap.
+    unsafe { core::ptr::copy_nonoverlapping(pointer.cast::<u8>(), value.as_mut_ptr().cast::<u8>(), size.min(known)) };
+    for offset in known..size {
+        // SAFETY: within the struct's stated size.
+        if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
+            let rule = Rule::Words("the struct is of a newer release and uses fields that this one does not know");
+            return Err(Failure::struct_size(T::NAME, size, rule));
+        }
+    }
+    // SAFETY: any bytes are a `T`.
+    Ok(unsafe { value.assume_init() })
+}
+
+/// A checked place for a struct to be written to.
+pub(super) struct Output<T> {
+    pointer: *mut T,
+    size: usize,
+}
+
+impl<T: Struct> Output<T> {
+    /// # Safety
+    /// `pointer` is null or points to a struct of as many writable bytes as its `struct_size` says, until `write`.
+    pub unsafe fn new(pointer: *mut T, name: &'static str) -> Result<Self, Failure> {
+        // SAFETY: as this function.
+        Ok(Self { pointer, size: unsafe { stated_size(pointer.cast_const(), name)? } })
+    }
+
+    /// Writes all that the host's struct has room for; its `struct_size` stays.
+    pub fn write(&self, value: &T) {
+        const HEAD: usize = size_of::<u32>();
+        let length = self.size.min(size_of::<T>()) - HEAD;
+        // SAFETY: `new` was promised that many writable bytes.
+        unsafe {
+            let from = core::ptr::from_ref(value).cast::<u8>().add(HEAD);
+            core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), length);
+        }
+    }
+}
+
+/// An array of structs of the host, as far apart as the first one's `struct_size` says.
+pub(super) struct Array<T> {
+    first: *mut T,
+    stride: usize,
+    count: usize,
+}
+
+impl<T: Struct> Array<T> {
+    /// # Safety
+    /// `first` is null or points to `count` structs of the size that the first one states.
+    pub unsafe fn new(first: *mut T, count: usize, name: &'static str) -> Result<Self, Failure> {
+        if count == 0 {
+            return Ok(Self { first, stride: size_of::<T>(), count });
+        }
+        // SAFETY: as this function.
+        let stride = unsafe { stated_size(first.cast_const(), name)? };
+        Ok(Self { first, stride, count })
+    }
+
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Element `index`; its own struct_size is that of the first, or 0.
+    fn element(&self, index: usize) -> Result<*mut T, Failure> {
+        debug_assert!(index < self.count);
+        // SAFETY: within the array that `new` was promised.
+        let (pointer, size) = unsafe {
+            let pointer = self.first.cast::<u8>().add(index * self.stride);
+            (pointer.cast::<T>(), pointer.cast::<u32>().read_unaligned() as usize)
+        };
+        if size != self.stride && size != 0 {
+            let rule = Rule::WordsAnd("must be that of the first element, or 0; that is", self.stride as f64);
+            return Err(Failure::struct_size(T::NAME, size, rule));
+        }
+        Ok(pointer)
+    }
+
+    pub fn read(&self, index: usize) -> Result<T, Failure> {
+        let pointer = self.element(index)?;
+        // SAFETY: an element has `stride` readable bytes.
+        unsafe { read_sized(pointer.cast_const(), self.stride) }
+    }
+
+    pub fn write(&self, index: usize, value: &T) -> Result<(), Failure> {
+        let pointer = self.element(index)?;
+        Output { pointer, size: self.stride }.write(value);
+        // SAFETY: the head of an element, which `new` was promised to be writable.
+        unsafe { pointer.cast::<u32>().write_unaligned(self.stride as u32) };
+        Ok(())
+    }
+}
+
+/// Writes `value` to a place of the host.
+///
+/// # Safety
+/// `pointer` is null or points to a writable `T`, of any alignment.
+pub(super) unsafe fn put<T: Copy>(pointer: *mut T, value: T, name: &'static str) -> Result<(), Failure> {
+    if pointer.is_null() {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not null.
+    unsafe { pointer.write_unaligned(value) };
+    Ok(())
+}
+
+/// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
+///
+/// # Safety
+/// `buffer` is null or has `capacity` writable bytes; `needed` is null or points to a writable `usize`.
+pub(super) unsafe fn put_text(
+    text: &[u8],
+    buffer: *mut core::ffi::c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    if !needed.is_null() {
+        // SAFETY: not null.
+        unsafe { needed.write_unaligned(text.len() + 1) };
+    }
+    if buffer.is_null() || capacity == 0 {
+        // Asked for the size alone, or nothing to answer into.
+        return match (buffer.is_null() && capacity == 0, needed.is_null()) {
+            (true, false) => SINS_OK,
+            (false, _) if !buffer.is_null() => SINS_ERROR_BUFFER_TOO_SMALL,
+            _ => super::SINS_ERROR_NULL_POINTER,
+        };
+    }
+    let mut length = text.len().min(capacity - 1);
+    if length < text.len() {
+        // Not within a UTF-8 sequence.
+        while length > 0 && text[length] & 0xc0 == 0x80 {
+            length -= 1;
+        }
+    }
+    // SAFETY: `length` < `capacity`.
+    unsafe {
+        core::ptr::copy_nonoverlapping(text.as_ptr(), buffer.cast::<u8>(), length);
+        buffer.add(length).write(0);
+    }
+    if length == text.len() { SINS_OK } else { SINS_ERROR_BUFFER_TOO_SMALL }
+}

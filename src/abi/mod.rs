@@ -1,0 +1,40 @@
+//! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory`, the handles in
+//! `registry`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
+//!
+//! The doc comments of the public items are the documentation in the header.
+
+#![allow(non_camel_case_types)]
+
+mod accuracy;
+mod boundary;
+mod failure;
+mod flight;
+mod fpu;
+mod initial;
+mod memory;
+mod navigator;
+mod options;
+mod preset;
+mod record;
+mod registry;
+mod run;
+mod sample;
+mod sensors;
+mod simulator;
+mod solution;
+mod version;
+
+pub use accuracy::{sins_accuracy, sins_get_accuracy};
+pub use failure::*;
+pub use flight::*;
+pub use initial::*;
+pub use navigator::*;
+pub use options::*;
+pub use preset::*;
+pub use record::*;
+pub use run::sins_run;
+pub use sample::*;
+pub use sensors::*;
+pub use simulator::*;
+pub use solution::*;
+pub use version::*;

@@ -1,0 +1,98 @@
+//! Navigation alone, on increments of the host.
+
+use nalgebra::{Quaternion, Vector3};
+
+use super::failure::{SINS_OK, sins_status};
+use super::memory::{interface_struct, read};
+use super::options::check_reserved;
+use super::simulator::{sins_sim, with_simulator};
+use super::solution::sins_navigation;
+use crate::earth::Geodetic;
+use crate::error::{Error, Rule, check_range, check_ranges};
+use crate::mechanization::MAX_SUBSAMPLES;
+use crate::signal::Increment;
+use crate::state::Navigation;
+
+/// Increments of an inertial measurement unit over an interval, in count parts of equal length.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_imu_increment {
+    /// sizeof(sins_imu_increment)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Length of the whole interval, 5e-5 to 10 [s].
+    pub interval_s: f64,
+    /// Parts, 1 to 5.
+    pub count: i32,
+    /// Must be 0.
+    pub reserved2: u32,
+    /// Integral of the angular rate against inertial space over each part: x, y, z of the first, of the second, ... [rad].
+    pub angle_rad: [f64; 15],
+    /// Integral of the specific force over each part, likewise [m/s].
+    pub velocity_m_s: [f64; 15],
+}
+
+interface_struct!(sins_imu_increment, "imu", 264);
+
+/// Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
+/// read) of navigation, on increments that sins_push_imu() gives. There is no truth then: the vertical channel is free and
+/// flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed already.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_start_navigation(sim: *mut sins_sim, navigation: *const sins_navigation) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let start = unsafe { read(navigation, "navigation")? };
+        check_reserved("navigation.reserved", start.reserved)?;
+        let quarter = core::f64::consts::FRAC_PI_2;
+        check_range("navigation.time_s", start.time_s, -1e9, 1e9)?;
+        check_range("navigation.latitude_rad", start.latitude_rad, -quarter, quarter)?;
+        check_range("navigation.longitude_rad", start.longitude_rad, -100.0, 100.0)?;
+        check_range("navigation.height_m", start.height_m, -20e3, 2000e3)?;
+        check_ranges("navigation.velocity_enu_m_s", &start.velocity_enu_m_s, -20e3, 20e3)?;
+        check_ranges("navigation.quaternion_nb", &start.quaternion_nb, -1.001, 1.001)?;
+        let [w, x, y, z] = start.quaternion_nb;
+        let q = Quaternion::new(w, x, y, z);
+        let norm = q.norm_squared().sqrt();
+        if (norm - 1.0).abs() > 1e-3 {
+            let rule = Rule::Words("must be 1 within 1e-3");
+            return Err(Error::invalid("norm of navigation.quaternion_nb", norm, rule).into());
+        }
+        let place = Geodetic {
+            latitude_rad: start.latitude_rad,
+            longitude_rad: start.longitude_rad,
+            height_m: start.height_m,
+        };
+        let v_n = Vector3::from(start.velocity_enu_m_s);
+        let navigation = Navigation::new(place, v_n, q / norm, simulator.options().axes);
+        simulator.start_navigation(start.time_s, &navigation)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Navigates over one interval on the host's increments; sensor errors that are set are added to them.
+/// sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+///
+/// SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
+/// turn in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on; it stays readable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_push_imu(sim: *mut sins_sim, increment: *const sins_imu_increment) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let imu = unsafe { read(increment, "increment")? };
+        check_reserved("imu.reserved", imu.reserved)?;
+        check_reserved("imu.reserved2", imu.reserved2)?;
+        check_range("imu.count", f64::from(imu.count), 1.0, MAX_SUBSAMPLES as f64)?;
+        let part = |values: &[f64; 15], index: usize| {
+            Vector3::new(values[3 * index], values[3 * index + 1], values[3 * index + 2])
+        };
+        let increments: [Increment; MAX_SUBSAMPLES] = core::array::from_fn(|index| Increment {
+            angle: part(&imu.angle_rad, index),
+            velocity: part(&imu.velocity_m_s, index),
+        });
+        simulator.push_imu(&increments[..imu.count as usize], imu.interval_s)?;
+        Ok(SINS_OK)
+    })
+}

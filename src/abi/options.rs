@@ -1,0 +1,220 @@
+//! `sins_options`.
+
+use super::failure::Failure;
+use super::memory::interface_struct;
+use crate::earth::{Ellipsoid, GravityModel};
+use crate::error::{Error, Rule, check_range};
+use crate::mechanization::{Frame, Scheme, VerticalMode};
+use crate::sensors::StreamKey;
+use crate::simulator::Options;
+use crate::state::BodyAxes;
+use crate::truth::IntakeLimits;
+
+/// Navigation in Earth-fixed axes: regular everywhere, poles included.
+pub const SINS_FRAME_EARTH_FIXED: i32 = 0;
+/// Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole.
+pub const SINS_FRAME_GEOGRAPHIC: i32 = 1;
+
+/// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+pub const SINS_SCHEME_EXACT: i32 = 0;
+/// The paper's equations (7)-(24), misprints mended, approximations kept.
+pub const SINS_SCHEME_PAPER: i32 = 1;
+
+/// Third-order loop on a barometric height, time constant 100 s.
+pub const SINS_VERTICAL_DAMPED: i32 = 0;
+/// Height and vertical velocity set to the truth at each sample.
+pub const SINS_VERTICAL_FOLLOW_TRUTH: i32 = 1;
+/// Left to itself: any error grows by e every 569 s.
+pub const SINS_VERTICAL_FREE: i32 = 2;
+
+/// No error differential equations: SINS_ERRORS_MODEL is not available.
+pub const SINS_ERROR_MODEL_OFF: i32 = 0;
+/// The error differential equations (error data 1) by fourth-order Runge-Kutta.
+pub const SINS_ERROR_MODEL_RK4: i32 = 1;
+
+/// World Geodetic System 1984.
+pub const SINS_EARTH_WGS84: i32 = 0;
+/// China Geodetic Coordinate System 2000.
+pub const SINS_EARTH_CGCS2000: i32 = 1;
+/// Geodetic Reference System 1980.
+pub const SINS_EARTH_GRS80: i32 = 2;
+/// Krassovsky 1940; Earth rate and gravitational constant as WGS-84.
+pub const SINS_EARTH_KRASSOVSKY1940: i32 = 3;
+
+/// Normal gravity in closed form at any height, with its north component.
+pub const SINS_GRAVITY_NORMAL: i32 = 0;
+/// Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
+pub const SINS_GRAVITY_SOMIGLIANA: i32 = 1;
+
+/// Sensor axes: x right, y forward, z up (the paper's).
+pub const SINS_AXES_RIGHT_FORWARD_UP: i32 = 0;
+/// Sensor axes: x forward, y right, z down.
+pub const SINS_AXES_FORWARD_RIGHT_DOWN: i32 = 1;
+
+/// Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
+pub const SINS_SIGNAL_PHYSICAL: i32 = 0;
+/// The same with a small trim that lets error-free sensors navigate back to the truth. Not in this release: refused.
+pub const SINS_SIGNAL_CLOSED_LOOP: i32 = 1;
+
+/// How a simulator is made. All zero (but struct_size) is the recommended simulator.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_options {
+    /// sizeof(sins_options)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// SINS_FRAME_...
+    pub frame: i32,
+    /// SINS_SCHEME_...
+    pub scheme: i32,
+    /// Sub-increments of a mechanization update, 1 to 5; 0: 2.
+    pub subsamples: i32,
+    /// Mechanization updates in a sample interval, 1 to 16; 0: 1.
+    pub updates_per_sample: i32,
+    /// SINS_VERTICAL_...
+    pub vertical: i32,
+    /// SINS_ERROR_MODEL_...
+    pub error_model: i32,
+    /// SINS_EARTH_...
+    pub earth: i32,
+    /// SINS_GRAVITY_...
+    pub gravity: i32,
+    /// SINS_AXES_..., of gyros, accelerometers, quaternions and optional sample fields.
+    pub axes: i32,
+    /// SINS_SIGNAL_...
+    pub signal: i32,
+    /// Seed of all random streams.
+    pub seed: u64,
+    /// Number of the run in an ensemble: same seed, other draws.
+    pub run: u64,
+    /// Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release.
+    pub closed_loop_time_s: f64,
+    /// Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
+    /// each within 0.4 of a period. 0: the samples' own time stamps.
+    pub sample_period_s: f64,
+    /// Longest interval between samples [s]; 0: 2.5 s.
+    pub max_gap_s: f64,
+    /// Mean acceleration between two samples beyond which truth has jumped [m/s2]; 0: 2000 m/s2.
+    pub max_acceleration_m_s2: f64,
+}
+
+interface_struct!(sins_options, "options", 96);
+
+/// The value of an enumeration field.
+pub(super) fn one_of<T: Copy>(
+    field: &'static str,
+    value: i32,
+    choices: &[(i32, T)],
+    rule: &'static str,
+) -> Result<T, Failure> {
+    match choices.iter().find(|(code, _)| *code == value) {
+        Some((_, choice)) => Ok(*choice),
+        None => Err(Error::invalid(field, f64::from(value), Rule::Words(rule)).into()),
+    }
+}
+
+/// Refuses a reserved field that is not 0.
+pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
+    if value == 0 { Ok(()) } else { Err(Error::invalid(field, f64::from(value), Rule::Words("must be 0")).into()) }
+}
+
+/// Refuses parameters that this release does not simulate.
+pub(super) fn refuse(field: &'static str, values: &[f64]) -> Result<(), Failure> {
+    for (index, &value) in values.iter().enumerate() {
+        if value != 0.0 {
+            let error = Error::invalid(field, value, Rule::Words("must be 0: not simulated in this release"));
+            return Err(error.at(index).into());
+        }
+    }
+    Ok(())
+}
+
+impl sins_options {
+    /// The choice for the earth field.
+    pub(super) fn ellipsoid(field: &'static str, value: i32) -> Result<Ellipsoid, Failure> {
+        const CHOICES: [(i32, Ellipsoid); 4] = [
+            (SINS_EARTH_WGS84, Ellipsoid::Wgs84),
+            (SINS_EARTH_CGCS2000, Ellipsoid::Cgcs2000),
+            (SINS_EARTH_GRS80, Ellipsoid::Grs80),
+            (SINS_EARTH_KRASSOVSKY1940, Ellipsoid::Krassovsky1940),
+        ];
+        one_of(field, value, &CHOICES, "must be a SINS_EARTH_ constant, 0 to 3")
+    }
+
+    pub(super) fn to_options(self) -> Result<Options, Failure> {
+        check_reserved("options.reserved", self.reserved)?;
+        let frame = one_of(
+            "options.frame",
+            self.frame,
+            &[(SINS_FRAME_EARTH_FIXED, Frame::EarthFixed), (SINS_FRAME_GEOGRAPHIC, Frame::Geographic)],
+            "must be a SINS_FRAME_ constant, 0 or 1",
+        )?;
+        let scheme = one_of(
+            "options.scheme",
+            self.scheme,
+            &[(SINS_SCHEME_EXACT, Scheme::Exact), (SINS_SCHEME_PAPER, Scheme::Paper)],
+            "must be a SINS_SCHEME_ constant, 0 or 1",
+        )?;
+        let vertical = one_of(
+            "options.vertical",
+            self.vertical,
+            &[
+                (SINS_VERTICAL_DAMPED, VerticalMode::Damped),
+                (SINS_VERTICAL_FOLLOW_TRUTH, VerticalMode::FollowTruth),
+                (SINS_VERTICAL_FREE, VerticalMode::Free),
+            ],
+            "must be a SINS_VERTICAL_ constant, 0 to 2",
+        )?;
+        let error_model = one_of(
+            "options.error_model",
+            self.error_model,
+            &[(SINS_ERROR_MODEL_OFF, false), (SINS_ERROR_MODEL_RK4, true)],
+            "must be a SINS_ERROR_MODEL_ constant, 0 or 1",
+        )?;
+        let gravity = one_of(
+            "options.gravity",
+            self.gravity,
+            &[(SINS_GRAVITY_NORMAL, GravityModel::Normal), (SINS_GRAVITY_SOMIGLIANA, GravityModel::Somigliana)],
+            "must be a SINS_GRAVITY_ constant, 0 or 1",
+        )?;
+        let axes = one_of(
+            "options.axes",
+            self.axes,
+            &[
+                (SINS_AXES_RIGHT_FORWARD_UP, BodyAxes::RightForwardUp),
+                (SINS_AXES_FORWARD_RIGHT_DOWN, BodyAxes::ForwardRightDown),
+            ],
+            "must be a SINS_AXES_ constant, 0 or 1",
+        )?;
+        one_of(
+            "options.signal",
+            self.signal,
+            &[(SINS_SIGNAL_PHYSICAL, ())],
+            "must be SINS_SIGNAL_PHYSICAL, 0: the closed loop is not simulated in this release",
+        )?;
+        refuse("options.closed_loop_time_s", &[self.closed_loop_time_s])?;
+        check_range("options.subsamples", f64::from(self.subsamples), 0.0, 5.0)?;
+        check_range("options.updates_per_sample", f64::from(self.updates_per_sample), 0.0, 16.0)?;
+        let defaults = Options::default();
+        let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
+        let count = |value: i32, default: usize| if value == 0 { default } else { value as usize };
+        Ok(Options {
+            frame,
+            scheme,
+            subsamples: count(self.subsamples, defaults.subsamples),
+            updates_per_sample: count(self.updates_per_sample, defaults.updates_per_sample),
+            vertical,
+            error_model,
+            ellipsoid: Self::ellipsoid("options.earth", self.earth)?,
+            gravity,
+            axes,
+            key: StreamKey { seed: self.seed, run: self.run },
+            intake: IntakeLimits {
+                max_gap_s: or(self.max_gap_s, defaults.intake.max_gap_s),
+                max_acceleration_m_s2: or(self.max_acceleration_m_s2, defaults.intake.max_acceleration_m_s2),
+                period_s: (self.sample_period_s != 0.0).then_some(self.sample_period_s),
+            },
+        })
+    }
+}

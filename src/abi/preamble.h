@@ -1,0 +1,86 @@
+/*
+ * sins.h - strapdown inertial navigation system (SINS) simulator, C interface.
+ *
+ * Truth goes in as flight samples (position, velocity, attitude); the library makes of it what perfect gyros and
+ * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
+ *
+ *   sins_sim *sim = NULL;
+ *   sins_create(NULL, &sim);                       recommended options
+ *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
+ *   while (...) {
+ *       sins_push_sample(sim, &sample);            one sample of the flight simulator
+ *       if (sins_step(sim) == SINS_OK)             one interval (the first needs two samples)
+ *           sins_get_navigation(sim, &navigation);
+ *   }
+ *   sins_destroy(sim);
+ *
+ * Zero is off. Every struct begins with struct_size, to be set to its sizeof, and a second 32-bit integer that is 0 unless
+ *   told otherwise; "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. Output structs want their struct_size set
+ *   too. Structs grow at their end only: old hosts run on new libraries and the other way round.
+ * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
+ *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
+ * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
+ *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
+ *   height above the ellipsoid.
+ * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
+ *   output, no random number drawn. SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
+ *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   sins_last_error() has the sentence: which field, which value, which limit.
+ * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
+ * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
+ *   environment and no file, and leaves the host's floating-point control state as it found it.
+ * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
+ *   pattern. Each random effect has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * This file is written by build.rs from the Rust sources; do not edit it.
+ */
+
+#ifndef SINS_H
+#define SINS_H
+
+#include <stddef.h>
+
+#if defined(_MSC_VER) && _MSC_VER < 1600
+typedef __int32 int32_t;
+typedef unsigned __int32 uint32_t;
+typedef unsigned __int64 uint64_t;
+#else
+#include <stdint.h>
+#endif
+
+/* Calling convention and linkage. Define SINS_STATIC when linking the static library. */
+#if defined(_WIN32)
+#define SINS_CALL __cdecl
+#else
+#define SINS_CALL
+#endif
+#if defined(_WIN32) && !defined(SINS_STATIC)
+#define SINS_API __declspec(dllimport)
+#else
+#define SINS_API
+#endif
+
+/* Units: multiply by them to get SI, divide to get back. */
+#define SINS_DEG 0.017453292519943295              /* degree [rad] */
+#define SINS_ARCMIN (SINS_DEG / 60.0)              /* minute of arc [rad] */
+#define SINS_ARCSEC (SINS_DEG / 3600.0)            /* second of arc [rad] */
+#define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
+#define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
+#define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
+#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1e-6)             /* millionth of g [m/s2] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_PPM 1e-6                              /* part in a million */
+#define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
+#define SINS_NMI 1852.0                            /* nautical mile [m] */
+#define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ */
+typedef struct sins_sim sins_sim;
+typedef struct sins_flight sins_flight;

@@ -1,0 +1,139 @@
+//! `sins_record`: one line of the output of `sins_run`.
+
+use super::failure::Failure;
+use super::memory::interface_struct;
+use super::solution::{errors_of, sins_errors, sins_navigation};
+use crate::simulator::{ErrorSource, Simulator};
+
+/// A solution within a sins_record; never grows. Fields as in sins_navigation.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_record_solution {
+    /// [rad]
+    pub latitude_rad: f64,
+    /// [rad]
+    pub longitude_rad: f64,
+    /// [m]
+    pub height_m: f64,
+    /// [m/s]
+    pub velocity_enu_m_s: [f64; 3],
+    /// [rad]
+    pub roll_rad: f64,
+    /// [rad]
+    pub pitch_rad: f64,
+    /// [rad]
+    pub heading_rad: f64,
+    /// Scalar first.
+    pub quaternion_nb: [f64; 4],
+    /// SINS_NAVIGATION_... flags, or'ed.
+    pub flags: i32,
+    /// 0
+    pub reserved: u32,
+}
+
+/// Errors within a sins_record; never grows. Fields as in sins_errors.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_record_errors {
+    /// [m]
+    pub position_enu_m: [f64; 3],
+    /// [rad]
+    pub latitude_rad: f64,
+    /// [rad]
+    pub longitude_rad: f64,
+    /// [m]
+    pub height_m: f64,
+    /// [m/s]
+    pub velocity_enu_m_s: [f64; 3],
+    /// [rad]
+    pub misalignment_enu_rad: [f64; 3],
+    /// [rad]
+    pub roll_rad: f64,
+    /// [rad]
+    pub pitch_rad: f64,
+    /// [rad]
+    pub heading_rad: f64,
+    /// SINS_ERRORS_... flags, or'ed.
+    pub flags: i32,
+    /// 0
+    pub reserved: u32,
+}
+
+/// Truth, navigation and both errors at one instant.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_record {
+    /// sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others.
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Time [s].
+    pub time_s: f64,
+    /// As sins_get_truth().
+    pub truth: sins_record_solution,
+    /// As sins_get_navigation().
+    pub navigation: sins_record_solution,
+    /// As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2.
+    pub navigation_errors: sins_record_errors,
+    /// As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off.
+    pub model_errors: sins_record_errors,
+}
+
+interface_struct!(sins_record, "record", 496);
+
+impl From<sins_navigation> for sins_record_solution {
+    fn from(n: sins_navigation) -> Self {
+        Self {
+            latitude_rad: n.latitude_rad,
+            longitude_rad: n.longitude_rad,
+            height_m: n.height_m,
+            velocity_enu_m_s: n.velocity_enu_m_s,
+            roll_rad: n.roll_rad,
+            pitch_rad: n.pitch_rad,
+            heading_rad: n.heading_rad,
+            quaternion_nb: n.quaternion_nb,
+            flags: n.flags,
+            reserved: 0,
+        }
+    }
+}
+
+impl From<sins_errors> for sins_record_errors {
+    fn from(e: sins_errors) -> Self {
+        Self {
+            position_enu_m: e.position_enu_m,
+            latitude_rad: e.latitude_rad,
+            longitude_rad: e.longitude_rad,
+            height_m: e.height_m,
+            velocity_enu_m_s: e.velocity_enu_m_s,
+            misalignment_enu_rad: e.misalignment_enu_rad,
+            roll_rad: e.roll_rad,
+            pitch_rad: e.pitch_rad,
+            heading_rad: e.heading_rad,
+            flags: e.flags,
+            reserved: 0,
+        }
+    }
+}
+
+impl sins_record {
+    /// The record of this moment; `None` before the first sample.
+    pub(super) fn now(simulator: &Simulator) -> Result<Option<Self>, Failure> {
+        let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else { return Ok(None) };
+        let errors = errors_of(simulator, ErrorSource::Navigation)?;
+        let model = match simulator.options().error_model {
+            true => errors_of(simulator, ErrorSource::Model)?,
+            false => None,
+        };
+        let or_none = |errors: Option<sins_errors>| errors.unwrap_or(sins_errors::not_computed(truth.time_s)).into();
+        Ok(Some(Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            time_s: truth.time_s,
+            truth: sins_navigation::from_solution(&truth).into(),
+            navigation: sins_navigation::from_solution(&navigation).into(),
+            navigation_errors: or_none(errors),
+            model_errors: or_none(model),
+        }))
+    }
+}

@@ -1,0 +1,92 @@
+//! `sins_run`: a whole array of samples in one call.
+
+use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::memory::{Array, put};
+use super::record::sins_record;
+use super::sample::sins_flight_sample;
+use super::simulator::{sins_sim, step, with_simulator};
+use crate::simulator::Simulator;
+
+/// Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
+/// flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+///
+/// samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0.
+/// every 0: no records. written (may be NULL) gets the number of records, also on an error.
+///
+/// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+/// SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
+/// sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_run(
+    sim: *mut sins_sim,
+    samples: *const sins_flight_sample,
+    count: usize,
+    every: usize,
+    records: *mut sins_record,
+    capacity: usize,
+    written: *mut usize,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise; samples are only read.
+        let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
+        let wanted = records_of(simulator, count, every);
+        if wanted > capacity {
+            return Err(Failure::buffer("capacity", capacity, wanted));
+        }
+        // SAFETY: the host's promise.
+        let records = unsafe { Array::new(records, wanted, "records")? };
+        let mut done = 0;
+        let result = run(simulator, &samples, every, &records, &mut done);
+        if !written.is_null() {
+            // SAFETY: the host's promise.
+            unsafe { put(written, done, "written")? };
+        }
+        result
+    })
+}
+
+/// Records that a run of `count` more samples makes.
+fn records_of(simulator: &Simulator, count: usize, every: usize) -> usize {
+    if every == 0 {
+        return 0;
+    }
+    let flown = simulator.intervals();
+    // The first sample of a flight begins an interval, it does not end one.
+    let waiting = simulator.waiting_samples() + count;
+    let to_fly = if simulator.has_started() { waiting } else { waiting.saturating_sub(1) };
+    ((flown + to_fly as u64) / every as u64 - flown / every as u64) as usize
+}
+
+fn run(
+    simulator: &mut Simulator,
+    samples: &Array<sins_flight_sample>,
+    every: usize,
+    records: &Array<sins_record>,
+    done: &mut usize,
+) -> Result<sins_status, Failure> {
+    for index in 0..samples.count() {
+        let sample = samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
+        // What waited in the queue before the call goes first.
+        while simulator.queue_is_full() && fly(simulator, every, records, done)? == SINS_OK {}
+        simulator.push_sample(&sample).map_err(|error| Failure::from(error).of_sample(index))?;
+        while fly(simulator, every, records, done).map_err(|f| f.of_sample(index))? != SINS_NEED_SAMPLE {}
+    }
+    Ok(SINS_OK)
+}
+
+/// One step and its record.
+fn fly(
+    simulator: &mut Simulator,
+    every: usize,
+    records: &Array<sins_record>,
+    done: &mut usize,
+) -> Result<sins_status, Failure> {
+    let status = step(simulator)?;
+    if status == SINS_OK && every > 0 && simulator.intervals() % every as u64 == 0 {
+        if let Some(record) = sins_record::now(simulator)? {
+            records.write(*done, &record)?;
+            *done += 1;
+        }
+    }
+    Ok(status)
+}

@@ -1,0 +1,98 @@
+//! `sins_flight_sample`.
+
+use nalgebra::Vector3;
+
+use super::failure::Failure;
+use super::memory::interface_struct;
+use crate::earth::Geodetic;
+use crate::error::{Error, Rule};
+use crate::math::Euler;
+use crate::truth::FlightSample;
+
+/// The sample carries angular_rate_rad_s.
+pub const SINS_SAMPLE_ANGULAR_RATE: u32 = 1;
+/// The sample carries specific_force_m_s2.
+pub const SINS_SAMPLE_SPECIFIC_FORCE: u32 = 2;
+/// The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
+pub const SINS_SAMPLE_NO_VELOCITY: u32 = 4;
+
+const KNOWN_FLAGS: u32 = SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_NO_VELOCITY;
+
+/// True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
+/// are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
+/// sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_flight_sample {
+    /// sizeof(sins_flight_sample)
+    pub struct_size: u32,
+    /// SINS_SAMPLE_... flags, or'ed.
+    pub flags: u32,
+    /// Time stamp [s], later than the sample before by 5e-5 s to sins_options.max_gap_s.
+    pub time_s: f64,
+    /// Geodetic latitude, -pi/2 to pi/2 [rad].
+    pub latitude_rad: f64,
+    /// Longitude, east positive, -100 to 100 [rad]: any wrap.
+    pub longitude_rad: f64,
+    /// Height above the ellipsoid, -20 km to 2000 km [m].
+    pub height_m: f64,
+    /// Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
+    pub velocity_enu_m_s: [f64; 3],
+    /// Roll, right wing down positive, any number of turns up to 10000 rad [rad].
+    pub roll_rad: f64,
+    /// Pitch, nose up positive, may go beyond 90 degrees [rad].
+    pub pitch_rad: f64,
+    /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
+    pub heading_rad: f64,
+    /// With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant [rad/s].
+    pub angular_rate_rad_s: [f64; 3],
+    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant [m/s2].
+    pub specific_force_m_s2: [f64; 3],
+}
+
+interface_struct!(sins_flight_sample, "sample", 136);
+
+impl sins_flight_sample {
+    pub(super) fn to_sample(self) -> Result<FlightSample, Failure> {
+        let unknown = self.flags & !KNOWN_FLAGS;
+        if unknown != 0 {
+            let rule = Rule::Words("must be an or of SINS_SAMPLE_ flags; there are unknown bits");
+            return Err(Error::invalid("sample.flags", f64::from(self.flags), rule).into());
+        }
+        let given = |flag: u32, values: [f64; 3]| (self.flags & flag != 0).then_some(Vector3::from(values));
+        let has_velocity = self.flags & SINS_SAMPLE_NO_VELOCITY == 0;
+        Ok(FlightSample {
+            time_s: self.time_s,
+            place: Geodetic {
+                latitude_rad: self.latitude_rad,
+                longitude_rad: self.longitude_rad,
+                height_m: self.height_m,
+            },
+            v_n: has_velocity.then_some(Vector3::from(self.velocity_enu_m_s)),
+            euler: Euler { roll: self.roll_rad, pitch: self.pitch_rad, heading: self.heading_rad },
+            omega_ib_b: given(SINS_SAMPLE_ANGULAR_RATE, self.angular_rate_rad_s),
+            f_b: given(SINS_SAMPLE_SPECIFIC_FORCE, self.specific_force_m_s2),
+        })
+    }
+
+    pub(super) fn from_sample(sample: &FlightSample) -> Self {
+        let flag = |given: bool, flag: u32| if given { flag } else { 0 };
+        let flags = flag(sample.omega_ib_b.is_some(), SINS_SAMPLE_ANGULAR_RATE)
+            | flag(sample.f_b.is_some(), SINS_SAMPLE_SPECIFIC_FORCE)
+            | flag(sample.v_n.is_none(), SINS_SAMPLE_NO_VELOCITY);
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            flags,
+            time_s: sample.time_s,
+            latitude_rad: sample.place.latitude_rad,
+            longitude_rad: sample.place.longitude_rad,
+            height_m: sample.place.height_m,
+            velocity_enu_m_s: sample.v_n.unwrap_or_default().into(),
+            roll_rad: sample.euler.roll,
+            pitch_rad: sample.euler.pitch,
+            heading_rad: sample.euler.heading,
+            angular_rate_rad_s: sample.omega_ib_b.unwrap_or_default().into(),
+            specific_force_m_s2: sample.f_b.unwrap_or_default().into(),
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! `sins_sim`: the simulator's life, and its steps.
+
+use core::ffi::c_char;
+
+use super::boundary::{enter, enter_create, last_create_failure};
+use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status};
+use super::memory::{put, put_text, read};
+use super::options::sins_options;
+use super::registry::Registry;
+use super::sample::sins_flight_sample;
+use crate::simulator::{Options, Simulator, Step};
+
+/// A simulator. A handle is a checked key, never an address: a null, made-up or destroyed one is answered
+/// SINS_ERROR_BAD_HANDLE. Any function may be called from any thread; calls on one handle wait for each other, calls on
+/// different handles never do.
+#[repr(C)]
+pub struct sins_sim {
+    _opaque: [u8; 0],
+}
+
+static SIMULATORS: Registry<Simulator> = Registry::new(1);
+
+/// Runs `body` on the simulator of a handle, as the inside of an exported function.
+#[inline(always)]
+pub(super) fn with_simulator(
+    sim: *const sins_sim,
+    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
+) -> sins_status {
+    enter(|| SIMULATORS.with(sim.addr(), body))
+}
+
+/// Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+///
+/// On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
+/// memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
+    enter_create(|| {
+        if sim.is_null() {
+            return Err(Failure::null("sim"));
+        }
+        let options = if options.is_null() {
+            Options::default()
+        } else {
+            // SAFETY: the host's promise.
+            unsafe { read(options, "options")? }.to_options()?
+        };
+        let key = SIMULATORS.insert(Simulator::new(&options)?)?;
+        // SAFETY: the host's promise.
+        unsafe { put(sim, core::ptr::without_provenance_mut(key), "sim")? };
+        Ok(SINS_OK)
+    })
+}
+
+/// Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+///
+/// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
+    enter(|| SIMULATORS.remove(sim.addr()))
+}
+
+/// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
+/// terminated; "no error" if none failed. With a NULL handle: that of the last failed create on this thread.
+///
+/// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+/// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_last_error(
+    sim: *const sins_sim,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    enter(|| {
+        let failure = if sim.is_null() {
+            last_create_failure()
+        } else {
+            match SIMULATORS.last_failure(sim.addr()) {
+                Ok(failure) => failure,
+                Err(status) => return status,
+            }
+        };
+        let sentence = Sentence::of(failure.as_ref());
+        // SAFETY: the host's promise.
+        unsafe { put_text(sentence.as_bytes(), buffer, capacity, needed) }
+    })
+}
+
+/// Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER: not later than the one before.
+/// SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
+/// SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_push_sample(sim: *mut sins_sim, sample: *const sins_flight_sample) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let sample = unsafe { read(sample, "sample")? };
+        simulator.push_sample(&sample.to_sample()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
+/// further one one more. No allocation, no system call.
+///
+/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on from
+/// where it is; it stays readable, and sins_reposition() or sins_reset() start anew.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
+    with_simulator(sim, |simulator| Ok(step(simulator)?))
+}
+
+pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::error::Error> {
+    Ok(match simulator.step()? {
+        Step::Done => SINS_OK,
+        Step::NeedSample => SINS_NEED_SAMPLE,
+    })
+}
+
+/// The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
+/// errors, noise goes on where it was. Waiting samples and the running accuracy figures are dropped.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_reposition(sim: *mut sins_sim, sample: *const sins_flight_sample) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let sample = unsafe { read(sample, "sample")? };
+        simulator.reposition(&sample.to_sample()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Back to before the first sample: same parameters, seed and draws.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {
+    with_simulator(sim, |simulator| {
+        simulator.reset();
+        Ok(SINS_OK)
+    })
+}

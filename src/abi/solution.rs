@@ -1,0 +1,295 @@
+//! `sins_navigation`, `sins_errors`, `sins_imu`: what is read after a step.
+
+use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::memory::{Output, interface_struct};
+use super::options::one_of;
+use super::simulator::{sins_sim, with_simulator};
+use crate::errors::NavigationErrors;
+use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
+
+/// Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
+/// and the errors in metres stay right.
+pub const SINS_NAVIGATION_NEAR_POLE: i32 = 1;
+/// Nothing aids the vertical channel: any error grows by e every 569 s.
+pub const SINS_NAVIGATION_VERTICAL_UNAIDED: i32 = 2;
+/// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm.
+pub const SINS_NAVIGATION_INCONSISTENT: i32 = 4;
+
+/// Navigation minus truth: the paper's error data 2.
+pub const SINS_ERRORS_NAVIGATION: i32 = 0;
+/// The error differential equations: the paper's error data 1 (sins_options.error_model).
+pub const SINS_ERRORS_MODEL: i32 = 1;
+
+/// Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
+pub const SINS_ERRORS_NEAR_POLE: i32 = 1;
+/// Error model: misalignment above 2 degrees or displacement above 100 km; what it drops is no longer small.
+pub const SINS_ERRORS_OUTSIDE_VALIDITY: i32 = 2;
+/// In a sins_record: not computed, all zero.
+pub const SINS_ERRORS_NOT_COMPUTED: i32 = 4;
+
+/// A solution: the truth or the navigated one.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_navigation {
+    /// sizeof(sins_navigation)
+    pub struct_size: u32,
+    /// 0 (must be 0 where it is an input).
+    pub reserved: u32,
+    /// Time [s].
+    pub time_s: f64,
+    /// Geodetic latitude, -pi/2 to pi/2 [rad].
+    pub latitude_rad: f64,
+    /// Longitude, east positive, -pi to pi [rad].
+    pub longitude_rad: f64,
+    /// Height above the ellipsoid [m].
+    pub height_m: f64,
+    /// Velocity against the Earth, east-north-up [m/s].
+    pub velocity_enu_m_s: [f64; 3],
+    /// Roll, right wing down positive, -pi to pi [rad].
+    pub roll_rad: f64,
+    /// Pitch, nose up positive, -pi/2 to pi/2 [rad].
+    pub pitch_rad: f64,
+    /// Heading, clockwise from true north, 0 to 2 pi [rad].
+    pub heading_rad: f64,
+    /// Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+    pub quaternion_nb: [f64; 4],
+    /// SINS_NAVIGATION_... flags, or'ed.
+    pub flags: i32,
+    /// 0
+    pub reserved2: u32,
+}
+
+interface_struct!(sins_navigation, "navigation", 128);
+
+/// Errors of the navigated solution, computed less true.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_errors {
+    /// sizeof(sins_errors)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Time [s].
+    pub time_s: f64,
+    /// Displacement from truth along true east and north, and difference of heights [m].
+    pub position_enu_m: [f64; 3],
+    /// Latitude [rad].
+    pub latitude_rad: f64,
+    /// Longitude, wrapped to -pi..pi [rad].
+    pub longitude_rad: f64,
+    /// Height [m].
+    pub height_m: f64,
+    /// Velocity [m/s]: difference of the components, each in its own east-north-up.
+    pub velocity_enu_m_s: [f64; 3],
+    /// Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up.
+    pub misalignment_enu_rad: [f64; 3],
+    /// Roll, wrapped [rad].
+    pub roll_rad: f64,
+    /// Pitch [rad].
+    pub pitch_rad: f64,
+    /// Heading, wrapped [rad].
+    pub heading_rad: f64,
+    /// SINS_ERRORS_... flags (NEAR_POLE, OUTSIDE_VALIDITY, NOT_COMPUTED), or'ed.
+    pub flags: i32,
+    /// 0
+    pub reserved2: u32,
+}
+
+interface_struct!(sins_errors, "errors", 144);
+
+/// Ideal and measured signals of the last interval, sensor axes.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_imu {
+    /// sizeof(sins_imu)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Time of the end of the interval [s].
+    pub time_s: f64,
+    /// Length of the interval [s].
+    pub interval_s: f64,
+    /// Integral of the angular rate against inertial space, perfect gyros [rad].
+    pub ideal_angle_rad: [f64; 3],
+    /// Integral of the specific force, perfect accelerometers [m/s].
+    pub ideal_velocity_m_s: [f64; 3],
+    /// What the modelled gyros give [rad].
+    pub measured_angle_rad: [f64; 3],
+    /// What the modelled accelerometers give [m/s].
+    pub measured_velocity_m_s: [f64; 3],
+    /// ideal_angle_rad over the interval [rad/s].
+    pub ideal_rate_rad_s: [f64; 3],
+    /// ideal_velocity_m_s over the interval [m/s2].
+    pub ideal_force_m_s2: [f64; 3],
+    /// measured_angle_rad over the interval [rad/s].
+    pub measured_rate_rad_s: [f64; 3],
+    /// measured_velocity_m_s over the interval [m/s2].
+    pub measured_force_m_s2: [f64; 3],
+}
+
+interface_struct!(sins_imu, "imu", 216);
+
+impl sins_navigation {
+    pub(super) fn from_solution(solution: &Solution) -> Self {
+        let navigation = &solution.navigation;
+        let flag = |set: bool, flag: i32| if set { flag } else { 0 };
+        let q = &navigation.q_nb;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            time_s: solution.time_s,
+            latitude_rad: navigation.place.latitude_rad,
+            longitude_rad: navigation.place.longitude_rad,
+            height_m: navigation.place.height_m,
+            velocity_enu_m_s: navigation.v_n.into(),
+            roll_rad: navigation.euler.roll,
+            pitch_rad: navigation.euler.pitch,
+            heading_rad: navigation.euler.heading,
+            quaternion_nb: [q.w, q.i, q.j, q.k],
+            flags: flag(solution.near_pole, SINS_NAVIGATION_NEAR_POLE)
+                | flag(solution.vertical_unaided, SINS_NAVIGATION_VERTICAL_UNAIDED)
+                | flag(solution.inconsistent, SINS_NAVIGATION_INCONSISTENT),
+            reserved2: 0,
+        }
+    }
+}
+
+impl sins_errors {
+    pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
+        let flag = |set: bool, flag: i32| if set { flag } else { 0 };
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            time_s,
+            position_enu_m: errors.position_n.into(),
+            latitude_rad: errors.latitude_rad,
+            longitude_rad: errors.longitude_rad,
+            height_m: errors.position_n.z,
+            velocity_enu_m_s: errors.velocity_n.into(),
+            misalignment_enu_rad: errors.misalignment_n.into(),
+            roll_rad: errors.roll_rad,
+            pitch_rad: errors.pitch_rad,
+            heading_rad: errors.heading_rad,
+            flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)
+                | flag(errors.outside_validity, SINS_ERRORS_OUTSIDE_VALIDITY),
+            reserved2: 0,
+        }
+    }
+
+    /// Errors that nobody computes.
+    pub(super) fn not_computed(time_s: f64) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            time_s,
+            position_enu_m: [0.0; 3],
+            latitude_rad: 0.0,
+            longitude_rad: 0.0,
+            height_m: 0.0,
+            velocity_enu_m_s: [0.0; 3],
+            misalignment_enu_rad: [0.0; 3],
+            roll_rad: 0.0,
+            pitch_rad: 0.0,
+            heading_rad: 0.0,
+            flags: SINS_ERRORS_NOT_COMPUTED,
+            reserved2: 0,
+        }
+    }
+}
+
+impl From<&ImuInterval> for sins_imu {
+    fn from(imu: &ImuInterval) -> Self {
+        let t = imu.interval_s;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            time_s: imu.time_s,
+            interval_s: t,
+            ideal_angle_rad: imu.ideal.angle.into(),
+            ideal_velocity_m_s: imu.ideal.velocity.into(),
+            measured_angle_rad: imu.measured.angle.into(),
+            measured_velocity_m_s: imu.measured.velocity.into(),
+            ideal_rate_rad_s: (imu.ideal.angle / t).into(),
+            ideal_force_m_s2: (imu.ideal.velocity / t).into(),
+            measured_rate_rad_s: (imu.measured.angle / t).into(),
+            measured_force_m_s2: (imu.measured.velocity / t).into(),
+        }
+    }
+}
+
+/// The errors of `source`, or `None` before the first sample.
+pub(super) fn errors_of(simulator: &Simulator, source: ErrorSource) -> Result<Option<sins_errors>, Failure> {
+    let near_pole = match simulator.truth()? {
+        Some(truth) => truth.near_pole,
+        None => return Ok(None),
+    };
+    Ok(simulator.errors(source)?.map(|(time_s, errors)| sins_errors::new(time_s, &errors, near_pole)))
+}
+
+/// Writes `value`, or answers that there is none yet.
+pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
+    match value {
+        Some(value) => {
+            output.write(&value);
+            SINS_OK
+        }
+        None => SINS_NEED_SAMPLE,
+    }
+}
+
+/// Reads the truth at the end of the last interval; before the first step, that of the first sample.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_navigation) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(truth, "truth")? };
+        let solution = simulator.truth()?;
+        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+    })
+}
+
+/// Reads the navigated solution for the same instant as sins_get_truth().
+///
+/// SINS_NEED_SAMPLE: no sample yet.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_navigation(sim: *mut sins_sim, navigation: *mut sins_navigation) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(navigation, "navigation")? };
+        let solution = simulator.navigation()?;
+        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+    })
+}
+
+/// Reads ideal and measured signals of the last interval.
+///
+/// SINS_NEED_SAMPLE: no interval yet.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(imu, "imu")? };
+        Ok(write_or_need(&output, simulator.imu().map(|imu| sins_imu::from(&imu))))
+    })
+}
+
+/// Reads the errors of the navigated solution; source is SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
+/// off, or navigating on increments.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_errors(sim: *mut sins_sim, source: i32, errors: *mut sins_errors) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(errors, "errors")? };
+        let source = one_of(
+            "source",
+            source,
+            &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
+            "must be SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL",
+        )?;
+        Ok(write_or_need(&output, errors_of(simulator, source)?))
+    })
+}

@@ -1,0 +1,88 @@
+//! Versions and the names of the status codes.
+
+use core::ffi::{CStr, c_char};
+
+use super::boundary::enter_without_handle;
+use super::failure::*;
+use super::memory::put;
+
+/// Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
+/// there is gone or means something else; what is added at the end does not change it.
+pub const SINS_ABI_VERSION: u32 = 1;
+/// Release of the library, semantic versioning.
+pub const SINS_VERSION_MAJOR: u32 = 0;
+/// See SINS_VERSION_MAJOR.
+pub const SINS_VERSION_MINOR: u32 = 1;
+/// See SINS_VERSION_MAJOR.
+pub const SINS_VERSION_PATCH: u32 = 0;
+
+/// The version of the interface that the loaded library has.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_abi_version(version: *mut u32) -> sins_status {
+    enter_without_handle(|| {
+        // SAFETY: the host's promise.
+        unsafe { put(version, SINS_ABI_VERSION, "version")? };
+        Ok(SINS_OK)
+    })
+}
+
+/// The release of the loaded library.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_version(major: *mut u32, minor: *mut u32, patch: *mut u32) -> sins_status {
+    enter_without_handle(|| {
+        if major.is_null() || minor.is_null() || patch.is_null() {
+            return Err(Failure::null("version"));
+        }
+        // SAFETY: the host's promise.
+        unsafe {
+            put(major, SINS_VERSION_MAJOR, "major")?;
+            put(minor, SINS_VERSION_MINOR, "minor")?;
+            put(patch, SINS_VERSION_PATCH, "patch")?;
+        }
+        Ok(SINS_OK)
+    })
+}
+
+/// The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_version_string(text: *mut *const c_char) -> sins_status {
+    const TEXT: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
+    enter_without_handle(|| {
+        // SAFETY: the host's promise.
+        unsafe { put(text, TEXT.as_ptr().cast(), "text")? };
+        Ok(SINS_OK)
+    })
+}
+
+/// The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
+/// loaded.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_status_string(status: sins_status, text: *mut *const c_char) -> sins_status {
+    enter_without_handle(|| {
+        // SAFETY: the host's promise.
+        unsafe { put(text, name(status).as_ptr(), "text")? };
+        Ok(SINS_OK)
+    })
+}
+
+fn name(status: sins_status) -> &'static CStr {
+    match status {
+        SINS_OK => c"SINS_OK",
+        SINS_NEED_SAMPLE => c"SINS_NEED_SAMPLE",
+        SINS_ERROR_NULL_POINTER => c"SINS_ERROR_NULL_POINTER",
+        SINS_ERROR_BAD_HANDLE => c"SINS_ERROR_BAD_HANDLE",
+        SINS_ERROR_STRUCT_SIZE => c"SINS_ERROR_STRUCT_SIZE",
+        SINS_ERROR_INVALID_ARGUMENT => c"SINS_ERROR_INVALID_ARGUMENT",
+        SINS_ERROR_BAD_STATE => c"SINS_ERROR_BAD_STATE",
+        SINS_ERROR_TIME_ORDER => c"SINS_ERROR_TIME_ORDER",
+        SINS_ERROR_DISCONTINUITY => c"SINS_ERROR_DISCONTINUITY",
+        SINS_ERROR_QUEUE_FULL => c"SINS_ERROR_QUEUE_FULL",
+        SINS_ERROR_DIVERGED => c"SINS_ERROR_DIVERGED",
+        SINS_ERROR_SINGULAR => c"SINS_ERROR_SINGULAR",
+        SINS_ERROR_BUFFER_TOO_SMALL => c"SINS_ERROR_BUFFER_TOO_SMALL",
+        SINS_ERROR_OUT_OF_MEMORY => c"SINS_ERROR_OUT_OF_MEMORY",
+        SINS_ERROR_SNAPSHOT => c"SINS_ERROR_SNAPSHOT",
+        SINS_ERROR_INTERNAL => c"SINS_ERROR_INTERNAL",
+        _ => c"unknown status",
+    }
+}

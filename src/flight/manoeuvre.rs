@@ -1,0 +1,235 @@
+//! What a flight is made of.
+
+use crate::earth::Ellipsoid;
+use crate::error::{Error, Rule, check_range};
+
+/// Sinusoids in one manoeuvre at the most.
+pub const MAX_SINUSOIDS: usize = 6;
+
+/// Where and how a flight begins: level and straight.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FlightStart {
+    /// Latitude [rad].
+    pub latitude_rad: f64,
+    /// Longitude [rad].
+    pub longitude_rad: f64,
+    /// Height above the ellipsoid [m].
+    pub height_m: f64,
+    /// Speed against the Earth [m/s].
+    pub speed_m_s: f64,
+    /// Course and heading [rad].
+    pub heading_rad: f64,
+    /// Roll and pitch of the body against the path's axes, throughout the flight [rad].
+    pub roll_rad: f64,
+    /// See `roll_rad`; an angle of attack, or the tilt at rest.
+    pub pitch_rad: f64,
+    /// The ellipsoid.
+    pub ellipsoid: Ellipsoid,
+}
+
+/// What a sinusoid moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// Course [rad], with the bank of a coordinated turn.
+    Course,
+    /// Climb angle [rad].
+    Climb,
+    /// Speed [m/s].
+    Speed,
+    /// Roll alone [rad].
+    Roll,
+    /// Pitch alone [rad].
+    Pitch,
+    /// Heading alone [rad].
+    Heading,
+}
+
+/// amplitude · sin(2π frequency t + phase), t since the begin of the manoeuvre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sinusoid {
+    /// What it moves.
+    pub channel: Channel,
+    /// [rad] or [m/s]
+    pub amplitude: f64,
+    /// [Hz]
+    pub frequency_hz: f64,
+    /// [rad]
+    pub phase_rad: f64,
+}
+
+/// One manoeuvre; each begins and ends in straight and level flight. `ramp_s` is the time in which it sets in and ends
+/// smoothly, at most half of its duration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Manoeuvre {
+    /// At rest; the speed must be 0.
+    Rest {
+        /// [s]
+        duration_s: f64,
+    },
+    /// Along a geodesic at constant speed and height.
+    Straight {
+        /// [s]
+        duration_s: f64,
+    },
+    /// To another speed.
+    Accelerate {
+        /// [s]
+        duration_s: f64,
+        /// [m/s]
+        speed_change_m_s: f64,
+    },
+    /// To another height, pitching up and down again.
+    Climb {
+        /// [s]
+        duration_s: f64,
+        /// [m]
+        height_change_m: f64,
+        /// [s]
+        ramp_s: f64,
+    },
+    /// Level turn, coordinated: tan(bank) = speed · turn rate / 9.80665. Its duration follows; a turn too short for the
+    /// bank reaches less of it.
+    Turn {
+        /// Right positive [rad].
+        heading_change_rad: f64,
+        /// 0 to 1.5 [rad].
+        bank_rad: f64,
+        /// Time to roll in, and to roll out [s].
+        ramp_s: f64,
+    },
+    /// Rolls about the path, which stays straight.
+    Roll {
+        /// [s]
+        duration_s: f64,
+        /// Whole turns, right positive.
+        turns: f64,
+    },
+    /// Vertical loops at constant speed.
+    Loop {
+        /// [s]
+        duration_s: f64,
+        /// Whole turns, nose up positive.
+        turns: f64,
+        /// [s]
+        ramp_s: f64,
+    },
+    /// Course swings to both sides and back.
+    STurn {
+        /// [s]
+        duration_s: f64,
+        /// Amplitude of the course, first to the right if positive [rad].
+        heading_amplitude_rad: f64,
+        /// Swings.
+        cycles: f64,
+        /// [s]
+        ramp_s: f64,
+    },
+    /// Sum of sinusoids: patrol patterns, rocking, coning, vibration.
+    Sinusoids {
+        /// [s]
+        duration_s: f64,
+        /// [s]
+        ramp_s: f64,
+        /// The first `count` of them.
+        terms: [Sinusoid; MAX_SINUSOIDS],
+        /// 1 to 6.
+        count: usize,
+    },
+}
+
+impl FlightStart {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        let (quarter, pi) = (core::f64::consts::FRAC_PI_2, core::f64::consts::PI);
+        check_range("start.latitude_rad", self.latitude_rad, -quarter, quarter)?;
+        check_range("start.longitude_rad", self.longitude_rad, -100.0, 100.0)?;
+        check_range("start.height_m", self.height_m, -20e3, 2000e3)?;
+        check_range("start.speed_m_s", self.speed_m_s, 0.0, 10e3)?;
+        check_range("start.heading_rad", self.heading_rad, -100.0, 100.0)?;
+        check_range("start.roll_rad", self.roll_rad, -pi, pi)?;
+        check_range("start.pitch_rad", self.pitch_rad, -quarter, quarter)
+    }
+}
+
+impl Manoeuvre {
+    /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
+    pub(super) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+        let duration = |duration_s: f64| check_range("manoeuvre.duration_s", duration_s, 1e-3, 1e8);
+        let ramp = |ramp_s: f64| check_range("manoeuvre.ramp_s", ramp_s, 1e-3, 1e8);
+        let whole = |turns: f64| {
+            check_range("manoeuvre.turns", turns, -1e4, 1e4)?;
+            let rule = Rule::Words("must be a whole number other than 0");
+            if turns == 0.0 || turns != turns.round() { Err(Error::invalid("manoeuvre.turns", turns, rule)) } else { Ok(()) }
+        };
+        let moving = || {
+            let rule = Rule::Words("must be greater than 0 in this manoeuvre; accelerate first");
+            if speed_m_s > 0.0 { Ok(()) } else { Err(Error::invalid("speed_m_s", speed_m_s, rule)) }
+        };
+        match *self {
+            Self::Rest { duration_s } => {
+                let rule = Rule::Words("must be 0 at rest; slow down first");
+                if speed_m_s != 0.0 {
+                    return Err(Error::invalid("speed_m_s", speed_m_s, rule));
+                }
+                duration(duration_s)
+            }
+            Self::Straight { duration_s } => duration(duration_s),
+            Self::Accelerate { duration_s, speed_change_m_s } => {
+                check_range("manoeuvre.speed_change_m_s", speed_change_m_s, -speed_m_s, 10e3 - speed_m_s)?;
+                duration(duration_s)
+            }
+            Self::Climb { duration_s, height_change_m, ramp_s } => {
+                moving()?;
+                duration(duration_s)?;
+                ramp(ramp_s)?;
+                // The climb angle stays below 64°.
+                let limit = 0.9 * speed_m_s * (duration_s - ramp_s.min(0.5 * duration_s));
+                check_range("manoeuvre.height_change_m", height_change_m, -limit, limit)
+            }
+            Self::Turn { heading_change_rad, bank_rad, ramp_s } => {
+                moving()?;
+                check_range("manoeuvre.heading_change_rad", heading_change_rad, -1e4, 1e4)?;
+                check_range("manoeuvre.bank_rad", bank_rad, 1e-3, 1.5)?;
+                ramp(ramp_s)
+            }
+            Self::Roll { duration_s, turns } => {
+                whole(turns)?;
+                duration(duration_s)
+            }
+            Self::Loop { duration_s, turns, ramp_s } => {
+                moving()?;
+                whole(turns)?;
+                ramp(ramp_s)?;
+                duration(duration_s)
+            }
+            Self::STurn { duration_s, heading_amplitude_rad, cycles, ramp_s } => {
+                moving()?;
+                check_range("manoeuvre.heading_change_rad", heading_amplitude_rad, -10.0, 10.0)?;
+                check_range("manoeuvre.turns", cycles, 0.0, 1e6)?;
+                ramp(ramp_s)?;
+                duration(duration_s)
+            }
+            Self::Sinusoids { duration_s, ramp_s, terms, count } => {
+                check_range("manoeuvre.sinusoids", count as f64, 1.0, MAX_SINUSOIDS as f64)?;
+                for term in &terms[..count] {
+                    term.validate(speed_m_s)?;
+                }
+                ramp(ramp_s)?;
+                duration(duration_s)
+            }
+        }
+    }
+}
+
+impl Sinusoid {
+    fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+        let limit = match self.channel {
+            Channel::Climb => 1.5,
+            Channel::Speed => speed_m_s,
+            _ => 10.0,
+        };
+        check_range("manoeuvre.amplitude", self.amplitude, -limit, limit)?;
+        check_range("manoeuvre.frequency_hz", self.frequency_hz, 0.0, 1e3)?;
+        check_range("manoeuvre.phase_rad", self.phase_rad, -100.0, 100.0)
+    }
+}
