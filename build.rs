@@ -6,12 +6,26 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+/// Longest line of the header.
+const WIDTH: usize = 118;
+
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 12] = [
-    "version", "failure", "options", "sensors", "initial", "sample", "solution", "accuracy", "record", "simulator",
-    "run", "navigator",
+const SOURCES: [&str; 14] = [
+    "version",
+    "failure",
+    "options",
+    "simulator",
+    "sensors",
+    "initial",
+    "sample",
+    "run",
+    "solution",
+    "accuracy",
+    "record",
+    "navigator",
+    "preset",
+    "flight",
 ];
-const LAST_SOURCES: [&str; 2] = ["preset", "flight"];
 
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
@@ -46,7 +60,7 @@ fn header(root: &Path) -> String {
         documentation_style: cbindgen::DocumentationStyle::C,
         style: cbindgen::Style::Both,
         usize_is_size_t: true,
-        line_length: 110,
+        line_length: WIDTH,
         tab_width: 4,
         function: cbindgen::FunctionConfig {
             prefix: Some("SINS_API".to_owned()),
@@ -60,7 +74,7 @@ fn header(root: &Path) -> String {
         },
         ..Default::default()
     };
-    let builder = SOURCES.iter().chain(&LAST_SOURCES).fold(cbindgen::Builder::new().with_config(config), |builder, name| {
+    let builder = SOURCES.iter().fold(cbindgen::Builder::new().with_config(config), |builder, name| {
         builder.with_src(abi.join(name).with_extension("rs"))
     });
     let mut declarations = Vec::new();
@@ -68,9 +82,36 @@ fn header(root: &Path) -> String {
     let declarations = String::from_utf8(declarations).expect("the sources are UTF-8");
 
     // cbindgen has no place for a calling convention.
-    let declarations = declarations.replace("SINS_API sins_status sins_", "SINS_API sins_status SINS_CALL sins_");
+    let declarations = declarations.replace("sins_status sins_", "sins_status SINS_CALL sins_");
     let declarations = tidy(declarations.trim());
     format!("{preamble}\n{declarations}\n\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* SINS_H */\n")
+}
+
+/// A prototype that cbindgen broke over lines, as one, or with its arguments on a line of their own.
+fn prototype<'a>(lines: &mut impl Iterator<Item = &'a str>) -> String {
+    let mut text = String::from("SINS_API");
+    for line in lines {
+        let separator = if text.ends_with('(') { "" } else { " " };
+        text = text + separator + line.trim();
+        if text.ends_with(");") {
+            break;
+        }
+    }
+    if text.len() <= WIDTH {
+        return text;
+    }
+    let Some((head, arguments)) = text.split_once('(') else { return text };
+    let mut broken = format!("{head}(\n   ");
+    let mut column = 3;
+    for argument in arguments.split_inclusive(", ").map(str::trim) {
+        if column + 1 + argument.len() > WIDTH {
+            broken.push_str("\n   ");
+            column = 3;
+        }
+        broken = broken + " " + argument;
+        column += 1 + argument.len();
+    }
+    broken
 }
 
 /// One-line comments on one line, longer ones with a star a line, negative constants in parentheses, and no blank line
@@ -79,7 +120,8 @@ fn tidy(declarations: &str) -> String {
     let mut out: Vec<String> = Vec::new();
     let mut comment: Option<Vec<&str>> = None;
     let mut family = "";
-    for line in declarations.lines() {
+    let mut lines = declarations.lines();
+    while let Some(line) = lines.next() {
         let indent = &line[..line.len() - line.trim_start().len()];
         match (line.trim(), comment.take()) {
             ("/*", None) => comment = Some(Vec::new()),
@@ -89,7 +131,9 @@ fn tidy(declarations: &str) -> String {
                     [only] => out.push(format!("{indent}/* {only} */")),
                     _ => {
                         out.push(format!("{indent}/*"));
-                        out.extend(lines.iter().map(|text| format!("{indent} * {text}").trim_end().to_owned()));
+                        out.extend(
+                            lines.iter().map(|text| format!("{indent} * {text}").trim_end().to_owned()),
+                        );
                         out.push(format!("{indent} */"));
                     }
                 }
@@ -101,7 +145,8 @@ fn tidy(declarations: &str) -> String {
             (text, None) => match text.strip_prefix("#define ").and_then(|define| define.split_once(' ')) {
                 Some((name, value)) => {
                     let this = name.split('_').nth(1).unwrap_or(name);
-                    let comment = out.iter().rposition(|line| line.trim_start().starts_with("/*")).unwrap_or(0);
+                    let comment =
+                        out.iter().rposition(|line| line.trim_start().starts_with("/*")).unwrap_or(0);
                     if this == family && comment > 0 && out[comment - 1].is_empty() {
                         out.remove(comment - 1);
                     }
@@ -109,6 +154,7 @@ fn tidy(declarations: &str) -> String {
                     let value = if value.starts_with('-') { format!("({value})") } else { value.to_owned() };
                     out.push(format!("#define {name} {value}"));
                 }
+                None if text == "SINS_API" => out.push(prototype(&mut lines)),
                 None => out.push(line.to_owned()),
             },
         }

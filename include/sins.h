@@ -256,6 +256,81 @@ typedef struct sins_flight sins_flight;
 /* Result of a call: `SINS_OK`, positive "not yet", negative an error. On an error nothing changed. */
 typedef int32_t sins_status;
 
+/* How a simulator is made. All zero (but struct_size) is the recommended simulator. */
+typedef struct sins_options {
+    /* sizeof(sins_options) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_FRAME_... */
+    int32_t frame;
+    /* SINS_SCHEME_... */
+    int32_t scheme;
+    /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
+    int32_t subsamples;
+    /* Mechanization updates in a sample interval, 1 to 16; 0: 1. */
+    int32_t updates_per_sample;
+    /* SINS_VERTICAL_... */
+    int32_t vertical;
+    /* SINS_ERROR_MODEL_... */
+    int32_t error_model;
+    /* SINS_EARTH_... */
+    int32_t earth;
+    /* SINS_GRAVITY_... */
+    int32_t gravity;
+    /* SINS_AXES_..., of gyros, accelerometers, quaternions and optional sample fields. */
+    int32_t axes;
+    /* SINS_SIGNAL_... */
+    int32_t signal;
+    /* Seed of all random streams. */
+    uint64_t seed;
+    /* Number of the run in an ensemble: same seed, other draws. */
+    uint64_t run;
+    /* Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release. */
+    double closed_loop_time_s;
+    /*
+     * Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
+     * each within 0.4 of a period. 0: the samples' own time stamps.
+     */
+    double sample_period_s;
+    /* Longest interval between samples [s]; 0: 2.5 s. */
+    double max_gap_s;
+    /* Mean acceleration between two samples beyond which truth has jumped [m/s2]; 0: 2000 m/s2. */
+    double max_acceleration_m_s2;
+} sins_options;
+
+/*
+ * True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
+ * are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
+ * sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+ */
+typedef struct sins_flight_sample {
+    /* sizeof(sins_flight_sample) */
+    uint32_t struct_size;
+    /* SINS_SAMPLE_... flags, or'ed. */
+    uint32_t flags;
+    /* Time stamp [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. */
+    double time_s;
+    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /* Longitude, east positive, -100 to 100 [rad]: any wrap. */
+    double longitude_rad;
+    /* Height above the ellipsoid, -20 km to 2000 km [m]. */
+    double height_m;
+    /* Velocity against the Earth, east-north-up, each up to 20 km/s [m/s]. */
+    double velocity_enu_m_s[3];
+    /* Roll, right wing down positive, any number of turns up to 10000 rad [rad]. */
+    double roll_rad;
+    /* Pitch, nose up positive, may go beyond 90 degrees [rad]. */
+    double pitch_rad;
+    /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
+    double heading_rad;
+    /* With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant [rad/s]. */
+    double angular_rate_rad_s[3];
+    /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant [m/s2]. */
+    double specific_force_m_s2[3];
+} sins_flight_sample;
+
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
  * Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
@@ -395,6 +470,74 @@ typedef struct sins_initial_errors {
     uint32_t reserved2;
 } sins_initial_errors;
 
+/* A solution within a sins_record; never grows. Fields as in sins_navigation. */
+typedef struct sins_record_solution {
+    /* [rad] */
+    double latitude_rad;
+    /* [rad] */
+    double longitude_rad;
+    /* [m] */
+    double height_m;
+    /* [m/s] */
+    double velocity_enu_m_s[3];
+    /* [rad] */
+    double roll_rad;
+    /* [rad] */
+    double pitch_rad;
+    /* [rad] */
+    double heading_rad;
+    /* Scalar first. */
+    double quaternion_nb[4];
+    /* SINS_NAVIGATION_... flags, or'ed. */
+    int32_t flags;
+    /* 0 */
+    uint32_t reserved;
+} sins_record_solution;
+
+/* Errors within a sins_record; never grows. Fields as in sins_errors. */
+typedef struct sins_record_errors {
+    /* [m] */
+    double position_enu_m[3];
+    /* [rad] */
+    double latitude_rad;
+    /* [rad] */
+    double longitude_rad;
+    /* [m] */
+    double height_m;
+    /* [m/s] */
+    double velocity_enu_m_s[3];
+    /* [rad] */
+    double misalignment_enu_rad[3];
+    /* [rad] */
+    double roll_rad;
+    /* [rad] */
+    double pitch_rad;
+    /* [rad] */
+    double heading_rad;
+    /* SINS_ERRORS_... flags, or'ed. */
+    int32_t flags;
+    /* 0 */
+    uint32_t reserved;
+} sins_record_errors;
+
+/* Truth, navigation and both errors at one instant. */
+typedef struct sins_record {
+    /* sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others. */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Time [s]. */
+    double time_s;
+    /* As sins_get_truth(). */
+    struct sins_record_solution truth;
+    /* As sins_get_navigation(). */
+    struct sins_record_solution navigation;
+    /* As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2. */
+    struct sins_record_errors navigation_errors;
+    /* As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off. */
+    struct sins_record_errors model_errors;
+} sins_record;
+
 /* A solution: the truth or the navigated one. */
 typedef struct sins_navigation {
     /* sizeof(sins_navigation) */
@@ -531,149 +674,6 @@ typedef struct sins_accuracy {
     uint64_t inconsistent_samples;
 } sins_accuracy;
 
-/* How a simulator is made. All zero (but struct_size) is the recommended simulator. */
-typedef struct sins_options {
-    /* sizeof(sins_options) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* SINS_FRAME_... */
-    int32_t frame;
-    /* SINS_SCHEME_... */
-    int32_t scheme;
-    /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
-    int32_t subsamples;
-    /* Mechanization updates in a sample interval, 1 to 16; 0: 1. */
-    int32_t updates_per_sample;
-    /* SINS_VERTICAL_... */
-    int32_t vertical;
-    /* SINS_ERROR_MODEL_... */
-    int32_t error_model;
-    /* SINS_EARTH_... */
-    int32_t earth;
-    /* SINS_GRAVITY_... */
-    int32_t gravity;
-    /* SINS_AXES_..., of gyros, accelerometers, quaternions and optional sample fields. */
-    int32_t axes;
-    /* SINS_SIGNAL_... */
-    int32_t signal;
-    /* Seed of all random streams. */
-    uint64_t seed;
-    /* Number of the run in an ensemble: same seed, other draws. */
-    uint64_t run;
-    /* Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release. */
-    double closed_loop_time_s;
-    /*
-     * Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-     * each within 0.4 of a period. 0: the samples' own time stamps.
-     */
-    double sample_period_s;
-    /* Longest interval between samples [s]; 0: 2.5 s. */
-    double max_gap_s;
-    /* Mean acceleration between two samples beyond which truth has jumped [m/s2]; 0: 2000 m/s2. */
-    double max_acceleration_m_s2;
-} sins_options;
-
-/*
- * True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
- * are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
- * sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
- */
-typedef struct sins_flight_sample {
-    /* sizeof(sins_flight_sample) */
-    uint32_t struct_size;
-    /* SINS_SAMPLE_... flags, or'ed. */
-    uint32_t flags;
-    /* Time stamp [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. */
-    double time_s;
-    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
-    double latitude_rad;
-    /* Longitude, east positive, -100 to 100 [rad]: any wrap. */
-    double longitude_rad;
-    /* Height above the ellipsoid, -20 km to 2000 km [m]. */
-    double height_m;
-    /* Velocity against the Earth, east-north-up, each up to 20 km/s [m/s]. */
-    double velocity_enu_m_s[3];
-    /* Roll, right wing down positive, any number of turns up to 10000 rad [rad]. */
-    double roll_rad;
-    /* Pitch, nose up positive, may go beyond 90 degrees [rad]. */
-    double pitch_rad;
-    /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
-    double heading_rad;
-    /* With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant [rad/s]. */
-    double angular_rate_rad_s[3];
-    /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant [m/s2]. */
-    double specific_force_m_s2[3];
-} sins_flight_sample;
-
-/* A solution within a sins_record; never grows. Fields as in sins_navigation. */
-typedef struct sins_record_solution {
-    /* [rad] */
-    double latitude_rad;
-    /* [rad] */
-    double longitude_rad;
-    /* [m] */
-    double height_m;
-    /* [m/s] */
-    double velocity_enu_m_s[3];
-    /* [rad] */
-    double roll_rad;
-    /* [rad] */
-    double pitch_rad;
-    /* [rad] */
-    double heading_rad;
-    /* Scalar first. */
-    double quaternion_nb[4];
-    /* SINS_NAVIGATION_... flags, or'ed. */
-    int32_t flags;
-    /* 0 */
-    uint32_t reserved;
-} sins_record_solution;
-
-/* Errors within a sins_record; never grows. Fields as in sins_errors. */
-typedef struct sins_record_errors {
-    /* [m] */
-    double position_enu_m[3];
-    /* [rad] */
-    double latitude_rad;
-    /* [rad] */
-    double longitude_rad;
-    /* [m] */
-    double height_m;
-    /* [m/s] */
-    double velocity_enu_m_s[3];
-    /* [rad] */
-    double misalignment_enu_rad[3];
-    /* [rad] */
-    double roll_rad;
-    /* [rad] */
-    double pitch_rad;
-    /* [rad] */
-    double heading_rad;
-    /* SINS_ERRORS_... flags, or'ed. */
-    int32_t flags;
-    /* 0 */
-    uint32_t reserved;
-} sins_record_errors;
-
-/* Truth, navigation and both errors at one instant. */
-typedef struct sins_record {
-    /* sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others. */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Time [s]. */
-    double time_s;
-    /* As sins_get_truth(). */
-    struct sins_record_solution truth;
-    /* As sins_get_navigation(). */
-    struct sins_record_solution navigation;
-    /* As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2. */
-    struct sins_record_errors navigation_errors;
-    /* As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off. */
-    struct sins_record_errors model_errors;
-} sins_record;
-
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
 typedef struct sins_imu_increment {
     /* sizeof(sins_imu_increment) */
@@ -765,9 +765,61 @@ SINS_API sins_status SINS_CALL sins_version_string(const char **text);
  * The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
  * loaded.
  */
-SINS_API
-sins_status sins_status_string(sins_status status,
-                               const char **text);
+SINS_API sins_status SINS_CALL sins_status_string(sins_status status, const char **text);
+
+/*
+ * Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+ *
+ * On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
+ * memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+ */
+SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, sins_sim **sim);
+
+/*
+ * Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
+
+/*
+ * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
+ * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
+ * simulator (create, presets, flights).
+ *
+ * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+ * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+ */
+SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER: not later than the one before.
+ * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
+ * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+ */
+SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
+
+/*
+ * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
+ * further one one more. No allocation, no system call.
+ *
+ * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on from
+ * where it is; it stays readable, and sins_reposition() or sins_reset() start anew.
+ */
+SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
+
+/*
+ * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
+ * errors, noise goes on where it was. Waiting samples and the running accuracy figures are dropped.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
+ */
+SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
+
+/* Back to before the first sample: same parameters, seed and draws. */
+SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
 /*
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
@@ -775,9 +827,7 @@ sins_status sins_status_string(sins_status status,
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
  */
-SINS_API
-sins_status sins_set_gyro(sins_sim *sim,
-                          const struct sins_gyro_params *params);
+SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
 /*
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
@@ -785,9 +835,7 @@ sins_status sins_set_gyro(sins_sim *sim,
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
  */
-SINS_API
-sins_status sins_set_accel(sins_sim *sim,
-                           const struct sins_accel_params *params);
+SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
 
 /*
  * Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
@@ -795,9 +843,7 @@ sins_status sins_set_accel(sins_sim *sim,
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
-SINS_API
-sins_status sins_set_altimeter(sins_sim *sim,
-                               const struct sins_altimeter_params *params);
+SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct sins_altimeter_params *params);
 
 /*
  * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
@@ -805,6 +851,21 @@ sins_status sins_set_altimeter(sins_sim *sim,
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
+
+/*
+ * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
+ * flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+ *
+ * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0.
+ * every 0: no records. written (may be NULL) gets the number of records, also on an error.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+ * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
+ * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not.
+ */
+SINS_API sins_status SINS_CALL sins_run(
+    sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
+    size_t capacity, size_t *written);
 
 /*
  * Reads the truth at the end of the last interval; before the first step, that of the first sample.
@@ -833,10 +894,7 @@ SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu)
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
  * off, or navigating on increments.
  */
-SINS_API
-sins_status sins_get_errors(sins_sim *sim,
-                            int32_t source,
-                            struct sins_errors *errors);
+SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, struct sins_errors *errors);
 
 /*
  * Reads the running accuracy figures.
@@ -846,99 +904,13 @@ sins_status sins_get_errors(sins_sim *sim,
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
 
 /*
- * Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
- *
- * On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
- * memory, or 4096 simulators live. Not for a real-time frame: it allocates.
- */
-SINS_API
-sins_status sins_create(const struct sins_options *options,
-                        sins_sim **sim);
-
-/*
- * Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
- *
- * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
- */
-SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
-
-/*
- * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
- * terminated; "no error" if none failed. With a NULL handle: that of the last failed create on this thread.
- *
- * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
- * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
- */
-SINS_API
-sins_status sins_last_error(const sins_sim *sim,
-                            char *buffer,
-                            size_t capacity,
-                            size_t *needed);
-
-/*
- * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER: not later than the one before.
- * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
- * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
- */
-SINS_API
-sins_status sins_push_sample(sins_sim *sim,
-                             const struct sins_flight_sample *sample);
-
-/*
- * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
- * further one one more. No allocation, no system call.
- *
- * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on from
- * where it is; it stays readable, and sins_reposition() or sins_reset() start anew.
- */
-SINS_API
-sins_status sins_step(sins_sim *sim);
-
-/*
- * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
- * errors, noise goes on where it was. Waiting samples and the running accuracy figures are dropped.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
- */
-SINS_API
-sins_status sins_reposition(sins_sim *sim,
-                            const struct sins_flight_sample *sample);
-
-/* Back to before the first sample: same parameters, seed and draws. */
-SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
-
-/*
- * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
- * flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
- *
- * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0.
- * every 0: no records. written (may be NULL) gets the number of records, also on an error.
- *
- * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
- * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
- * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not.
- */
-SINS_API
-sins_status sins_run(sins_sim *sim,
-                     const struct sins_flight_sample *samples,
-                     size_t count,
-                     size_t every,
-                     struct sins_record *records,
-                     size_t capacity,
-                     size_t *written);
-
-/*
  * Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
  * read) of navigation, on increments that sins_push_imu() gives. There is no truth then: the vertical channel is free and
  * flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed already.
  */
-SINS_API
-sins_status sins_start_navigation(sins_sim *sim,
-                                  const struct sins_navigation *navigation);
+SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
 
 /*
  * Navigates over one interval on the host's increments; sensor errors that are set are added to them.
@@ -947,9 +919,7 @@ sins_status sins_start_navigation(sins_sim *sim,
  * SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
  * turn in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on; it stays readable.
  */
-SINS_API
-sins_status sins_push_imu(sins_sim *sim,
-                          const struct sins_imu_increment *increment);
+SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
  * Fills params with the gyro errors of a grade, SINS_GRADE_...
@@ -972,11 +942,9 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
  * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY a flight too long.
  */
-SINS_API
-sins_status sins_flight_create(const struct sins_flight_start *start,
-                               const struct sins_manoeuvre *manoeuvres,
-                               size_t count,
-                               sins_flight **flight);
+SINS_API sins_status SINS_CALL sins_flight_create(
+    const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
+    sins_flight **flight);
 
 /* Length of the flight [s]. */
 SINS_API sins_status SINS_CALL sins_flight_duration(const sins_flight *flight, double *duration_s);
@@ -986,10 +954,8 @@ SINS_API sins_status SINS_CALL sins_flight_duration(const sins_flight *flight, d
  *
  * SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
  */
-SINS_API
-sins_status sins_flight_sample_at(const sins_flight *flight,
-                                  double time_s,
-                                  struct sins_flight_sample *sample);
+SINS_API sins_status SINS_CALL sins_flight_sample_at(
+    const sins_flight *flight, double time_s, struct sins_flight_sample *sample);
 
 /*
  * Destroys a flight.

@@ -129,7 +129,10 @@ mod tests {
     fn the_sentence_names_field_value_and_limit() {
         let error = check_ranges("gyro.markov_time_s", &[1.0, -3.0], 0.0, 1e12).unwrap_err();
         assert_eq!(error.to_string(), "gyro.markov_time_s[1] = -3.0: must be from 0.0 to 1000000000000.0");
-        assert_eq!(check_range("height_m", f64::NAN, 0.0, 1.0).unwrap_err().to_string(), "height_m = NaN: must be a finite number");
+        assert_eq!(
+            check_range("height_m", f64::NAN, 0.0, 1.0).unwrap_err().to_string(),
+            "height_m = NaN: must be a finite number"
+        );
         assert_eq!(Error::bad_state("too late").to_string(), "too late");
     }
 }

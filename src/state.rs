@@ -98,14 +98,17 @@ mod tests {
         for latitude_rad in [-1.570_796, -0.3, 0.0, 0.9, 1.570_796_326_794_8] {
             let place = Geodetic { latitude_rad, longitude_rad: -2.9, height_m: 1234.5 };
             let q_nb = attitude_from_euler(&Euler { roll: 0.2, pitch: 1.2, heading: 4.0 });
-            let navigation = Navigation::new(place, Vector3::new(100.0, -200.0, 3.0), q_nb, BodyAxes::default());
+            let navigation =
+                Navigation::new(place, Vector3::new(100.0, -200.0, 3.0), q_nb, BodyAxes::default());
             let back = navigation.earth_fixed(&earth).navigation(&earth, BodyAxes::default());
             // Where the axis is near, longitude and heading share an error of 1 nm over the distance to it.
             let angle = 4e-16 + 2e-9 / navigation.distance_from_axis(&earth);
             assert!((back.place.latitude_rad - latitude_rad).abs() < 4e-16);
             assert!((back.place.longitude_rad + 2.9).abs() < angle + 4e-16);
             assert!((back.v_n - navigation.v_n).norm() < 300.0 * (angle + 1e-15));
-            assert!((back.euler.pitch - 1.2).abs() < 1e-15 && (back.euler.heading - 4.0).abs() < angle + 4e-15);
+            assert!(
+                (back.euler.pitch - 1.2).abs() < 1e-15 && (back.euler.heading - 4.0).abs() < angle + 4e-15
+            );
         }
     }
 

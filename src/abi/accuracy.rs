@@ -88,7 +88,8 @@ pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut si
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(accuracy, "accuracy")? };
         let figures = simulator.accuracy()?;
-        let figures = figures.map(|(time_s, figures, closure)| sins_accuracy::new(time_s, &figures, &closure));
+        let figures =
+            figures.map(|(time_s, figures, closure)| sins_accuracy::new(time_s, &figures, &closure));
         Ok(write_or_need(&output, figures))
     })
 }

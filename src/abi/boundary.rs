@@ -11,8 +11,8 @@ use super::fpu::FloatState;
 thread_local! {
     /// Whether this thread is inside the library. No destructor, so that the library can be unloaded.
     static INSIDE: Cell<bool> = const { Cell::new(false) };
-    /// The last failed create on this thread.
-    static LAST_CREATE: Cell<Option<Failure>> = const { Cell::new(None) };
+    /// The last failure on this thread that no simulator remembers.
+    static LAST_FAILURE: Cell<Option<Failure>> = const { Cell::new(None) };
 }
 
 /// Runs `body` as the inside of an exported function.
@@ -33,25 +33,25 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
     status
 }
 
-/// Runs the inside of a function that has no handle to remember its failure.
-pub(super) fn enter_without_handle(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
-    enter(|| body().unwrap_or_else(|failure| failure.status))
-}
-
-/// Runs the inside of a function that creates a handle: its failure is kept for this thread.
-pub(super) fn enter_create(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
+/// Runs the inside of a function that has no simulator to remember its failure: it is kept for this thread.
+pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
     silence_panics();
     enter(|| {
         body().unwrap_or_else(|failure| {
-            LAST_CREATE.set(Some(failure));
+            remember(failure);
             failure.status
         })
     })
 }
 
-/// The last failed create on this thread.
-pub(super) fn last_create_failure() -> Option<Failure> {
-    LAST_CREATE.get()
+/// Keeps a failure for this thread.
+pub(super) fn remember(failure: Failure) {
+    LAST_FAILURE.set(Some(failure));
+}
+
+/// The last failure on this thread that no simulator remembers.
+pub(super) fn last_failure() -> Option<Failure> {
+    LAST_FAILURE.get()
 }
 
 /// Keeps the panic hook from printing while a thread is inside the library; elsewhere the hook before it goes on. In the

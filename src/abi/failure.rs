@@ -51,8 +51,13 @@ pub(super) struct Failure {
 
 impl Failure {
     fn words(status: sins_status, field: &'static str, words: &'static str) -> Self {
-        let error =
-            Error { kind: ErrorKind::InvalidArgument, field, index: None, value: None, rule: Rule::Words(words) };
+        let error = Error {
+            kind: ErrorKind::InvalidArgument,
+            field,
+            index: None,
+            value: None,
+            rule: Rule::Words(words),
+        };
         Self { status, error, sample: None }
     }
 
@@ -75,7 +80,11 @@ impl Failure {
 
     pub fn buffer(name: &'static str, capacity: usize, needed: usize) -> Self {
         let rule = Rule::WordsAnd("is too small; needed:", needed as f64);
-        Self { status: SINS_ERROR_BUFFER_TOO_SMALL, error: Error::invalid(name, capacity as f64, rule), sample: None }
+        Self {
+            status: SINS_ERROR_BUFFER_TOO_SMALL,
+            error: Error::invalid(name, capacity as f64, rule),
+            sample: None,
+        }
     }
 
     /// The same failure, about element `index` of the array at fault.

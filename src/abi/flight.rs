@@ -1,6 +1,6 @@
 //! `sins_flight`: embedded flights.
 
-use super::boundary::{enter, enter_create};
+use super::boundary::{enter, enter_without_simulator, remember};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::options::{check_reserved, one_of, sins_options};
@@ -118,6 +118,14 @@ interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 
 static FLIGHTS: Registry<Flight> = Registry::new(2);
 
+/// Runs `body` on the flight of a handle, as the inside of an exported function.
+fn with_flight(
+    flight: *const sins_flight,
+    body: impl FnOnce(&mut Flight) -> Result<sins_status, Failure>,
+) -> sins_status {
+    enter(|| FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
+}
+
 /// Ramp where the host gives none [s].
 const DEFAULT_RAMP_S: f64 = 5.0;
 
@@ -125,12 +133,16 @@ impl sins_manoeuvre {
     fn to_manoeuvre(self) -> Result<Manoeuvre, Failure> {
         check_reserved("manoeuvre.reserved", self.reserved)?;
         let ramp_s = if self.ramp_s == 0.0 { DEFAULT_RAMP_S } else { self.ramp_s };
-        let Self { duration_s, speed_change_m_s, height_change_m, heading_change_rad, bank_rad, turns, .. } = self;
+        let Self {
+            duration_s, speed_change_m_s, height_change_m, heading_change_rad, bank_rad, turns, ..
+        } = self;
         // Kind, manoeuvre, and which of duration, ramp, speed, height, heading, bank, turns, sinusoids it uses.
         let (manoeuvre, uses) = match self.kind {
             SINS_MANOEUVRE_REST => (Manoeuvre::Rest { duration_s }, 0b1000_0000),
             SINS_MANOEUVRE_STRAIGHT => (Manoeuvre::Straight { duration_s }, 0b1000_0000),
-            SINS_MANOEUVRE_ACCELERATE => (Manoeuvre::Accelerate { duration_s, speed_change_m_s }, 0b1010_0000),
+            SINS_MANOEUVRE_ACCELERATE => {
+                (Manoeuvre::Accelerate { duration_s, speed_change_m_s }, 0b1010_0000)
+            }
             SINS_MANOEUVRE_CLIMB => (Manoeuvre::Climb { duration_s, height_change_m, ramp_s }, 0b1101_0000),
             SINS_MANOEUVRE_TURN => (Manoeuvre::Turn { heading_change_rad, bank_rad, ramp_s }, 0b0100_1100),
             SINS_MANOEUVRE_ROLL => (Manoeuvre::Roll { duration_s, turns }, 0b1000_0010),
@@ -140,7 +152,12 @@ impl sins_manoeuvre {
                 (Manoeuvre::STurn { duration_s, heading_amplitude_rad, cycles: turns, ramp_s }, 0b1100_1010)
             }
             SINS_MANOEUVRE_SINUSOIDS => {
-                check_range("manoeuvre.sinusoid_count", f64::from(self.sinusoid_count), 1.0, MAX_SINUSOIDS as f64)?;
+                check_range(
+                    "manoeuvre.sinusoid_count",
+                    f64::from(self.sinusoid_count),
+                    1.0,
+                    MAX_SINUSOIDS as f64,
+                )?;
                 let count = self.sinusoid_count as usize;
                 let terms = self.sinusoids(count)?;
                 (Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count }, 0b1100_0001)
@@ -162,7 +179,12 @@ impl sins_manoeuvre {
         ];
         for (bit, (field, value)) in fields.into_iter().enumerate() {
             if value != 0.0 && uses & (0b1000_0000 >> bit) == 0 {
-                return Err(Error::invalid(field, value, Rule::Words("must be 0: this kind does not use it")).into());
+                return Err(Error::invalid(
+                    field,
+                    value,
+                    Rule::Words("must be 0: this kind does not use it"),
+                )
+                .into());
             }
         }
         Ok(manoeuvre)
@@ -181,7 +203,12 @@ impl sins_manoeuvre {
         let mut terms = [none; MAX_SINUSOIDS];
         for (i, term) in terms.iter_mut().enumerate().take(count) {
             *term = Sinusoid {
-                channel: one_of("manoeuvre.channel", self.channel[i], &CHANNELS, "must be a SINS_CHANNEL_ constant, 0 to 5")?,
+                channel: one_of(
+                    "manoeuvre.channel",
+                    self.channel[i],
+                    &CHANNELS,
+                    "must be a SINS_CHANNEL_ constant, 0 to 5",
+                )?,
                 amplitude: self.amplitude[i],
                 frequency_hz: self.frequency_hz[i],
                 phase_rad: self.phase_rad[i],
@@ -203,7 +230,7 @@ pub unsafe extern "C" fn sins_flight_create(
     count: usize,
     flight: *mut *mut sins_flight,
 ) -> sins_status {
-    enter_create(|| {
+    enter_without_simulator(|| {
         if flight.is_null() {
             return Err(Failure::null("flight"));
         }
@@ -238,13 +265,14 @@ pub unsafe extern "C" fn sins_flight_create(
 
 /// Length of the flight [s].
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_flight_duration(flight: *const sins_flight, duration_s: *mut f64) -> sins_status {
-    enter(|| {
-        FLIGHTS.with(flight.addr(), |flight| {
-            // SAFETY: the host's promise.
-            unsafe { put(duration_s, flight.duration_s(), "duration_s")? };
-            Ok(SINS_OK)
-        })
+pub unsafe extern "C" fn sins_flight_duration(
+    flight: *const sins_flight,
+    duration_s: *mut f64,
+) -> sins_status {
+    with_flight(flight, |flight| {
+        // SAFETY: the host's promise.
+        unsafe { put(duration_s, flight.duration_s(), "duration_s")? };
+        Ok(SINS_OK)
     })
 }
 
@@ -257,13 +285,11 @@ pub unsafe extern "C" fn sins_flight_sample_at(
     time_s: f64,
     sample: *mut sins_flight_sample,
 ) -> sins_status {
-    enter(|| {
-        FLIGHTS.with(flight.addr(), |flight| {
-            // SAFETY: the host's promise.
-            let output = unsafe { Output::new(sample, "sample")? };
-            output.write(&sins_flight_sample::from_sample(&flight.sample_at(time_s)?));
-            Ok(SINS_OK)
-        })
+    with_flight(flight, |flight| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(sample, "sample")? };
+        output.write(&sins_flight_sample::from_sample(&flight.sample_at(time_s)?));
+        Ok(SINS_OK)
     })
 }
 

@@ -46,7 +46,10 @@ interface_struct!(sins_initial_errors, "initial", 160);
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_initial_errors(sim: *mut sins_sim, errors: *const sins_initial_errors) -> sins_status {
+pub unsafe extern "C" fn sins_set_initial_errors(
+    sim: *mut sins_sim,
+    errors: *const sins_initial_errors,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let errors = unsafe { read(errors, "errors")? };

@@ -70,11 +70,14 @@ unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Fai
     let known = size_of::<T>();
     let mut value = MaybeUninit::<T>::zeroed();
     // SAFETY: the shorter of both lengths; the host's bytes and a local do not overlap.
-    unsafe { core::ptr::copy_nonoverlapping(pointer.cast::<u8>(), value.as_mut_ptr().cast::<u8>(), size.min(known)) };
+    unsafe {
+        core::ptr::copy_nonoverlapping(pointer.cast::<u8>(), value.as_mut_ptr().cast::<u8>(), size.min(known))
+    };
     for offset in known..size {
         // SAFETY: within the struct's stated size.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
-            let rule = Rule::Words("the struct is of a newer release and uses fields that this one does not know");
+            let rule =
+                Rule::Words("the struct is of a newer release and uses fields that this one does not know");
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
     }

@@ -41,7 +41,10 @@ interface_struct!(sins_imu_increment, "imu", 264);
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed already.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_start_navigation(sim: *mut sins_sim, navigation: *const sins_navigation) -> sins_status {
+pub unsafe extern "C" fn sins_start_navigation(
+    sim: *mut sins_sim,
+    navigation: *const sins_navigation,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let start = unsafe { read(navigation, "navigation")? };
@@ -78,7 +81,10 @@ pub unsafe extern "C" fn sins_start_navigation(sim: *mut sins_sim, navigation: *
 /// SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
 /// turn in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on; it stays readable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_push_imu(sim: *mut sins_sim, increment: *const sins_imu_increment) -> sins_status {
+pub unsafe extern "C" fn sins_push_imu(
+    sim: *mut sins_sim,
+    increment: *const sins_imu_increment,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let imu = unsafe { read(increment, "increment")? };

@@ -116,7 +116,11 @@ pub(super) fn one_of<T: Copy>(
 
 /// Refuses a reserved field that is not 0.
 pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
-    if value == 0 { Ok(()) } else { Err(Error::invalid(field, f64::from(value), Rule::Words("must be 0")).into()) }
+    if value == 0 {
+        Ok(())
+    } else {
+        Err(Error::invalid(field, f64::from(value), Rule::Words("must be 0")).into())
+    }
 }
 
 /// Refuses parameters that this release does not simulate.
@@ -175,7 +179,10 @@ impl sins_options {
         let gravity = one_of(
             "options.gravity",
             self.gravity,
-            &[(SINS_GRAVITY_NORMAL, GravityModel::Normal), (SINS_GRAVITY_SOMIGLIANA, GravityModel::Somigliana)],
+            &[
+                (SINS_GRAVITY_NORMAL, GravityModel::Normal),
+                (SINS_GRAVITY_SOMIGLIANA, GravityModel::Somigliana),
+            ],
             "must be a SINS_GRAVITY_ constant, 0 or 1",
         )?;
         let axes = one_of(

@@ -1,6 +1,6 @@
 //! Presets of sensor errors.
 
-use super::boundary::enter_without_handle;
+use super::boundary::enter_without_simulator;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::Output;
 use super::options::one_of;
@@ -21,7 +21,7 @@ fn check_grade(grade: i32) -> Result<(), Failure> {
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_gyro_preset(grade: i32, params: *mut sins_gyro_params) -> sins_status {
-    enter_without_handle(|| {
+    enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
         check_grade(grade)?;
@@ -35,7 +35,7 @@ pub unsafe extern "C" fn sins_gyro_preset(grade: i32, params: *mut sins_gyro_par
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_accel_preset(grade: i32, params: *mut sins_accel_params) -> sins_status {
-    enter_without_handle(|| {
+    enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
         check_grade(grade)?;

@@ -119,13 +119,16 @@ impl From<sins_errors> for sins_record_errors {
 impl sins_record {
     /// The record of this moment; `None` before the first sample.
     pub(super) fn now(simulator: &Simulator) -> Result<Option<Self>, Failure> {
-        let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else { return Ok(None) };
+        let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
+            return Ok(None);
+        };
         let errors = errors_of(simulator, ErrorSource::Navigation)?;
         let model = match simulator.options().error_model {
             true => errors_of(simulator, ErrorSource::Model)?,
             false => None,
         };
-        let or_none = |errors: Option<sins_errors>| errors.unwrap_or(sins_errors::not_computed(truth.time_s)).into();
+        let or_none =
+            |errors: Option<sins_errors>| errors.unwrap_or(sins_errors::not_computed(truth.time_s)).into();
         Ok(Some(Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,

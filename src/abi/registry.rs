@@ -41,7 +41,11 @@ struct Content<T> {
 impl<T> Registry<T> {
     /// An empty table for objects of `kind` (1 to 3).
     pub const fn new(kind: usize) -> Self {
-        Self { kind, slots: [const { Mutex::new(Slot { used: 0, content: None }) }; SLOTS], next: AtomicUsize::new(0) }
+        Self {
+            kind,
+            slots: [const { Mutex::new(Slot { used: 0, content: None }) }; SLOTS],
+            next: AtomicUsize::new(0),
+        }
     }
 
     /// Puts `value` in and gives its key.

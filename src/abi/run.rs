@@ -65,7 +65,8 @@ fn run(
     done: &mut usize,
 ) -> Result<sins_status, Failure> {
     for index in 0..samples.count() {
-        let sample = samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
+        let sample =
+            samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
         // What waited in the queue before the call goes first.
         while simulator.queue_is_full() && fly(simulator, every, records, done)? == SINS_OK {}
         simulator.push_sample(&sample).map_err(|error| Failure::from(error).of_sample(index))?;

@@ -268,7 +268,10 @@ pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_altimeter(sim: *mut sins_sim, params: *const sins_altimeter_params) -> sins_status {
+pub unsafe extern "C" fn sins_set_altimeter(
+    sim: *mut sins_sim,
+    params: *const sins_altimeter_params,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let params = unsafe { read(params, "params")? };

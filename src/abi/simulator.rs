@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use super::boundary::{enter, enter_create, last_create_failure};
+use super::boundary::{enter, enter_without_simulator, last_failure};
 use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status};
 use super::memory::{put, put_text, read};
 use super::options::sins_options;
@@ -35,7 +35,7 @@ pub(super) fn with_simulator(
 /// memory, or 4096 simulators live. Not for a real-time frame: it allocates.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
-    enter_create(|| {
+    enter_without_simulator(|| {
         if sim.is_null() {
             return Err(Failure::null("sim"));
         }
@@ -61,7 +61,8 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
 }
 
 /// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
-/// terminated; "no error" if none failed. With a NULL handle: that of the last failed create on this thread.
+/// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
+/// simulator (create, presets, flights).
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
 /// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -74,7 +75,7 @@ pub unsafe extern "C" fn sins_last_error(
 ) -> sins_status {
     enter(|| {
         let failure = if sim.is_null() {
-            last_create_failure()
+            last_failure()
         } else {
             match SIMULATORS.last_failure(sim.addr()) {
                 Ok(failure) => failure,
@@ -93,7 +94,10 @@ pub unsafe extern "C" fn sins_last_error(
 /// SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
 /// SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_push_sample(sim: *mut sins_sim, sample: *const sins_flight_sample) -> sins_status {
+pub unsafe extern "C" fn sins_push_sample(
+    sim: *mut sins_sim,
+    sample: *const sins_flight_sample,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let sample = unsafe { read(sample, "sample")? };
@@ -124,7 +128,10 @@ pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::erro
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_reposition(sim: *mut sins_sim, sample: *const sins_flight_sample) -> sins_status {
+pub unsafe extern "C" fn sins_reposition(
+    sim: *mut sins_sim,
+    sample: *const sins_flight_sample,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let sample = unsafe { read(sample, "sample")? };

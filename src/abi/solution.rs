@@ -254,7 +254,10 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_navigation(sim: *mut sins_sim, navigation: *mut sins_navigation) -> sins_status {
+pub unsafe extern "C" fn sins_get_navigation(
+    sim: *mut sins_sim,
+    navigation: *mut sins_navigation,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
@@ -280,7 +283,11 @@ pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) ->
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
 /// off, or navigating on increments.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_errors(sim: *mut sins_sim, source: i32, errors: *mut sins_errors) -> sins_status {
+pub unsafe extern "C" fn sins_get_errors(
+    sim: *mut sins_sim,
+    source: i32,
+    errors: *mut sins_errors,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };

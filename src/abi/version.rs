@@ -2,7 +2,7 @@
 
 use core::ffi::{CStr, c_char};
 
-use super::boundary::enter_without_handle;
+use super::boundary::enter_without_simulator;
 use super::failure::*;
 use super::memory::put;
 
@@ -19,7 +19,7 @@ pub const SINS_VERSION_PATCH: u32 = 0;
 /// The version of the interface that the loaded library has.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_abi_version(version: *mut u32) -> sins_status {
-    enter_without_handle(|| {
+    enter_without_simulator(|| {
         // SAFETY: the host's promise.
         unsafe { put(version, SINS_ABI_VERSION, "version")? };
         Ok(SINS_OK)
@@ -29,7 +29,7 @@ pub unsafe extern "C" fn sins_abi_version(version: *mut u32) -> sins_status {
 /// The release of the loaded library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_version(major: *mut u32, minor: *mut u32, patch: *mut u32) -> sins_status {
-    enter_without_handle(|| {
+    enter_without_simulator(|| {
         if major.is_null() || minor.is_null() || patch.is_null() {
             return Err(Failure::null("version"));
         }
@@ -47,7 +47,7 @@ pub unsafe extern "C" fn sins_version(major: *mut u32, minor: *mut u32, patch: *
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_version_string(text: *mut *const c_char) -> sins_status {
     const TEXT: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
-    enter_without_handle(|| {
+    enter_without_simulator(|| {
         // SAFETY: the host's promise.
         unsafe { put(text, TEXT.as_ptr().cast(), "text")? };
         Ok(SINS_OK)
@@ -58,7 +58,7 @@ pub unsafe extern "C" fn sins_version_string(text: *mut *const c_char) -> sins_s
 /// loaded.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_status_string(status: sins_status, text: *mut *const c_char) -> sins_status {
-    enter_without_handle(|| {
+    enter_without_simulator(|| {
         // SAFETY: the host's promise.
         unsafe { put(text, name(status).as_ptr(), "text")? };
         Ok(SINS_OK)

@@ -86,11 +86,8 @@ impl Earth {
         let excess = a * bulge / (w * (1.0 + w));
         let p = times(two_sum(a, excess + place.height_m), cos_latitude);
         let flattened = excess * (1.0 - self.eccentricity2) - a * self.eccentricity2 + place.height_m;
-        let (x, y, z) = (
-            times(p, cos_longitude),
-            times(p, sin_longitude),
-            times(two_sum(a, flattened), sin_latitude),
-        );
+        let (x, y, z) =
+            (times(p, cos_longitude), times(p, sin_longitude), times(two_sum(a, flattened), sin_latitude));
         (Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1))
     }
 
@@ -144,7 +141,8 @@ impl Earth {
         let up = &vertical.up_e;
         let (inverse_n, meridian_excess) = self.curvature_terms(up.z, vertical.height_m);
         let north_cos = Vector3::new(-up.x * up.z, -up.y * up.z, 1.0 - up.z * up.z);
-        (Matrix3::identity() - up * up.transpose()) * inverse_n + north_cos * north_cos.transpose() * meridian_excess
+        (Matrix3::identity() - up * up.transpose()) * inverse_n
+            + north_cos * north_cos.transpose() * meridian_excess
     }
 
     /// 1/(RN + h) [1/m], and the factor of (north cos L)(north cos L)ᵀ: (1/(RM + h) - 1/(RN + h)) / cos²L.

@@ -38,14 +38,18 @@ pub(super) struct NormalField {
 #[inline]
 fn series_q(x: f64) -> f64 {
     2.0 * (1.0 / 15.0
-        - x * (2.0 / 35.0 - x * (3.0 / 63.0 - x * (4.0 / 99.0 - x * (5.0 / 143.0 - x * (6.0 / 195.0 - x * (7.0 / 255.0)))))))
+        - x * (2.0 / 35.0
+            - x * (3.0 / 63.0
+                - x * (4.0 / 99.0 - x * (5.0 / 143.0 - x * (6.0 / 195.0 - x * (7.0 / 255.0)))))))
 }
 
 /// q'(E/u) = (E/u)² P(E²/u²), P(x) = 6 Σ (-1)^(n+1) x^(n-1) / ((2n+1)(2n+3)).
 #[inline]
 fn series_p(x: f64) -> f64 {
     6.0 * (1.0 / 15.0
-        - x * (1.0 / 35.0 - x * (1.0 / 63.0 - x * (1.0 / 99.0 - x * (1.0 / 143.0 - x * (1.0 / 195.0 - x * (1.0 / 255.0)))))))
+        - x * (1.0 / 35.0
+            - x * (1.0 / 63.0
+                - x * (1.0 / 99.0 - x * (1.0 / 143.0 - x * (1.0 / 195.0 - x * (1.0 / 255.0)))))))
 }
 
 impl NormalField {
@@ -91,7 +95,8 @@ impl NormalField {
         // w² of the metric, w² = (u² + E² sin²β) / v².
         let w2 = (u2 + self.e2_linear * sin2) * inverse_v2;
         // γ_u = -A/w and γ_β = G sin β cos β / w, Heiskanen and Moritz (6-11).
-        let a = inverse_v2 * (self.gm + self.quadrupole * inverse_u2 * series_p(x) * (0.5 * sin2 - 1.0 / 6.0))
+        let a = inverse_v2
+            * (self.gm + self.quadrupole * inverse_u2 * series_p(x) * (0.5 * sin2 - 1.0 / 6.0))
             - self.rate2 * u * cos2;
         let g_over_v = self.quadrupole * inverse_u2 * inverse_v2 * series_q(x) / u - self.rate2;
         let horizontal = (-a * u * inverse_v2 - g_over_v * sin2) / w2;
@@ -119,8 +124,8 @@ impl Earth {
     fn somigliana(&self, sin2: f64, h: f64) -> f64 {
         let a = self.equatorial_radius_m;
         let f = self.flattening;
-        let surface =
-            self.field.equator * (1.0 + self.field.somigliana * sin2) / (1.0 - self.eccentricity2 * sin2).sqrt();
+        let surface = self.field.equator * (1.0 + self.field.somigliana * sin2)
+            / (1.0 - self.eccentricity2 * sin2).sqrt();
         surface * (1.0 - 2.0 / a * (1.0 + f + self.field.m - 2.0 * f * sin2) * h + 3.0 * h * h / (a * a))
     }
 
@@ -179,11 +184,14 @@ impl Earth {
         let f = self.flattening;
         let k = self.field.somigliana;
         // Derivatives of g with respect to sin²L and to height.
-        let bracket = 1.0 - 2.0 / a * (1.0 + f + self.field.m - 2.0 * f * sin2) * height + 3.0 * height * height / (a * a);
+        let bracket = 1.0 - 2.0 / a * (1.0 + f + self.field.m - 2.0 * f * sin2) * height
+            + 3.0 * height * height / (a * a);
         let surface = g / bracket;
-        let g_sin2 = g * (k / (1.0 + k * sin2) + 0.5 * self.eccentricity2 / (1.0 - self.eccentricity2 * sin2))
+        let g_sin2 = g
+            * (k / (1.0 + k * sin2) + 0.5 * self.eccentricity2 / (1.0 - self.eccentricity2 * sin2))
             + surface * 4.0 * f / a * height;
-        let g_height = surface * (-2.0 / a * (1.0 + f + self.field.m - 2.0 * f * sin2) + 6.0 * height / (a * a));
+        let g_height =
+            surface * (-2.0 / a * (1.0 + f + self.field.m - 2.0 * f * sin2) + 6.0 * height / (a * a));
         // d up_e / d r_e is the curvature of the level surface; sin²L = up_z².
         let curvature = self.curvature(&vertical);
         let sin2_gradient = 2.0 * up.z * curvature.row(2);
@@ -197,7 +205,11 @@ mod tests {
     use crate::earth::{Ellipsoid, Geodetic};
 
     fn at(earth: &Earth, latitude_deg: f64, height_m: f64) -> Vector3<f64> {
-        earth.to_earth_fixed(&Geodetic { latitude_rad: latitude_deg.to_radians(), longitude_rad: 0.4, height_m })
+        earth.to_earth_fixed(&Geodetic {
+            latitude_rad: latitude_deg.to_radians(),
+            longitude_rad: 0.4,
+            height_m,
+        })
     }
 
     #[test]
@@ -249,7 +261,8 @@ mod tests {
                 for axis in 0..3 {
                     let mut step = Vector3::zeros();
                     step[axis] = d;
-                    let difference = (earth.gravity(&(r_e + step)) - earth.gravity(&(r_e - step))) / (2.0 * d);
+                    let difference =
+                        (earth.gravity(&(r_e + step)) - earth.gravity(&(r_e - step))) / (2.0 * d);
                     let error = (gradient.column(axis) - difference).norm();
                     assert!(error < 1.5e-12 * 2.0, "{model:?} {latitude} {axis}: {error:e}");
                 }

@@ -7,7 +7,11 @@ use crate::state::Navigation;
 
 /// Errors of `navigation` against `truth`. Position is differenced in Earth-fixed axes and attitude as a rotation vector:
 /// no wrap of longitude or heading, no gimbal lock and no pole spoils them.
-pub fn navigation_minus_truth(earth: &Earth, navigation: &Navigation, truth: &Navigation) -> NavigationErrors {
+pub fn navigation_minus_truth(
+    earth: &Earth,
+    navigation: &Navigation,
+    truth: &Navigation,
+) -> NavigationErrors {
     let displacement = earth.to_earth_fixed(&navigation.place) - earth.to_earth_fixed(&truth.place);
     let (east, north, _) = earth.east_north_up(&truth.place);
     NavigationErrors {

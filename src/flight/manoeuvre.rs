@@ -159,7 +159,11 @@ impl Manoeuvre {
         let whole = |turns: f64| {
             check_range("manoeuvre.turns", turns, -1e4, 1e4)?;
             let rule = Rule::Words("must be a whole number other than 0");
-            if turns == 0.0 || turns != turns.round() { Err(Error::invalid("manoeuvre.turns", turns, rule)) } else { Ok(()) }
+            if turns == 0.0 || turns != turns.round() {
+                Err(Error::invalid("manoeuvre.turns", turns, rule))
+            } else {
+                Ok(())
+            }
         };
         let moving = || {
             let rule = Rule::Words("must be greater than 0 in this manoeuvre; accelerate first");

@@ -45,7 +45,8 @@ impl Flight {
         let mut speed_m_s = start.speed_m_s;
         let mut course_rad = start.heading_rad;
         for (index, manoeuvre) in manoeuvres.iter().enumerate() {
-            let segment = Segment::new(manoeuvre, duration_s, speed_m_s, course_rad).map_err(|e| e.at(index))?;
+            let segment =
+                Segment::new(manoeuvre, duration_s, speed_m_s, course_rad).map_err(|e| e.at(index))?;
             duration_s = segment.end_s();
             (speed_m_s, course_rad) = segment.leaves();
             segments.push(segment);
@@ -53,7 +54,8 @@ impl Flight {
         check_range("duration of the flight_s", duration_s, 0.0, 1e8)?;
         let earth = Earth::new(start.ellipsoid, GravityModel::Normal);
         let path = Path::integrate(&earth, start, &segments)?;
-        let mounting = attitude_from_euler(&Euler { roll: start.roll_rad, pitch: start.pitch_rad, heading: 0.0 });
+        let mounting =
+            attitude_from_euler(&Euler { roll: start.roll_rad, pitch: start.pitch_rad, heading: 0.0 });
         Ok(Self { segments, path, duration_s, mounting })
     }
 
@@ -90,6 +92,11 @@ impl Flight {
 /// Room for `count` more elements, or an error.
 fn reserve<T>(vector: &mut Vec<T>, count: usize) -> Result<(), Error> {
     vector.try_reserve(count).map_err(|_| {
-        Error::of(ErrorKind::OutOfMemory, "elements of the flight", count as f64, Rule::Words("no memory for them"))
+        Error::of(
+            ErrorKind::OutOfMemory,
+            "elements of the flight",
+            count as f64,
+            Rule::Words("no memory for them"),
+        )
     })
 }

@@ -63,7 +63,10 @@ impl Basis {
     /// Series of the integral from 0, over a piece of length `length`, of the function with `values` at the nodes.
     fn integral(&self, values: &[Vector4<f64>; N], length: f64) -> [Vector4<f64>; N] {
         let c: [Vector4<f64>; N] = core::array::from_fn(|k| {
-            values.iter().zip(&self.analysis[k]).fold(Vector4::zeros(), |sum, (value, &weight)| sum + value * weight)
+            values
+                .iter()
+                .zip(&self.analysis[k])
+                .fold(Vector4::zeros(), |sum, (value, &weight)| sum + value * weight)
         });
         // ∫T_k = T_{k+1}/(2(k+1)) - T_{k-1}/(2(k-1)) on -1..1; half the length on 0..1.
         let at = |k: usize| if k < N { c[k] } else { Vector4::zeros() };
@@ -73,7 +76,8 @@ impl Basis {
             _ => (c[k - 1] - at(k + 1)) * (0.25 * length / k as f64),
         });
         // The constant makes it vanish at 0, where T_k = (-1)^k.
-        series[0] = (1..N).fold(Vector4::zeros(), |sum, k| if k % 2 == 0 { sum - series[k] } else { sum + series[k] });
+        series[0] = (1..N)
+            .fold(Vector4::zeros(), |sum, k| if k % 2 == 0 { sum - series[k] } else { sum + series[k] });
         series
     }
 }
@@ -111,7 +115,9 @@ impl Path {
                     let Some(piece) = Piece::solve(earth, &basis, segment, t, length, q_ew, height_m) else {
                         length *= 0.5;
                         if length < MIN_PIECE_S {
-                            let rule = Rule::Words("the flight moves too rapidly there to be integrated to rounding");
+                            let rule = Rule::Words(
+                                "the flight moves too rapidly there to be integrated to rounding",
+                            );
                             return Err(Error::invalid("time_s", segment.start_s + t, rule));
                         }
                         continue;
@@ -166,12 +172,17 @@ impl Piece {
             let rates = core::array::from_fn(|j| {
                 let moved = evaluate(&piece.series, basis.nodes[j]);
                 let rho = moved.xyz();
-                let omega =
-                    transport_rate(earth, &(q_ew * rotation_quaternion(&rho)), height_m + moved.w, &velocity[j]);
+                let omega = transport_rate(
+                    earth,
+                    &(q_ew * rotation_quaternion(&rho)),
+                    height_m + moved.w,
+                    &velocity[j],
+                );
                 inverse_right_jacobian(&rho, &omega).push(velocity[j].z)
             });
             let series = basis.integral(&rates, length_s);
-            let change = series.iter().zip(&piece.series).map(|(a, b)| (a - b).xyz().amax()).fold(0.0, f64::max);
+            let change =
+                series.iter().zip(&piece.series).map(|(a, b)| (a - b).xyz().amax()).fold(0.0, f64::max);
             piece.series = series;
             if change < 0.1 * TAIL_RAD {
                 break;

@@ -37,7 +37,12 @@ impl Kinematics {
 
     /// Body along the path, banked by `roll`.
     fn along(speed_m_s: f64, climb_rad: f64, course_rad: f64, roll: f64) -> Self {
-        Self { speed_m_s, climb_rad, course_rad, euler: Euler { roll, pitch: climb_rad, heading: course_rad } }
+        Self {
+            speed_m_s,
+            climb_rad,
+            course_rad,
+            euler: Euler { roll, pitch: climb_rad, heading: course_rad },
+        }
     }
 }
 
@@ -95,7 +100,9 @@ impl Segment {
                 let speed = self.speed_m_s + speed_change_m_s;
                 (if speed.abs() < 1e-12 * self.speed_m_s { 0.0 } else { speed }, self.course_rad)
             }
-            Manoeuvre::Turn { heading_change_rad, .. } => (self.speed_m_s, self.course_rad + heading_change_rad),
+            Manoeuvre::Turn { heading_change_rad, .. } => {
+                (self.speed_m_s, self.course_rad + heading_change_rad)
+            }
             _ => (self.speed_m_s, self.course_rad),
         }
     }

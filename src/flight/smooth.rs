@@ -47,7 +47,8 @@ impl Window {
 
     /// ∫ from 0 to t; over all of it, length - ramp.
     pub fn integral(&self, t: f64) -> f64 {
-        self.ramp * (step_integral(t / self.ramp) - step_integral((t - (self.length - self.ramp)) / self.ramp))
+        self.ramp
+            * (step_integral(t / self.ramp) - step_integral((t - (self.length - self.ramp)) / self.ramp))
     }
 
     pub fn whole(&self) -> f64 {

@@ -88,8 +88,16 @@ impl Mechanization {
             Axes::Geographic(axes) => {
                 let cos = crate::math::sin_cos(axes.latitude_rad()).1;
                 if cos < Self::MIN_COS_LATITUDE {
-                    let rule = Rule::WordsAnd("the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least", Self::MIN_COS_LATITUDE);
-                    return Err(Error::of(ErrorKind::Singular, "cosine of the navigated latitude", cos, rule));
+                    let rule = Rule::WordsAnd(
+                        "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least",
+                        Self::MIN_COS_LATITUDE,
+                    );
+                    return Err(Error::of(
+                        ErrorKind::Singular,
+                        "cosine of the navigated latitude",
+                        cos,
+                        rule,
+                    ));
                 }
                 let navigation = axes.observe_vertical();
                 (navigation.0, axes.speed2())
@@ -109,10 +117,18 @@ impl Mechanization {
     /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.
     pub fn update(&mut self, increments: &[Increment], t: f64) {
         match (self.scheme, &mut self.axes) {
-            (Scheme::Exact, Axes::EarthFixed(axes)) => axes.update(&self.earth, &BodyMotion::exact(increments), t),
-            (Scheme::Exact, Axes::Geographic(axes)) => axes.update(&self.earth, &BodyMotion::exact(increments), t),
-            (Scheme::Paper, Axes::EarthFixed(axes)) => axes.update_paper(&self.earth, &BodyMotion::paper(increments), t),
-            (Scheme::Paper, Axes::Geographic(axes)) => axes.update_paper(&self.earth, &BodyMotion::paper(increments), t),
+            (Scheme::Exact, Axes::EarthFixed(axes)) => {
+                axes.update(&self.earth, &BodyMotion::exact(increments), t)
+            }
+            (Scheme::Exact, Axes::Geographic(axes)) => {
+                axes.update(&self.earth, &BodyMotion::exact(increments), t)
+            }
+            (Scheme::Paper, Axes::EarthFixed(axes)) => {
+                axes.update_paper(&self.earth, &BodyMotion::paper(increments), t)
+            }
+            (Scheme::Paper, Axes::Geographic(axes)) => {
+                axes.update_paper(&self.earth, &BodyMotion::paper(increments), t)
+            }
         }
     }
 

@@ -106,7 +106,12 @@ mod tests {
     #[test]
     fn in_a_steady_climb_the_lag_is_climb_rate_times_time_constant() {
         let mut altimeter = Altimeter::new(StreamKey::default(), 0.0);
-        altimeter.set(&AltimeterParameters { lag_s: 2.0, bias_m: 5.0, scale_factor: 0.01, ..Default::default() });
+        altimeter.set(&AltimeterParameters {
+            lag_s: 2.0,
+            bias_m: 5.0,
+            scale_factor: 0.01,
+            ..Default::default()
+        });
         let mut shown = 0.0;
         for step in 1..=1000 {
             shown = altimeter.sense(10.0 * 0.1 * f64::from(step), 0.1);

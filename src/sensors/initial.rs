@@ -66,7 +66,11 @@ impl InitialErrorParameters {
         InitialErrors {
             position_n: drawn(&self.position_n, &self.position_sigma_n, Purpose::InitialPosition),
             velocity_n: drawn(&self.velocity_n, &self.velocity_sigma_n, Purpose::InitialVelocity),
-            misalignment_n: drawn(&self.misalignment_n, &self.misalignment_sigma_n, Purpose::InitialMisalignment),
+            misalignment_n: drawn(
+                &self.misalignment_n,
+                &self.misalignment_sigma_n,
+                Purpose::InitialMisalignment,
+            ),
         }
     }
 }

@@ -17,7 +17,10 @@ pub fn paper_simulation2() -> (TriadParameters, TriadParameters) {
         random_walk: Vector3::repeat(0.005 * DEG / 60.0),
         ..Default::default()
     };
-    let accel =
-        TriadParameters { bias: Vector3::repeat(1e-5 * G), random_walk: Vector3::repeat(5e-6 * G), ..Default::default() };
+    let accel = TriadParameters {
+        bias: Vector3::repeat(1e-5 * G),
+        random_walk: Vector3::repeat(5e-6 * G),
+        ..Default::default()
+    };
     (gyro, accel)
 }

@@ -134,7 +134,9 @@ fn derivatives_at(v_e: &Vector3<f64>, others: &[Option<Past>; 3]) -> Derivatives
         [Some(a), Some(b), Some(c)] => {
             weighted(&[a, b, c], &end_derivative_weights(&[a.offset_s, b.offset_s, c.offset_s, 0.0]))
         }
-        [Some(a), Some(b), None] => weighted(&[a, b], &end_derivative_weights(&[a.offset_s, b.offset_s, 0.0])),
+        [Some(a), Some(b), None] => {
+            weighted(&[a, b], &end_derivative_weights(&[a.offset_s, b.offset_s, 0.0]))
+        }
         [Some(a), None, _] => weighted(&[a], &[1.0 / a.offset_s]),
         _ => weighted(&[], &[]),
     }

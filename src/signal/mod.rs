@@ -27,8 +27,7 @@ pub struct Increment {
 
 impl Increment {
     /// No motion, no force.
-    pub const ZERO: Self =
-        Self { angle: Vector3::new(0.0, 0.0, 0.0), velocity: Vector3::new(0.0, 0.0, 0.0) };
+    pub const ZERO: Self = Self { angle: Vector3::new(0.0, 0.0, 0.0), velocity: Vector3::new(0.0, 0.0, 0.0) };
 
     /// Sum of increments: the integrals over all of their time.
     pub fn sum(increments: &[Self]) -> Self {

@@ -3,11 +3,12 @@
 use nalgebra::Vector3;
 
 use super::closure::{Closure, ClosureFigures};
-use super::{ErrorSource, NEAR_POLE_M, Options, Sensors, Solution, singular};
+use super::{ErrorSource, NEAR_POLE_M, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
-    Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, StartErrors, navigation_minus_truth,
+    Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, StartErrors,
+    navigation_minus_truth,
 };
 use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
@@ -49,7 +50,12 @@ pub(super) struct Chain {
 
 impl Chain {
     /// The INS set up at the truth `first` with its initial errors.
-    pub fn start(options: &Options, earth: Earth, first: &TruthPoint, sensors: &Sensors) -> Result<Self, Error> {
+    pub fn start(
+        options: &Options,
+        earth: Earth,
+        first: &TruthPoint,
+        sensors: &SensorSuite,
+    ) -> Result<Self, Error> {
         let truth = first.state.navigation(&earth, options.axes);
         let start = start_errors(options, &earth, first, &truth, sensors)?;
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
@@ -90,7 +96,7 @@ impl Chain {
     }
 
     /// Flies the interval to `next`.
-    pub fn advance(&mut self, next: &TruthPoint, sensors: &mut Sensors) {
+    pub fn advance(&mut self, next: &TruthPoint, sensors: &mut SensorSuite) {
         let from = self.generator.newest().state.r_e;
         let t = next.interval_s;
         self.generator.advance(next);
@@ -109,8 +115,12 @@ impl Chain {
             &self.measured[..count]
         };
         let measured_sum = Increment::sum(increments);
-        self.imu =
-            Some(ImuInterval { time_s: next.time_s, interval_s: t, ideal: ideal_sum, measured: measured_sum });
+        self.imu = Some(ImuInterval {
+            time_s: next.time_s,
+            interval_s: t,
+            ideal: ideal_sum,
+            measured: measured_sum,
+        });
 
         // Mechanization.
         let updates = self.options.updates_per_sample;
@@ -138,7 +148,7 @@ impl Chain {
         }
     }
 
-    fn vertical_aid(&self, next: &TruthPoint, sensors: &mut Sensors) -> VerticalAid {
+    fn vertical_aid(&self, next: &TruthPoint, sensors: &mut SensorSuite) -> VerticalAid {
         let height_m = next.sample.place.height_m;
         match self.options.vertical {
             VerticalMode::Free => VerticalAid::None,
@@ -202,9 +212,10 @@ impl Chain {
     pub fn errors(&self, source: ErrorSource) -> Option<NavigationErrors> {
         match source {
             ErrorSource::Navigation => Some(self.navigation_errors()),
-            ErrorSource::Model => {
-                self.error_model.as_ref().map(|model| model.errors(&self.true_navigation(), self.options.axes))
-            }
+            ErrorSource::Model => self
+                .error_model
+                .as_ref()
+                .map(|model| model.errors(&self.true_navigation(), self.options.axes)),
         }
     }
 
@@ -223,7 +234,7 @@ fn start_errors(
     earth: &Earth,
     first: &TruthPoint,
     truth: &Navigation,
-    sensors: &Sensors,
+    sensors: &SensorSuite,
 ) -> Result<StartErrors, Error> {
     let drawn = sensors.initial.draw(options.key);
     let mut start = StartErrors {
@@ -243,7 +254,8 @@ fn start_errors(
         }
         let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
         let force_b = -rotate_inverse(&first.state.q_eb, &first.gravity_e);
-        let gyro_n = rotate(&truth.q_nb, &sensors.gyro.steady_error(&rotate_inverse(&truth.q_nb, &earth_rate_n)));
+        let gyro_n =
+            rotate(&truth.q_nb, &sensors.gyro.steady_error(&rotate_inverse(&truth.q_nb, &earth_rate_n)));
         let accel_n = rotate(&truth.q_nb, &sensors.accel.steady_error(&force_b));
         let g = first.gravity_e.norm_squared().sqrt();
         start.misalignment_n += alignment_error(&gyro_n, &accel_n, g, earth_rate_n.y, earth_rate_n.z);

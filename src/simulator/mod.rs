@@ -4,6 +4,7 @@ mod chain;
 mod closure;
 mod navigator;
 mod options;
+mod suite;
 
 pub use chain::ImuInterval;
 pub use closure::ClosureFigures;
@@ -12,14 +13,13 @@ pub use options::{MAX_UPDATES, Options};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
-use crate::sensors::{
-    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
-};
+use crate::sensors::{AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY};
 use chain::Chain;
 use navigator::Navigator;
+use suite::SensorSuite;
 
 /// Which of the two error outputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,67 +57,6 @@ pub struct Solution {
 /// Distance from the Earth's axis [m] below which a solution is flagged.
 const NEAR_POLE_M: f64 = 20e3;
 
-/// Sensor models and what the host set of them.
-#[derive(Debug, Clone)]
-struct Sensors {
-    gyro: Triad,
-    accel: Triad,
-    altimeter: Altimeter,
-    initial: InitialErrorParameters,
-    gyro_parameters: TriadParameters,
-    accel_parameters: TriadParameters,
-    altimeter_parameters: AltimeterParameters,
-}
-
-impl Sensors {
-    fn new(options: &Options) -> Self {
-        Self {
-            gyro: Triad::new(options.key, Sensor::Gyro),
-            accel: Triad::new(options.key, Sensor::Accelerometer),
-            altimeter: Altimeter::new(options.key, 0.0),
-            initial: InitialErrorParameters::default(),
-            gyro_parameters: TriadParameters::default(),
-            accel_parameters: TriadParameters::default(),
-            altimeter_parameters: AltimeterParameters::default(),
-        }
-    }
-
-    /// The same parameters, all processes and streams back at their start.
-    fn restarted(&self, options: &Options) -> Self {
-        let mut fresh = Self::new(options);
-        fresh.initial = self.initial;
-        fresh.set_gyro(&self.gyro_parameters);
-        fresh.set_accel(&self.accel_parameters);
-        fresh.set_altimeter(&self.altimeter_parameters);
-        fresh
-    }
-
-    fn set_gyro(&mut self, parameters: &TriadParameters) {
-        self.gyro_parameters = *parameters;
-        self.gyro.set(parameters);
-    }
-
-    fn set_accel(&mut self, parameters: &TriadParameters) {
-        self.accel_parameters = *parameters;
-        self.accel.set(parameters);
-    }
-
-    fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
-        self.altimeter_parameters = *parameters;
-        self.altimeter.set(parameters);
-    }
-
-    /// What the two triads make of an ideal increment over `dt` [s].
-    #[inline]
-    fn sense(&mut self, ideal: &Increment, dt: f64) -> Increment {
-        Increment { angle: self.gyro.sense(&ideal.angle, dt), velocity: self.accel.sense(&ideal.velocity, dt) }
-    }
-
-    fn are_ideal(&self) -> bool {
-        self.gyro.is_ideal() && self.accel.is_ideal()
-    }
-}
-
 /// What the simulator is doing.
 #[derive(Debug, Clone)]
 enum Mode {
@@ -135,7 +74,7 @@ pub struct Simulator {
     options: Options,
     earth: Earth,
     intake: Intake,
-    sensors: Sensors,
+    sensors: SensorSuite,
     mode: Mode,
 }
 
@@ -148,7 +87,7 @@ impl Simulator {
             options: *options,
             earth,
             intake: Intake::new(earth, options.axes, options.intake),
-            sensors: Sensors::new(options),
+            sensors: SensorSuite::new(options),
             mode: Mode::Waiting,
         })
     }
@@ -183,7 +122,9 @@ impl Simulator {
     pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) -> Result<(), Error> {
         parameters.validate()?;
         if !matches!(self.mode, Mode::Waiting) {
-            return Err(Error::bad_state("initial errors can be set before the first step, after a reset or after a reposition"));
+            return Err(Error::bad_state(
+                "initial errors can be set before the first step, after a reset or after a reposition",
+            ));
         }
         self.sensors.initial = *parameters;
         Ok(())
@@ -334,9 +275,9 @@ impl Simulator {
 
     fn refuse_while_navigating(&self) -> Result<(), Error> {
         match self.mode {
-            Mode::Navigating(_) => {
-                Err(Error::bad_state("navigating on increments: there is no truth; reset before samples are pushed"))
-            }
+            Mode::Navigating(_) => Err(Error::bad_state(
+                "navigating on increments: there is no truth; reset before samples are pushed",
+            )),
             _ => Ok(()),
         }
     }

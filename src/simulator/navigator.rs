@@ -1,6 +1,6 @@
 //! Navigation alone, on recorded or foreign increments.
 
-use super::{ImuInterval, NEAR_POLE_M, Options, Sensors, Solution};
+use super::{ImuInterval, NEAR_POLE_M, Options, SensorSuite, Solution};
 use crate::earth::Earth;
 use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::two_sum;
@@ -35,7 +35,7 @@ impl Navigator {
         &mut self,
         increments: &[Increment],
         interval_s: f64,
-        sensors: &mut Sensors,
+        sensors: &mut SensorSuite,
     ) -> Result<(), Error> {
         check_range("imu.interval_s", interval_s, 5e-5, 10.0)?;
         check_range("imu.count", increments.len() as f64, 1.0, MAX_SUBSAMPLES as f64)?;

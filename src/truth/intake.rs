@@ -114,7 +114,8 @@ impl Intake {
     pub fn push(&mut self, sample: &FlightSample) -> Result<(), Error> {
         sample.validate()?;
         if self.queue.len == QUEUE_CAPACITY {
-            let rule = Rule::WordsAnd("step before the next sample; samples that may wait:", QUEUE_CAPACITY as f64);
+            let rule =
+                Rule::WordsAnd("step before the next sample; samples that may wait:", QUEUE_CAPACITY as f64);
             return Err(Error::of(ErrorKind::QueueFull, "queued samples", self.queue.len as f64, rule));
         }
         let (time_s, interval_s, ticks) = self.place_in_time(sample.time_s)?;
@@ -148,16 +149,25 @@ impl Intake {
                 let ticks = ((stamp_s - self.first_time_s) / period).round();
                 let time_s = self.first_time_s + ticks * period;
                 if (stamp_s - time_s).abs() > 0.4 * period {
-                    return order(Rule::WordsAnd("is off the stated sample period; the nearest sample time is", time_s));
+                    return order(Rule::WordsAnd(
+                        "is off the stated sample period; the nearest sample time is",
+                        time_s,
+                    ));
                 }
                 (time_s, (ticks - self.ticks) * period, ticks)
             }
         };
         if interval_s < MIN_INTERVAL_S {
-            return order(Rule::WordsAnd("must be at least 5e-5 s after the previous sample, at", last.time_s));
+            return order(Rule::WordsAnd(
+                "must be at least 5e-5 s after the previous sample, at",
+                last.time_s,
+            ));
         }
         if interval_s > self.limits.max_gap_s {
-            let rule = Rule::WordsAnd("the gap after the previous sample must be at most max_gap_s =", self.limits.max_gap_s);
+            let rule = Rule::WordsAnd(
+                "the gap after the previous sample must be at most max_gap_s =",
+                self.limits.max_gap_s,
+            );
             return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", stamp_s, rule));
         }
         Ok((time_s, interval_s, ticks))
@@ -228,7 +238,10 @@ impl Intake {
 }
 
 /// Σ w_j r_j over points relative to the newest, whose own weight is the last and whose r is zero.
-fn weighted<const N: usize, const M: usize>(points: [(f64, Vector3<f64>); N], weights: [f64; M]) -> Vector3<f64> {
+fn weighted<const N: usize, const M: usize>(
+    points: [(f64, Vector3<f64>); N],
+    weights: [f64; M],
+) -> Vector3<f64> {
     points.iter().zip(weights).fold(SVector::zeros(), |sum, (point, weight)| sum + point.1 * weight)
 }
 

@@ -28,7 +28,11 @@ struct Drive {
 
 impl Drive {
     fn at(node: &MotionNode, errors: &SensorErrors) -> Self {
-        Self { f_e: node.f_e, gyro_e: rotate(&node.q_eb, &errors.gyro_b), accel_e: rotate(&node.q_eb, &errors.accel_b) }
+        Self {
+            f_e: node.f_e,
+            gyro_e: rotate(&node.q_eb, &errors.gyro_b),
+            accel_e: rotate(&node.q_eb, &errors.accel_b),
+        }
     }
 }
 

@@ -85,7 +85,11 @@ impl Coefficients {
 
 impl GeographicForm {
     pub fn new(local: &LocalGeometry, start: &StartErrors) -> Self {
-        Self { phi: start.misalignment_n, dv: start.velocity_n, d_place: local.change_of_place(&start.position_n) }
+        Self {
+            phi: start.misalignment_n,
+            dv: start.velocity_n,
+            d_place: local.change_of_place(&start.position_n),
+        }
     }
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion, errors: &SensorErrors) {
@@ -124,8 +128,15 @@ impl GeographicForm {
                     + (2.0 * wn * vn + ve * vn * sec2 / n + 2.0 * wu * vu) * dl,
                 fu * pe - fe * pu - 2.0 * (wu + ve * t / n) * dve - vu / m * dvn - vn / m * dvu
                     + (ve * ve * t / n2 + vn * vu / m2 + k.north_h) * dh
-                    + (-(2.0 * wn + ve * sec2 / n) * ve + ve * ve * t * dn / n2 + vn * vu * dm / m2 + k.north_l) * dl,
-                -fn_ * pe + fe * pn + 2.0 * (wn + ve / n) * dve + 2.0 * vn / m * dvn
+                    + (-(2.0 * wn + ve * sec2 / n) * ve
+                        + ve * ve * t * dn / n2
+                        + vn * vu * dm / m2
+                        + k.north_l)
+                        * dl,
+                -fn_ * pe
+                    + fe * pn
+                    + 2.0 * (wn + ve / n) * dve
+                    + 2.0 * vn / m * dvn
                     + (-(vn * vn / m2 + ve * ve / n2) + k.up_h) * dh
                     + (-2.0 * wu * ve - (vn * vn * dm / m2 + ve * ve * dn / n2) + k.up_l) * dl,
             ) + k.nabla,

@@ -71,7 +71,13 @@ impl ErrorModel {
 
     /// Over the interval of `motion` with the sensor errors `errors`; then the vertical channel as the mechanization has
     /// it: `aid` is its aid, `height_m` the true height.
-    pub fn advance(&mut self, motion: &IntervalMotion, errors: &SensorErrors, aid: &VerticalAid, height_m: f64) {
+    pub fn advance(
+        &mut self,
+        motion: &IntervalMotion,
+        errors: &SensorErrors,
+        aid: &VerticalAid,
+        height_m: f64,
+    ) {
         match &mut self.form {
             Form::EarthFixed(form) => form.advance(&self.earth, motion, errors),
             Form::Geographic(form) => form.advance(&self.earth, motion, errors),

@@ -1,0 +1,71 @@
+//! The sensors of a simulator and what the host set of them.
+
+use super::Options;
+use crate::sensors::{
+    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
+};
+use crate::signal::Increment;
+
+/// Sensor models and what the host set of them.
+#[derive(Debug, Clone)]
+pub(super) struct SensorSuite {
+    pub gyro: Triad,
+    pub accel: Triad,
+    pub altimeter: Altimeter,
+    pub initial: InitialErrorParameters,
+    gyro_parameters: TriadParameters,
+    accel_parameters: TriadParameters,
+    altimeter_parameters: AltimeterParameters,
+}
+
+impl SensorSuite {
+    pub fn new(options: &Options) -> Self {
+        Self {
+            gyro: Triad::new(options.key, Sensor::Gyro),
+            accel: Triad::new(options.key, Sensor::Accelerometer),
+            altimeter: Altimeter::new(options.key, 0.0),
+            initial: InitialErrorParameters::default(),
+            gyro_parameters: TriadParameters::default(),
+            accel_parameters: TriadParameters::default(),
+            altimeter_parameters: AltimeterParameters::default(),
+        }
+    }
+
+    /// The same parameters, all processes and streams back at their start.
+    pub fn restarted(&self, options: &Options) -> Self {
+        let mut fresh = Self::new(options);
+        fresh.initial = self.initial;
+        fresh.set_gyro(&self.gyro_parameters);
+        fresh.set_accel(&self.accel_parameters);
+        fresh.set_altimeter(&self.altimeter_parameters);
+        fresh
+    }
+
+    pub fn set_gyro(&mut self, parameters: &TriadParameters) {
+        self.gyro_parameters = *parameters;
+        self.gyro.set(parameters);
+    }
+
+    pub fn set_accel(&mut self, parameters: &TriadParameters) {
+        self.accel_parameters = *parameters;
+        self.accel.set(parameters);
+    }
+
+    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
+        self.altimeter_parameters = *parameters;
+        self.altimeter.set(parameters);
+    }
+
+    /// What the two triads make of an ideal increment over `dt` [s].
+    #[inline]
+    pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Increment {
+        Increment {
+            angle: self.gyro.sense(&ideal.angle, dt),
+            velocity: self.accel.sense(&ideal.velocity, dt),
+        }
+    }
+
+    pub fn are_ideal(&self) -> bool {
+        self.gyro.is_ideal() && self.accel.is_ideal()
+    }
+}
