@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::math::{end_derivative_weights, rotation_vector};
+use crate::math::{end_derivative_weights, rotate_inverse, rotation_increment, rotation_vector};
 use crate::truth::TruthPoint;
 
 /// Total rotation over a stencil beyond which the rotation vectors from its end grow ambiguous [rad] (150°).
@@ -13,8 +13,8 @@ const MAX_STENCIL_ROTATION: f64 = 2.6;
 pub(super) struct Derivatives {
     /// Acceleration against the Earth, Earth-fixed axes [m/s²].
     pub a_e: Vector3<f64>,
-    /// Angular rate against the Earth, sensor axes [rad/s].
-    pub omega_eb_b: Vector3<f64>,
+    /// Angular rate against inertial space, sensor axes [rad/s].
+    pub omega_ib_b: Vector3<f64>,
 }
 
 /// What an interval between two samples needs.
@@ -22,7 +22,7 @@ pub(super) struct Derivatives {
 pub(super) struct IntervalEnds {
     pub start: Derivatives,
     pub end: Derivatives,
-    /// Rotation vector of the interval, sensor axes at its start [rad].
+    /// Rotation vector against inertial space over the interval, sensor axes at its start [rad].
     pub rotation: Vector3<f64>,
 }
 
@@ -42,7 +42,10 @@ struct Past {
 /// The last samples and the derivatives at the newest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stencil {
+    earth_rate: f64,
     newest: TruthPoint,
+    /// Earth rate in sensor axes at the newest [rad/s].
+    earth_rate_b: Vector3<f64>,
     derivatives: Option<Derivatives>,
     /// Whether `derivatives` came from as many points as a stencil ever has (or from the host).
     settled: bool,
@@ -51,31 +54,28 @@ pub(super) struct Stencil {
 }
 
 impl Stencil {
-    pub fn new(first: TruthPoint) -> Self {
-        Self { newest: first, derivatives: None, settled: false, past: [None; 3] }
+    pub fn new(first: TruthPoint, earth_rate: f64) -> Self {
+        let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth_rate));
+        Self { earth_rate, newest: first, earth_rate_b, derivatives: None, settled: false, past: [None; 3] }
     }
 
     pub fn newest(&self) -> &TruthPoint {
         &self.newest
     }
 
-    /// Moves on to `next` and gives the derivatives at both ends of the interval in between.
+    /// Derivatives at both ends of the interval to `next`, which becomes the newest.
     ///
     /// Four points, backward: at both ends the error is then the same, and cancels at the middle of the interval.
     /// While there are fewer, both ends take all there are.
     pub fn advance(&mut self, next: &TruthPoint) -> IntervalEnds {
         let interval = next.interval_s;
-        let from_next = next.state.q_eb.conjugate();
-        let mut past = [None; 3];
-        let back = rotation_vector(&(from_next * self.newest.state.q_eb));
+        let (newest, q_next) = (self.newest.state, next.state.q_eb);
+        let from_next = q_next.conjugate();
+        let back = rotation_vector(&(from_next * newest.q_eb));
         let turned = back.norm_squared().sqrt();
-        past[0] = Some(Past {
-            v_e: self.newest.state.v_e,
-            q_eb: self.newest.state.q_eb,
-            offset_s: -interval,
-            rotation: back,
-            turned,
-        });
+        let mut past = [None; 3];
+        past[0] =
+            Some(Past { v_e: newest.v_e, q_eb: newest.q_eb, offset_s: -interval, rotation: back, turned });
         for j in 0..2 {
             past[j + 1] = self.past[j].filter(|p| p.turned + turned < MAX_STENCIL_ROTATION).map(|p| Past {
                 offset_s: p.offset_s - interval,
@@ -85,59 +85,59 @@ impl Stencil {
             });
         }
 
-        let end = given_or(next, || derivatives_at(&next.state.v_e, &past));
+        let earth_rate_b = rotate_inverse(&q_next, &Vector3::new(0.0, 0.0, self.earth_rate));
+        let end = given_or(next, &earth_rate_b, &past);
         let start = match self.derivatives {
             Some(derivatives) if self.settled => derivatives,
-            _ => given_or(&self.newest, || {
-                let ahead = Past {
-                    v_e: next.state.v_e,
-                    q_eb: next.state.q_eb,
-                    offset_s: interval,
-                    rotation: -back,
-                    turned,
-                };
-                derivatives_at(&self.newest.state.v_e, &[Some(ahead), self.past[0], self.past[1]])
-            }),
+            _ => {
+                let ahead =
+                    Past { v_e: next.state.v_e, q_eb: q_next, offset_s: interval, rotation: -back, turned };
+                given_or(&self.newest, &self.earth_rate_b, &[Some(ahead), self.past[0], self.past[1]])
+            }
         };
-        let given = next.omega_eb_b.is_some() && next.a_e.is_some();
-        self.settled = given || past[2].is_some();
+        // Against the Earth q0* q1, which is exact at rest, then the Earth's own turn meanwhile.
+        let against_earth = newest.q_eb.conjugate() * q_next;
+        let earth_turn = rotation_increment(&(earth_rate_b * interval));
+        let rotation = rotation_vector(&(against_earth + against_earth * earth_turn));
+
+        self.settled = (next.sample.omega_ib_b.is_some() && next.a_e.is_some()) || past[2].is_some();
         self.derivatives = Some(end);
         self.past = past;
         self.newest = *next;
-        IntervalEnds { start, end, rotation: -back }
+        self.earth_rate_b = earth_rate_b;
+        IntervalEnds { start, end, rotation }
     }
 }
 
-/// What the host gave at `point`, else what `stencil` makes of the samples.
-fn given_or(point: &TruthPoint, stencil: impl FnOnce() -> Derivatives) -> Derivatives {
-    match (point.a_e, point.omega_eb_b) {
-        (Some(a_e), Some(omega_eb_b)) => Derivatives { a_e, omega_eb_b },
-        (a_e, omega_eb_b) => {
-            let own = stencil();
-            Derivatives { a_e: a_e.unwrap_or(own.a_e), omega_eb_b: omega_eb_b.unwrap_or(own.omega_eb_b) }
-        }
+/// What the host gave at `point`, else what the other points make of it; `earth_rate_b` is the Earth rate there.
+fn given_or(point: &TruthPoint, earth_rate_b: &Vector3<f64>, others: &[Option<Past>; 3]) -> Derivatives {
+    if let (Some(a_e), Some(omega_ib_b)) = (point.a_e, point.sample.omega_ib_b) {
+        return Derivatives { a_e, omega_ib_b };
+    }
+    let (a_e, omega_eb_b) = derivatives_at(&point.state.v_e, others);
+    Derivatives {
+        a_e: point.a_e.unwrap_or(a_e),
+        omega_ib_b: point.sample.omega_ib_b.unwrap_or(omega_eb_b + earth_rate_b),
     }
 }
 
-/// Derivatives at a sample of velocity `v_e` from one to three others.
-fn derivatives_at(v_e: &Vector3<f64>, others: &[Option<Past>; 3]) -> Derivatives {
+/// Acceleration against the Earth [m/s²] and angular rate against the Earth in sensor axes [rad/s] at a sample of velocity
+/// `v_e` from one to three others.
+fn derivatives_at(v_e: &Vector3<f64>, others: &[Option<Past>; 3]) -> (Vector3<f64>, Vector3<f64>) {
     let weighted = |points: &[Past], weights: &[f64]| {
         points.iter().zip(weights).fold(
-            Derivatives { a_e: Vector3::zeros(), omega_eb_b: Vector3::zeros() },
-            |sum, (point, &weight)| Derivatives {
-                a_e: sum.a_e + (point.v_e - v_e) * weight,
-                omega_eb_b: sum.omega_eb_b + point.rotation * weight,
+            (Vector3::zeros(), Vector3::zeros()),
+            |(a_e, omega), (point, &weight)| {
+                (a_e + (point.v_e - v_e) * weight, omega + point.rotation * weight)
             },
         )
     };
     match *others {
         [Some(a), Some(b), Some(c)] => {
-            weighted(&[a, b, c], &end_derivative_weights(&[a.offset_s, b.offset_s, c.offset_s, 0.0]))
+            weighted(&[a, b, c], &end_derivative_weights(&[a.offset_s, b.offset_s, c.offset_s]))
         }
-        [Some(a), Some(b), None] => {
-            weighted(&[a, b], &end_derivative_weights(&[a.offset_s, b.offset_s, 0.0]))
-        }
-        [Some(a), None, _] => weighted(&[a], &[1.0 / a.offset_s]),
+        [Some(a), Some(b), None] => weighted(&[a, b], &end_derivative_weights(&[a.offset_s, b.offset_s])),
+        [Some(a), None, _] => weighted(&[a], &end_derivative_weights(&[a.offset_s])),
         _ => weighted(&[], &[]),
     }
 }

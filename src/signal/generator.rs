@@ -23,7 +23,7 @@ impl SignalGenerator {
     /// interval (1 to [`MAX_INCREMENTS`]).
     pub fn new(first: TruthPoint, earth_rate: f64, count: usize) -> Self {
         Self {
-            stencil: Stencil::new(first),
+            stencil: Stencil::new(first, earth_rate),
             earth_rate,
             motion: None,
             increments: [Increment::ZERO; MAX_INCREMENTS],
@@ -33,9 +33,9 @@ impl SignalGenerator {
 
     /// Moves on to the sample `next`; [`Self::increments`] and [`Self::motion`] then are those of the interval to it.
     pub fn advance(&mut self, next: &TruthPoint) {
-        let start = *self.stencil.newest();
+        let (start, start_gravity_e) = (self.stencil.newest().state, self.stencil.newest().gravity_e);
         let ends = self.stencil.advance(next);
-        let motion = IntervalMotion::new(&start, next, &ends, self.earth_rate);
+        let motion = IntervalMotion::new(&start, &start_gravity_e, next, &ends, self.earth_rate);
         motion.integrate(&mut self.increments[..self.count]);
         self.motion = Some(motion);
     }

@@ -1,10 +1,13 @@
 //! The motion within one interval, as polynomials of u = time since its start over its length, 0 to 1.
 
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::Vector3;
 
 use super::Increment;
 use super::derivatives::IntervalEnds;
-use crate::math::{RotationSeries, inverse_right_jacobian, rotate_inverse, rotation_quaternion};
+use crate::math::{
+    RotationSeries, inverse_right_jacobian, rotate_inverse, rotation_increment, rotation_quaternion,
+};
+use crate::state::EarthFixedState;
 use crate::truth::TruthPoint;
 
 /// Nodes and weights of Gauss-Legendre quadrature on 0..1.
@@ -25,17 +28,13 @@ const GAUSS5: [(f64, f64); 5] = [
 /// derivative over 2e6, 0.05^6 / 2e6 = 8e-15 of the increment.
 const GAUSS3_MAX_ROTATION: f64 = 0.05;
 
-/// Truth at an instant within the interval, for the error equations.
+/// Truth at an instant of the interval, for the error equations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionNode {
-    /// Position [m], velocity [m/s] and specific force [m/s²], Earth-fixed axes.
-    pub r_e: Vector3<f64>,
-    /// See `r_e`.
-    pub v_e: Vector3<f64>,
-    /// See `r_e`.
+    /// Position, velocity, attitude.
+    pub state: EarthFixedState,
+    /// Specific force, Earth-fixed axes [m/s²].
     pub f_e: Vector3<f64>,
-    /// Rotates sensor axes to Earth-fixed axes.
-    pub q_eb: Quaternion<f64>,
 }
 
 /// Attitude and velocity over one interval, and with gravity the specific force.
@@ -43,56 +42,58 @@ pub struct MotionNode {
 pub struct IntervalMotion {
     /// Length T [s].
     pub interval_s: f64,
-    r_e: Vector3<f64>,
-    q_eb: Quaternion<f64>,
-    /// Rotation vector from the start = Σ rotation[i] u^(i+1) [rad].
+    earth_rate: f64,
+    start: EarthFixedState,
+    end: EarthFixedState,
+    /// Rotation vector against inertial space since the start = Σ rotation[i] u^(i+1), sensor axes [rad].
     rotation: [Vector3<f64>; 3],
     /// Velocity = Σ velocity[i] u^i, Earth-fixed axes [m/s].
     velocity: [Vector3<f64>; 4],
     /// T times specific force = Σ force[i] u^i, Earth-fixed axes [m/s].
     force: [Vector3<f64>; 4],
-    /// T times Earth rate in sensor axes at the start [rad].
-    earth_angle_b: Vector3<f64>,
 }
 
 impl IntervalMotion {
     /// The cubic through both ends: velocity with acceleration, rotation vector with its rate.
-    pub(super) fn new(start: &TruthPoint, end: &TruthPoint, ends: &IntervalEnds, earth_rate: f64) -> Self {
+    pub(super) fn new(
+        start: &EarthFixedState,
+        start_gravity_e: &Vector3<f64>,
+        end: &TruthPoint,
+        ends: &IntervalEnds,
+        earth_rate: f64,
+    ) -> Self {
         let t = end.interval_s;
         let phi = ends.rotation;
-        let d0 = ends.start.omega_eb_b * t;
-        let d1 = inverse_right_jacobian(&phi, &(ends.end.omega_eb_b * t));
+        let d0 = ends.start.omega_ib_b * t;
+        let d1 = inverse_right_jacobian(&phi, &(ends.end.omega_ib_b * t));
         let rotation = [d0, 3.0 * phi - 2.0 * d0 - d1, d0 + d1 - 2.0 * phi];
 
         let (a0, a1) = (ends.start.a_e * t, ends.end.a_e * t);
-        let dv = end.state.v_e - start.state.v_e;
-        let velocity = [start.state.v_e, a0, 3.0 * dv - 2.0 * a0 - a1, a0 + a1 - 2.0 * dv];
+        let dv = end.state.v_e - start.v_e;
+        let velocity = [start.v_e, a0, 3.0 * dv - 2.0 * a0 - a1, a0 + a1 - 2.0 * dv];
 
-        // f = a + 2 W x v - g. Gravity is linear between the ends but for the bow of the path, u (1 - u) T a/2 high,
+        // f = a + 2 W×v - g. Gravity is linear between the ends but for the bow of the path, u (1 - u) T a/2 high,
         // in the gradient of a sphere.
-        let coriolis = |v: &Vector3<f64>| Vector3::new(-v.y, v.x, 0.0) * (2.0 * earth_rate * t);
-        let r_e = start.state.r_e;
-        let inverse_r2 = 1.0 / r_e.norm_squared();
-        let gradient = -start.gravity_e.dot(&r_e) * inverse_r2;
-        let bow = (dv - r_e * (3.0 * r_e.dot(&dv) * inverse_r2)) * (0.5 * t * t * gradient);
-        let gravity_change = (end.gravity_e - start.gravity_e) * t;
+        let coriolis = |v: &Vector3<f64>| axis_cross(2.0 * earth_rate * t, v);
+        let inverse_r2 = 1.0 / start.r_e.norm_squared();
+        let gradient = -start_gravity_e.dot(&start.r_e) * inverse_r2;
+        let bow = (dv - start.r_e * (3.0 * start.r_e.dot(&dv) * inverse_r2)) * (0.5 * t * t * gradient);
+        let gravity_change = (end.gravity_e - start_gravity_e) * t;
         let force = [
-            velocity[1] + coriolis(&velocity[0]) - start.gravity_e * t,
+            velocity[1] + coriolis(&velocity[0]) - start_gravity_e * t,
             2.0 * velocity[2] + coriolis(&velocity[1]) - gravity_change - bow,
             3.0 * velocity[3] + coriolis(&velocity[2]) + bow,
             coriolis(&velocity[3]),
         ];
-        let q_eb = start.state.q_eb;
-        let earth_angle_b = rotate_inverse(&q_eb, &Vector3::new(0.0, 0.0, earth_rate * t));
-        Self { interval_s: t, r_e, q_eb, rotation, velocity, force, earth_angle_b }
+        Self { interval_s: t, earth_rate, start: *start, end: end.state, rotation, velocity, force }
     }
 
     /// Integrals of angular rate and specific force over each of `increments.len()` equal parts.
     pub fn integrate(&self, increments: &mut [Increment]) {
-        let force_b = self.force.map(|f| rotate_inverse(&self.q_eb, &f));
+        let force_b = self.force_in_start_axes();
         let part = 1.0 / increments.len() as f64;
-        let rotation_bound: f64 = self.rotation.iter().map(|c| c.abs().max()).sum();
-        let small = rotation_bound * part * 1.8 < GAUSS3_MAX_ROTATION;
+        let rotation_bound: f64 = self.rotation.iter().map(|c| c.x.abs() + c.y.abs() + c.z.abs()).sum();
+        let small = rotation_bound * part < GAUSS3_MAX_ROTATION;
         let nodes: &[(f64, f64)] = if small { &GAUSS3 } else { &GAUSS5 };
         for (m, increment) in increments.iter_mut().enumerate() {
             let mut sum = Increment::ZERO;
@@ -106,6 +107,21 @@ impl IntervalMotion {
         }
     }
 
+    /// The force polynomial in the sensor axes of the start, held still in inertial space: with the turn of the Earth to
+    /// its second order.
+    fn force_in_start_axes(&self) -> [Vector3<f64>; 4] {
+        let wt = self.earth_rate * self.interval_s;
+        let [f0, f1, f2, f3] = &self.force;
+        let (k0, k1) = (axis_cross(wt, f0), axis_cross(wt, f1));
+        let inertial = [
+            *f0,
+            f1 + k0,
+            f2 + k1 + 0.5 * axis_cross(wt, &k0),
+            f3 + axis_cross(wt, f2) + 0.5 * axis_cross(wt, &k1),
+        ];
+        inertial.map(|f| rotate_inverse(&self.start.q_eb, &f))
+    }
+
     /// T times angular rate against inertial space and specific force, sensor axes.
     #[inline]
     fn sensed(&self, u: f64, force_b: &[Vector3<f64>; 4]) -> (Vector3<f64>, Vector3<f64>) {
@@ -115,14 +131,11 @@ impl IntervalMotion {
         let force = force_b[0] + (force_b[1] + (force_b[2] + force_b[3] * u) * u) * u;
         let n2 = phi.norm_squared();
         let series = RotationSeries::new(n2);
-        let sine = 1.0 - n2 * series.cubic;
-        let to_body = |v: &Vector3<f64>| {
-            let cross = phi.cross(v);
-            v - sine * cross + series.square * phi.cross(&cross)
-        };
         let cross = phi.cross(&phi_rate);
-        let omega_eb = phi_rate - series.square * cross + series.cubic * phi.cross(&cross);
-        (omega_eb + to_body(&self.earth_angle_b), to_body(&force))
+        let rate = phi_rate - series.square * cross + series.cubic * phi.cross(&cross);
+        let cross = phi.cross(&force);
+        let force = force - (1.0 - n2 * series.cubic) * cross + series.square * phi.cross(&cross);
+        (rate, force)
     }
 
     /// Displacement over the interval by its velocity, Earth-fixed axes [m].
@@ -131,16 +144,41 @@ impl IntervalMotion {
         (v0 + v1 / 2.0 + v2 / 3.0 + v3 / 4.0) * self.interval_s
     }
 
-    /// Truth at `u`.
-    pub fn node(&self, u: f64) -> MotionNode {
+    /// Truth at the start.
+    #[inline]
+    pub fn start(&self) -> MotionNode {
+        MotionNode { state: self.start, f_e: self.force[0] / self.interval_s }
+    }
+
+    /// Truth at the end.
+    #[inline]
+    pub fn end(&self) -> MotionNode {
+        let [f0, f1, f2, f3] = &self.force;
+        MotionNode { state: self.end, f_e: (f0 + f1 + f2 + f3) / self.interval_s }
+    }
+
+    /// Truth in the middle.
+    #[inline]
+    pub fn middle(&self) -> MotionNode {
         let [c1, c2, c3] = &self.rotation;
         let [v0, v1, v2, v3] = &self.velocity;
         let [f0, f1, f2, f3] = &self.force;
+        let t = self.interval_s;
+        let q_eb = self.start.q_eb * rotation_quaternion(&(0.5 * c1 + 0.25 * c2 + 0.125 * c3));
+        let earth_turn = rotation_increment(&Vector3::new(0.0, 0.0, -0.5 * self.earth_rate * t));
         MotionNode {
-            r_e: self.r_e + (v0 + (v1 / 2.0 + (v2 / 3.0 + v3 * (u / 4.0)) * u) * u) * (u * self.interval_s),
-            v_e: v0 + (v1 + (v2 + v3 * u) * u) * u,
-            f_e: (f0 + (f1 + (f2 + f3 * u) * u) * u) / self.interval_s,
-            q_eb: self.q_eb * rotation_quaternion(&((c1 + (c2 + c3 * u) * u) * u)),
+            state: EarthFixedState {
+                r_e: self.start.r_e + (v0 / 2.0 + v1 / 8.0 + v2 / 24.0 + v3 / 64.0) * t,
+                v_e: v0 + v1 / 2.0 + v2 / 4.0 + v3 / 8.0,
+                q_eb: q_eb + earth_turn * q_eb,
+            },
+            f_e: (f0 + f1 / 2.0 + f2 / 4.0 + f3 / 8.0) / t,
         }
     }
+}
+
+/// (0, 0, `w`) × `v`
+#[inline]
+fn axis_cross(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-w * v.y, w * v.x, 0.0)
 }

@@ -56,13 +56,12 @@ impl Chain {
         first: &TruthPoint,
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
-        let truth = first.state.navigation(&earth, options.axes);
+        let truth = first.navigation(&earth, options.axes);
         let start = start_errors(options, &earth, first, &truth, sensors)?;
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
-        let error_model =
-            options.error_model.then(|| ErrorModel::new(earth, options.frame, &first.state, &start));
+        let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, &start));
         let count = options.subsamples * options.updates_per_sample;
         Ok(Self {
             options: *options,
@@ -137,7 +136,7 @@ impl Chain {
                 gyro_b: (measured_sum.angle - ideal_sum.angle) / t,
                 accel_b: (measured_sum.velocity - ideal_sum.velocity) / t,
             };
-            model.advance(motion, &errors, &aid, next.sample.place.height_m);
+            model.advance(motion, next, &errors, &aid);
         }
         let inconsistency = motion.displacement() - (next.state.r_e - from);
         self.closure.advance(&self.earth, next, &inconsistency);
@@ -158,7 +157,7 @@ impl Chain {
             VerticalMode::FollowTruth => {
                 let velocity_up_m_s = match &next.sample.v_n {
                     Some(v_n) => v_n.z,
-                    None => self.earth.vertical(&next.state.r_e).up_e.dot(&next.state.v_e),
+                    None => next.up_e.dot(&next.state.v_e),
                 };
                 VerticalAid::Truth { height_m, velocity_up_m_s }
             }
@@ -174,11 +173,7 @@ impl Chain {
     }
 
     fn true_navigation(&self) -> Navigation {
-        let newest = self.generator.newest();
-        match newest.sample.v_n {
-            Some(_) => newest.sample.navigation(self.options.axes),
-            None => newest.state.navigation(&self.earth, self.options.axes),
-        }
+        self.generator.newest().navigation(&self.earth, self.options.axes)
     }
 
     fn solution(&self, navigation: Navigation, vertical_unaided: bool, inconsistent: bool) -> Solution {

@@ -2,11 +2,11 @@
 
 use nalgebra::{SVector, Vector3};
 
-use super::FlightSample;
+use super::{FlightSample, TruthPoint};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::math::{end_derivative_weights, rotate};
-use crate::state::{BodyAxes, EarthFixedState};
+use crate::math::end_derivative_weights;
+use crate::state::BodyAxes;
 
 /// Samples that may wait for a step.
 pub const QUEUE_CAPACITY: usize = 16;
@@ -36,25 +36,6 @@ impl Default for IntakeLimits {
     fn default() -> Self {
         Self { max_gap_s: 2.5, max_acceleration_m_s2: 2000.0, period_s: None }
     }
-}
-
-/// A checked sample with what the blocks behind need of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TruthPoint {
-    /// Time on the time base [s].
-    pub time_s: f64,
-    /// Time since the point before [s]; 0 at the first.
-    pub interval_s: f64,
-    /// Position, velocity, attitude in Earth-fixed axes.
-    pub state: EarthFixedState,
-    /// Gravity there, Earth-fixed axes [m/s²].
-    pub gravity_e: Vector3<f64>,
-    /// Angular rate against the Earth in sensor axes [rad/s], if the host gave it.
-    pub omega_eb_b: Option<Vector3<f64>>,
-    /// Acceleration against the Earth in Earth-fixed axes [m/s²], if the host gave the specific force.
-    pub a_e: Option<Vector3<f64>>,
-    /// The sample itself.
-    pub sample: FlightSample,
 }
 
 /// Takes samples in.
@@ -125,7 +106,7 @@ impl Intake {
             if last.sample.v_n.is_none() && self.trail[1].is_none() {
                 // The first velocity is known only now: the mean of the first interval.
                 if let Some(first) = self.queue.back() {
-                    first.state.v_e = point.state.v_e;
+                    first.set_velocity(&self.earth, point.state.v_e);
                 }
             }
         } else {
@@ -175,17 +156,11 @@ impl Intake {
 
     /// The sample in Earth-fixed axes, its velocity from position where it has none.
     fn point(&self, sample: &FlightSample, time_s: f64, interval_s: f64) -> TruthPoint {
-        let mut state = sample.navigation(self.axes).earth_fixed(&self.earth);
+        let mut point = TruthPoint::new(&self.earth, self.axes, sample, time_s, interval_s);
         if sample.v_n.is_none() {
-            state.v_e = self.velocity_from_positions(time_s, &state.r_e);
+            point.set_velocity(&self.earth, self.velocity_from_positions(time_s, &point.state.r_e));
         }
-        let gravity_e = self.earth.gravity(&state.r_e);
-        let a_e = sample.f_b.map(|f_b| {
-            let coriolis = 2.0 * self.earth.rate_rad_s * Vector3::new(state.v_e.y, -state.v_e.x, 0.0);
-            rotate(&state.q_eb, &f_b) + gravity_e + coriolis
-        });
-        let omega_eb_b = sample.omega_eb_b(&self.earth, &state.q_eb);
-        TruthPoint { time_s, interval_s, state, gravity_e, omega_eb_b, a_e, sample: *sample }
+        point
     }
 
     /// Derivative of the polynomial through this position and up to three before it, at this one.
@@ -193,9 +168,9 @@ impl Intake {
         // Positions relative to this one, so that the large part of the coordinates does not enter.
         let before = |j: usize| self.trail[j].map(|(t, r)| (t - time_s, r - r_e));
         match (before(0), before(1), before(2)) {
-            (Some(a), Some(b), Some(c)) => weighted([a, b, c], end_derivative_weights(&[a.0, b.0, c.0, 0.0])),
-            (Some(a), Some(b), None) => weighted([a, b], end_derivative_weights(&[a.0, b.0, 0.0])),
-            (Some(a), None, _) => weighted([a], end_derivative_weights(&[a.0, 0.0])),
+            (Some(a), Some(b), Some(c)) => weighted([a, b, c], end_derivative_weights(&[a.0, b.0, c.0])),
+            (Some(a), Some(b), None) => weighted([a, b], end_derivative_weights(&[a.0, b.0])),
+            (Some(a), None, _) => weighted([a], end_derivative_weights(&[a.0])),
             _ => Vector3::zeros(),
         }
     }

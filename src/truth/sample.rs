@@ -2,10 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::earth::{Earth, Geodetic};
+use crate::earth::Geodetic;
 use crate::error::{Error, check_range, check_ranges};
-use crate::math::{Euler, attitude_from_euler};
-use crate::state::{BodyAxes, Navigation};
+use crate::math::Euler;
 
 /// True position, velocity and attitude at an instant, as a flight simulator gives them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,22 +47,8 @@ impl FlightSample {
         Ok(())
     }
 
-    /// The sample in geographic terms; a missing velocity reads as zero.
-    pub fn navigation(&self, axes: BodyAxes) -> Navigation {
-        let quarter = core::f64::consts::FRAC_PI_2;
-        let place = Geodetic { latitude_rad: self.place.latitude_rad.clamp(-quarter, quarter), ..self.place };
-        let q_nb = axes.exchange(&attitude_from_euler(&self.euler));
-        Navigation::new(place, self.v_n.unwrap_or_default(), q_nb, axes)
-    }
-
     /// The sample at rest relative to `earth`, for tests and examples: position and attitude as given, no velocity.
     pub fn at_rest(time_s: f64, place: Geodetic, euler: Euler) -> Self {
         Self { time_s, place, v_n: Some(Vector3::zeros()), euler, omega_ib_b: None, f_b: None }
-    }
-
-    /// Host-given angular rate against the Earth [rad/s] in sensor axes.
-    pub(super) fn omega_eb_b(&self, earth: &Earth, q_eb: &nalgebra::Quaternion<f64>) -> Option<Vector3<f64>> {
-        let earth_rate = Vector3::new(0.0, 0.0, earth.rate_rad_s);
-        self.omega_ib_b.map(|omega| omega - crate::math::rotate_inverse(q_eb, &earth_rate))
     }
 }

@@ -28,11 +28,8 @@ struct Drive {
 
 impl Drive {
     fn at(node: &MotionNode, errors: &SensorErrors) -> Self {
-        Self {
-            f_e: node.f_e,
-            gyro_e: rotate(&node.q_eb, &errors.gyro_b),
-            accel_e: rotate(&node.q_eb, &errors.accel_b),
-        }
+        let q_eb = &node.state.q_eb;
+        Self { f_e: node.f_e, gyro_e: rotate(q_eb, &errors.gyro_b), accel_e: rotate(q_eb, &errors.accel_b) }
     }
 }
 
@@ -49,8 +46,8 @@ impl EarthFixedForm {
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion, errors: &SensorErrors) {
         let t = motion.interval_s;
-        let (start, middle, end) = (motion.node(0.0), motion.node(0.5), motion.node(1.0));
-        let gradient = earth.gravity_gradient(&middle.r_e);
+        let (start, middle, end) = (motion.start(), motion.middle(), motion.end());
+        let gradient = earth.gravity_gradient(&middle.state.r_e);
         let w = earth.rate_rad_s;
         let (d0, d1, d2) = (Drive::at(&start, errors), Drive::at(&middle, errors), Drive::at(&end, errors));
         let k1 = self.rate(w, &gradient, &d0);

@@ -47,27 +47,28 @@ struct Coefficients {
 
 impl Coefficients {
     fn at(earth: &Earth, node: &MotionNode, errors: &SensorErrors) -> Self {
-        let local = LocalGeometry::at(earth, &node.r_e);
+        let MotionNode { state, f_e } = node;
+        let local = LocalGeometry::new(earth, &earth.vertical(&state.r_e));
         let (s, c) = (local.sin, local.cos);
         let (tan, sec) = (s / c, 1.0 / c);
-        let v = local.to_local(&node.v_e);
+        let v = local.to_local(&state.v_e);
         let (rate_north, rate_up) = (earth.rate_rad_s * c, earth.rate_rad_s * s);
         let omega_in =
             Vector3::new(-v.y / local.m, rate_north + v.x / local.n, rate_up + v.x * tan / local.n);
         let e2 = earth.eccentricity2;
         let w2 = 1.0 - e2 * s * s;
         let radii = earth.radii(s);
-        let gradient = earth.gravity_gradient(&node.r_e);
-        let gravity = earth.gravity(&node.r_e);
+        let gradient = earth.gravity_gradient(&state.r_e);
+        let gravity = earth.gravity(&state.r_e);
         let by_north = gradient * local.north * local.m;
         let by_up = gradient * local.up;
         Self {
             tan,
             sec,
             v,
-            f: local.to_local(&node.f_e),
-            eps: local.to_local(&rotate(&node.q_eb, &errors.gyro_b)),
-            nabla: local.to_local(&rotate(&node.q_eb, &errors.accel_b)),
+            f: local.to_local(f_e),
+            eps: local.to_local(&rotate(&state.q_eb, &errors.gyro_b)),
+            nabla: local.to_local(&rotate(&state.q_eb, &errors.accel_b)),
             rate_north,
             rate_up,
             omega_in,
@@ -94,7 +95,8 @@ impl GeographicForm {
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion, errors: &SensorErrors) {
         let t = motion.interval_s;
-        let [c0, c1, c2] = [0.0, 0.5, 1.0].map(|u| Coefficients::at(earth, &motion.node(u), errors));
+        let nodes = [motion.start(), motion.middle(), motion.end()];
+        let [c0, c1, c2] = nodes.map(|node| Coefficients::at(earth, &node, errors));
         let k1 = self.rate(&c0);
         let k2 = self.plus(&k1, 0.5 * t).rate(&c1);
         let k3 = self.plus(&k2, 0.5 * t).rate(&c1);

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::earth::Earth;
+use crate::earth::{Earth, Vertical};
 
 /// Cosines of latitude below this are taken as this: tan L stays finite at a pole, where it has no meaning.
 const MIN_COS: f64 = 1e-9;
@@ -21,8 +21,7 @@ pub(super) struct LocalGeometry {
 }
 
 impl LocalGeometry {
-    pub fn at(earth: &Earth, r_e: &Vector3<f64>) -> Self {
-        let vertical = earth.vertical(r_e);
+    pub fn new(earth: &Earth, vertical: &Vertical) -> Self {
         let up = vertical.up_e;
         let cos = (up.x * up.x + up.y * up.y).sqrt();
         let east = if cos > 0.0 { Vector3::new(-up.y / cos, up.x / cos, 0.0) } else { Vector3::y() };

@@ -14,7 +14,8 @@ use crate::earth::Earth;
 use crate::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::signal::IntervalMotion;
-use crate::state::{BodyAxes, EarthFixedState, Navigation};
+use crate::state::{BodyAxes, Navigation};
+use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;
 use geometry::LocalGeometry;
@@ -60,23 +61,23 @@ pub struct ErrorModel {
 
 impl ErrorModel {
     /// Starts at the true state `truth` with the errors `start`, in the form that belongs to `frame`.
-    pub fn new(earth: Earth, frame: Frame, truth: &EarthFixedState, start: &StartErrors) -> Self {
-        let local = LocalGeometry::at(&earth, &truth.r_e);
+    pub fn new(earth: Earth, frame: Frame, truth: &TruthPoint, start: &StartErrors) -> Self {
+        let local = LocalGeometry::new(&earth, &truth.vertical());
         let form = match frame {
-            Frame::EarthFixed => Form::EarthFixed(EarthFixedForm::new(&local, &truth.v_e, start)),
+            Frame::EarthFixed => Form::EarthFixed(EarthFixedForm::new(&local, &truth.state.v_e, start)),
             Frame::Geographic => Form::Geographic(GeographicForm::new(&local, start)),
         };
         Self { earth, form, vertical: VerticalLoop::new() }
     }
 
-    /// Over the interval of `motion` with the sensor errors `errors`; then the vertical channel as the mechanization has
-    /// it: `aid` is its aid, `height_m` the true height.
+    /// Over the interval of `motion`, which ends at `truth`, with the sensor errors `errors`; then the vertical channel as
+    /// the mechanization has it, with its aid.
     pub fn advance(
         &mut self,
         motion: &IntervalMotion,
+        truth: &TruthPoint,
         errors: &SensorErrors,
         aid: &VerticalAid,
-        height_m: f64,
     ) {
         match &mut self.form {
             Form::EarthFixed(form) => form.advance(&self.earth, motion, errors),
@@ -86,29 +87,29 @@ impl ErrorModel {
             return;
         }
         let t = motion.interval_s;
-        let end = motion.node(1.0);
-        let local = LocalGeometry::at(&self.earth, &end.r_e);
+        let v_e = &truth.state.v_e;
+        let local = LocalGeometry::new(&self.earth, &truth.vertical());
         let (height_error, velocity_error) = match &self.form {
-            Form::EarthFixed(form) => form.observe_vertical(&local, &end.v_e),
+            Form::EarthFixed(form) => form.observe_vertical(&local, v_e),
             Form::Geographic(form) => form.observe_vertical(),
         };
         let correction = match *aid {
             VerticalAid::None => return,
             VerticalAid::Truth { .. } => VerticalCorrection::to_truth(-height_error, -velocity_error, t),
             VerticalAid::Barometer { height_m: indicated } => {
-                self.vertical.correct(height_error - (indicated - height_m), t)
+                self.vertical.correct(height_error - (indicated - truth.sample.place.height_m), t)
             }
         };
         match &mut self.form {
             Form::EarthFixed(form) => form.shift_vertical(&self.earth, &local, &correction),
-            Form::Geographic(form) => form.shift_vertical(&self.earth, &local, &end.v_e, &correction),
+            Form::Geographic(form) => form.shift_vertical(&self.earth, &local, v_e, &correction),
         }
     }
 
     /// The errors, at the true solution `truth`.
     pub fn errors(&self, truth: &Navigation, axes: BodyAxes) -> NavigationErrors {
         let state = truth.earth_fixed(&self.earth);
-        let local = LocalGeometry::at(&self.earth, &state.r_e);
+        let local = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
         let StartErrors { position_n, velocity_n, misalignment_n } = match &self.form {
             Form::EarthFixed(form) => form.errors(&local, &state.v_e),
             Form::Geographic(form) => form.errors(&local),

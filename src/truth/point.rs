@@ -1,0 +1,87 @@
+//! A checked sample with what the blocks behind need of it.
+
+use core::f64::consts::FRAC_PI_2;
+
+use nalgebra::Vector3;
+
+use super::FlightSample;
+use crate::earth::{Earth, Geodetic, Vertical, navigation_axes};
+use crate::math::{attitude_from_euler, rotate};
+use crate::state::{BodyAxes, EarthFixedState, Navigation};
+
+/// Truth at a sample, in Earth-fixed axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TruthPoint {
+    /// Time on the time base [s].
+    pub time_s: f64,
+    /// Time since the point before [s]; 0 at the first.
+    pub interval_s: f64,
+    /// Position, velocity, attitude.
+    pub state: EarthFixedState,
+    /// Unit vector up.
+    pub up_e: Vector3<f64>,
+    /// Gravity there [m/s²].
+    pub gravity_e: Vector3<f64>,
+    /// Acceleration against the Earth [m/s²], if the host gave the specific force.
+    pub a_e: Option<Vector3<f64>>,
+    /// The sample itself.
+    pub sample: FlightSample,
+}
+
+impl TruthPoint {
+    /// The point of `sample` at `time_s`, `interval_s` after the one before.
+    pub(super) fn new(
+        earth: &Earth,
+        axes: BodyAxes,
+        sample: &FlightSample,
+        time_s: f64,
+        interval_s: f64,
+    ) -> Self {
+        // What the check let pass beyond a pole is the pole.
+        let latitude_rad = sample.place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
+        let sample = FlightSample { place: Geodetic { latitude_rad, ..sample.place }, ..*sample };
+        let q_en = navigation_axes(latitude_rad, sample.place.longitude_rad);
+        let up_e = rotate(&q_en, &Vector3::z());
+        let transverse_m = earth.radii(up_e.z).transverse_m;
+        let mut r_e = up_e * (transverse_m + sample.place.height_m);
+        r_e.z -= earth.eccentricity2 * transverse_m * up_e.z;
+        let state = EarthFixedState {
+            r_e,
+            v_e: rotate(&q_en, &sample.v_n.unwrap_or_default()),
+            q_eb: q_en * axes.exchange(&attitude_from_euler(&sample.euler)),
+        };
+        let gravity_e = earth.gravity(&r_e);
+        let mut point = Self { time_s, interval_s, state, up_e, gravity_e, a_e: None, sample };
+        point.use_specific_force(earth);
+        point
+    }
+
+    /// Gives the point a velocity [m/s] that its sample does not have.
+    pub(super) fn set_velocity(&mut self, earth: &Earth, v_e: Vector3<f64>) {
+        self.state.v_e = v_e;
+        self.use_specific_force(earth);
+    }
+
+    /// a = C f + g - 2 W×v
+    fn use_specific_force(&mut self, earth: &Earth) {
+        let EarthFixedState { v_e, q_eb, .. } = &self.state;
+        let coriolis = Vector3::new(v_e.y, -v_e.x, 0.0) * (2.0 * earth.rate_rad_s);
+        self.a_e = self.sample.f_b.map(|f_b| rotate(q_eb, &f_b) + self.gravity_e + coriolis);
+    }
+
+    /// The vertical there.
+    pub fn vertical(&self) -> Vertical {
+        Vertical { up_e: self.up_e, height_m: self.sample.place.height_m }
+    }
+
+    /// The point in geographic terms: the host's own place and velocity, to the bit.
+    pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
+        match self.sample.v_n {
+            Some(v_n) => {
+                let q_nb = axes.exchange(&attitude_from_euler(&self.sample.euler));
+                Navigation::new(self.sample.place, v_n, q_nb, axes)
+            }
+            None => self.state.navigation(earth, axes),
+        }
+    }
+}
