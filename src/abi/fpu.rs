@@ -37,7 +37,9 @@ impl FloatState {
     #[inline(always)]
     unsafe fn load(mxcsr: &u32) {
         // SAFETY: the caller's promise.
-        unsafe { asm!("ldmxcsr [{0}]", in(reg) core::ptr::from_ref(mxcsr), options(nostack, preserves_flags)) }
+        unsafe {
+            asm!("ldmxcsr [{0}]", in(reg) core::ptr::from_ref(mxcsr), options(nostack, preserves_flags))
+        }
     }
 
     /// Saves the host's state and sets the default. A load of MXCSR costs 10 ns: it is spared where nothing would change.

@@ -7,14 +7,16 @@
 //!
 //! Departure: the paper differences the samples, which is 49 °/h wrong on a rocking table.
 
-mod derivatives;
 mod generator;
 mod motion;
 
-pub use generator::{MAX_INCREMENTS, SignalGenerator};
+pub use generator::SignalGenerator;
 pub use motion::{IntervalMotion, MotionNode};
 
 use nalgebra::Vector3;
+
+/// Sub-increments of an interval at the most: 5 subsamples of 16 updates.
+pub const MAX_INCREMENTS: usize = 80;
 
 /// Integrals of angular rate and specific force over a short time, sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Increment;
-use super::derivatives::IntervalEnds;
+use super::generator::Derivatives;
 use crate::math::{
     RotationSeries, inverse_right_jacobian, rotate_inverse, rotation_increment, rotation_quaternion,
 };
@@ -39,12 +39,12 @@ pub struct MotionNode {
 
 /// Attitude and velocity over one interval, and with gravity the specific force.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct IntervalMotion {
+pub struct IntervalMotion<'a> {
     /// Length T [s].
     pub interval_s: f64,
     earth_rate: f64,
-    start: EarthFixedState,
-    end: EarthFixedState,
+    start: &'a TruthPoint,
+    end: &'a TruthPoint,
     /// Rotation vector against inertial space since the start = Σ rotation[i] u^(i+1), sensor axes [rad].
     rotation: [Vector3<f64>; 3],
     /// Velocity = Σ velocity[i] u^i, Earth-fixed axes [m/s].
@@ -53,39 +53,40 @@ pub struct IntervalMotion {
     force: [Vector3<f64>; 4],
 }
 
-impl IntervalMotion {
-    /// The cubic through both ends: velocity with acceleration, rotation vector with its rate.
+impl<'a> IntervalMotion<'a> {
+    /// The cubic through both ends: velocity with acceleration, rotation vector (`phi` over the interval) with its rate.
+    #[inline]
     pub(super) fn new(
-        start: &EarthFixedState,
-        start_gravity_e: &Vector3<f64>,
-        end: &TruthPoint,
-        ends: &IntervalEnds,
+        start: &'a TruthPoint,
+        end: &'a TruthPoint,
+        ends: &[Derivatives; 2],
+        phi: &Vector3<f64>,
         earth_rate: f64,
     ) -> Self {
         let t = end.interval_s;
-        let phi = ends.rotation;
-        let d0 = ends.start.omega_ib_b * t;
-        let d1 = inverse_right_jacobian(&phi, &(ends.end.omega_ib_b * t));
-        let rotation = [d0, 3.0 * phi - 2.0 * d0 - d1, d0 + d1 - 2.0 * phi];
+        let d0 = ends[0].omega_ib_b * t;
+        let d1 = inverse_right_jacobian(phi, &(ends[1].omega_ib_b * t));
+        let rotation = [d0, phi * 3.0 - 2.0 * d0 - d1, d0 + d1 - phi * 2.0];
 
-        let (a0, a1) = (ends.start.a_e * t, ends.end.a_e * t);
-        let dv = end.state.v_e - start.v_e;
-        let velocity = [start.v_e, a0, 3.0 * dv - 2.0 * a0 - a1, a0 + a1 - 2.0 * dv];
+        let (a0, a1) = (ends[0].a_e * t, ends[1].a_e * t);
+        let dv = end.state.v_e - start.state.v_e;
+        let velocity = [start.state.v_e, a0, 3.0 * dv - 2.0 * a0 - a1, a0 + a1 - 2.0 * dv];
 
         // f = a + 2 W×v - g. Gravity is linear between the ends but for the bow of the path, u (1 - u) T a/2 high,
         // in the gradient of a sphere.
         let coriolis = |v: &Vector3<f64>| axis_cross(2.0 * earth_rate * t, v);
-        let inverse_r2 = 1.0 / start.r_e.norm_squared();
-        let gradient = -start_gravity_e.dot(&start.r_e) * inverse_r2;
-        let bow = (dv - start.r_e * (3.0 * start.r_e.dot(&dv) * inverse_r2)) * (0.5 * t * t * gradient);
-        let gravity_change = (end.gravity_e - start_gravity_e) * t;
+        let inverse_r2 = 1.0 / start.state.r_e.norm_squared();
+        let gradient = -start.gravity_e.dot(&start.state.r_e) * inverse_r2;
+        let bow =
+            (dv - start.state.r_e * (3.0 * start.state.r_e.dot(&dv) * inverse_r2)) * (0.5 * t * t * gradient);
+        let gravity_change = (end.gravity_e - start.gravity_e) * t;
         let force = [
-            velocity[1] + coriolis(&velocity[0]) - start_gravity_e * t,
+            velocity[1] + coriolis(&velocity[0]) - start.gravity_e * t,
             2.0 * velocity[2] + coriolis(&velocity[1]) - gravity_change - bow,
             3.0 * velocity[3] + coriolis(&velocity[2]) + bow,
             coriolis(&velocity[3]),
         ];
-        Self { interval_s: t, earth_rate, start: *start, end: end.state, rotation, velocity, force }
+        Self { interval_s: t, earth_rate, start, end, rotation, velocity, force }
     }
 
     /// Integrals of angular rate and specific force over each of `increments.len()` equal parts.
@@ -119,7 +120,7 @@ impl IntervalMotion {
             f2 + k1 + 0.5 * axis_cross(wt, &k0),
             f3 + axis_cross(wt, f2) + 0.5 * axis_cross(wt, &k1),
         ];
-        inertial.map(|f| rotate_inverse(&self.start.q_eb, &f))
+        inertial.map(|f| rotate_inverse(&self.start.state.q_eb, &f))
     }
 
     /// T times angular rate against inertial space and specific force, sensor axes.
@@ -147,14 +148,14 @@ impl IntervalMotion {
     /// Truth at the start.
     #[inline]
     pub fn start(&self) -> MotionNode {
-        MotionNode { state: self.start, f_e: self.force[0] / self.interval_s }
+        MotionNode { state: self.start.state, f_e: self.force[0] / self.interval_s }
     }
 
     /// Truth at the end.
     #[inline]
     pub fn end(&self) -> MotionNode {
         let [f0, f1, f2, f3] = &self.force;
-        MotionNode { state: self.end, f_e: (f0 + f1 + f2 + f3) / self.interval_s }
+        MotionNode { state: self.end.state, f_e: (f0 + f1 + f2 + f3) / self.interval_s }
     }
 
     /// Truth in the middle.
@@ -164,11 +165,11 @@ impl IntervalMotion {
         let [v0, v1, v2, v3] = &self.velocity;
         let [f0, f1, f2, f3] = &self.force;
         let t = self.interval_s;
-        let q_eb = self.start.q_eb * rotation_quaternion(&(0.5 * c1 + 0.25 * c2 + 0.125 * c3));
+        let q_eb = self.start.state.q_eb * rotation_quaternion(&(0.5 * c1 + 0.25 * c2 + 0.125 * c3));
         let earth_turn = rotation_increment(&Vector3::new(0.0, 0.0, -0.5 * self.earth_rate * t));
         MotionNode {
             state: EarthFixedState {
-                r_e: self.start.r_e + (v0 / 2.0 + v1 / 8.0 + v2 / 24.0 + v3 / 64.0) * t,
+                r_e: self.start.state.r_e + (v0 / 2.0 + v1 / 8.0 + v2 / 24.0 + v3 / 64.0) * t,
                 v_e: v0 + v1 / 2.0 + v2 / 4.0 + v3 / 8.0,
                 q_eb: q_eb + earth_turn * q_eb,
             },

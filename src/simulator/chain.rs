@@ -15,7 +15,7 @@ use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::sensors::{Alignment, alignment_error};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::state::Navigation;
-use crate::truth::TruthPoint;
+use crate::truth::{Recent, TruthPoint};
 
 /// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
 const MIN_GYROCOMPASS_COS: f64 = 0.01;
@@ -39,6 +39,8 @@ pub(super) struct Chain {
     options: Options,
     earth: Earth,
     generator: SignalGenerator,
+    /// Ideal and measured increments of the last interval.
+    ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
     imu: Option<ImuInterval>,
     mechanization: Mechanization,
@@ -62,11 +64,11 @@ impl Chain {
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
         let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, &start));
-        let count = options.subsamples * options.updates_per_sample;
         Ok(Self {
             options: *options,
             earth,
-            generator: SignalGenerator::new(*first, earth.rate_rad_s, count),
+            generator: SignalGenerator::new(earth.rate_rad_s),
+            ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
             imu: None,
             mechanization,
@@ -94,21 +96,24 @@ impl Chain {
         Ok(())
     }
 
-    /// Flies the interval to `next`.
-    pub fn advance(&mut self, next: &TruthPoint, sensors: &mut SensorSuite) {
-        let from = self.generator.newest().state.r_e;
+    /// Flies the interval that `recent` ends.
+    pub fn advance(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) {
+        let next = recent.next;
         let t = next.interval_s;
-        self.generator.advance(next);
+        let count = self.options.subsamples * self.options.updates_per_sample;
+
+        // Signal generator.
+        let motion = self.generator.advance(recent);
+        let ideal = &mut self.ideal[..count];
+        motion.integrate(ideal);
+        let ideal_sum = Increment::sum(ideal);
 
         // Sensors.
-        let ideal = self.generator.increments();
-        let count = ideal.len();
-        let ideal_sum = Increment::sum(ideal);
         let increments = if sensors.are_ideal() {
-            ideal
+            &*ideal
         } else {
             let dt = t / count as f64;
-            for (measured, ideal) in self.measured.iter_mut().zip(ideal) {
+            for (measured, ideal) in self.measured.iter_mut().zip(&*ideal) {
                 *measured = sensors.sense(ideal, dt);
             }
             &self.measured[..count]
@@ -126,41 +131,23 @@ impl Chain {
         for update in increments.chunks_exact(self.options.subsamples) {
             self.mechanization.update(update, t / updates as f64);
         }
-        let aid = self.vertical_aid(next, sensors);
+        let aid = vertical_aid(self.options.vertical, next, sensors);
         self.mechanization.aid_vertical(&aid, t);
 
         // Errors.
-        let Some(motion) = self.generator.motion() else { return };
         if let Some(model) = &mut self.error_model {
             let errors = SensorErrors {
                 gyro_b: (measured_sum.angle - ideal_sum.angle) / t,
                 accel_b: (measured_sum.velocity - ideal_sum.velocity) / t,
             };
-            model.advance(motion, next, &errors, &aid);
+            model.advance(&motion, next, &errors, &aid);
         }
-        let inconsistency = motion.displacement() - (next.state.r_e - from);
+        let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
         self.closure.advance(&self.earth, next, &inconsistency);
         self.intervals += 1;
         if self.accuracy.is_due(next.time_s) {
-            let errors = self.navigation_errors();
+            let errors = self.navigation_errors(next);
             self.accuracy.add(next.time_s, &errors);
-        }
-    }
-
-    fn vertical_aid(&self, next: &TruthPoint, sensors: &mut SensorSuite) -> VerticalAid {
-        let height_m = next.sample.place.height_m;
-        match self.options.vertical {
-            VerticalMode::Free => VerticalAid::None,
-            VerticalMode::Damped => {
-                VerticalAid::Barometer { height_m: sensors.altimeter.sense(height_m, next.interval_s) }
-            }
-            VerticalMode::FollowTruth => {
-                let velocity_up_m_s = match &next.sample.v_n {
-                    Some(v_n) => v_n.z,
-                    None => next.up_e.dot(&next.state.v_e),
-                };
-                VerticalAid::Truth { height_m, velocity_up_m_s }
-            }
         }
     }
 
@@ -168,58 +155,71 @@ impl Chain {
         self.intervals
     }
 
-    pub fn time_s(&self) -> f64 {
-        self.generator.newest().time_s
+    fn solution(&self, time_s: f64, navigation: Navigation) -> Solution {
+        let near_pole = navigation.distance_from_axis(&self.earth) < NEAR_POLE_M;
+        Solution { time_s, navigation, near_pole, vertical_unaided: false, inconsistent: false }
     }
 
-    fn true_navigation(&self) -> Navigation {
-        self.generator.newest().navigation(&self.earth, self.options.axes)
+    /// The solution of the truth, which is at `truth`.
+    pub fn truth(&self, truth: &TruthPoint) -> Solution {
+        let navigation = truth.navigation(&self.earth, self.options.axes);
+        Solution { inconsistent: self.closure.last_flagged(), ..self.solution(truth.time_s, navigation) }
     }
 
-    fn solution(&self, navigation: Navigation, vertical_unaided: bool, inconsistent: bool) -> Solution {
-        Solution {
-            time_s: self.time_s(),
-            navigation,
-            near_pole: navigation.distance_from_axis(&self.earth) < NEAR_POLE_M,
-            vertical_unaided,
-            inconsistent,
-        }
-    }
-
-    pub fn truth(&self) -> Solution {
-        self.solution(self.true_navigation(), false, self.closure.last_flagged())
-    }
-
-    pub fn navigation(&self) -> Solution {
+    /// The navigated solution while the truth is at `truth`.
+    pub fn navigation(&self, truth: &TruthPoint) -> Solution {
         let navigation = self.mechanization.navigation(self.options.axes);
-        self.solution(navigation, self.options.vertical == VerticalMode::Free, false)
+        let vertical_unaided = self.options.vertical == VerticalMode::Free;
+        Solution { vertical_unaided, ..self.solution(truth.time_s, navigation) }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
         self.imu
     }
 
-    fn navigation_errors(&self) -> NavigationErrors {
-        let navigation = self.mechanization.navigation(self.options.axes);
-        navigation_minus_truth(&self.earth, &navigation, &self.true_navigation())
+    fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
+        let axes = self.options.axes;
+        let truth = truth.navigation(&self.earth, axes);
+        navigation_minus_truth(&self.earth, &self.mechanization.navigation(axes), &truth)
     }
 
-    pub fn errors(&self, source: ErrorSource) -> Option<NavigationErrors> {
+    /// The errors while the truth is at `truth`; `None` while the error model is off.
+    pub fn errors(&self, source: ErrorSource, truth: &TruthPoint) -> Option<NavigationErrors> {
+        let axes = self.options.axes;
         match source {
-            ErrorSource::Navigation => Some(self.navigation_errors()),
+            ErrorSource::Navigation => Some(self.navigation_errors(truth)),
             ErrorSource::Model => self
                 .error_model
                 .as_ref()
-                .map(|model| model.errors(&self.true_navigation(), self.options.axes)),
+                .map(|model| model.errors(&truth.navigation(&self.earth, axes), axes)),
         }
     }
 
-    pub fn accuracy(&self) -> AccuracyFigures {
-        self.accuracy.figures(self.time_s())
+    pub fn accuracy(&self, truth: &TruthPoint) -> AccuracyFigures {
+        self.accuracy.figures(truth.time_s)
     }
 
-    pub fn closure(&self) -> ClosureFigures {
-        self.closure.figures(&self.earth, &self.true_navigation(), &self.navigation_errors())
+    pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
+        let navigation = truth.navigation(&self.earth, self.options.axes);
+        self.closure.figures(&self.earth, &navigation, &self.navigation_errors(truth))
+    }
+}
+
+/// What the vertical channel is told at the sample `next`.
+fn vertical_aid(mode: VerticalMode, next: &TruthPoint, sensors: &mut SensorSuite) -> VerticalAid {
+    let height_m = next.sample.place.height_m;
+    match mode {
+        VerticalMode::Free => VerticalAid::None,
+        VerticalMode::Damped => {
+            VerticalAid::Barometer { height_m: sensors.altimeter.sense(height_m, next.interval_s) }
+        }
+        VerticalMode::FollowTruth => VerticalAid::Truth {
+            height_m,
+            velocity_up_m_s: match &next.sample.v_n {
+                Some(v_n) => v_n.z,
+                None => next.up_e.dot(&next.state.v_e),
+            },
+        },
     }
 }
 

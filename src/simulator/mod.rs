@@ -16,7 +16,7 @@ use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::sensors::{AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY};
+use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
 use chain::Chain;
 use navigator::Navigator;
 use suite::SensorSuite;
@@ -144,15 +144,16 @@ impl Simulator {
                 return Ok(Step::NeedSample);
             }
             let chain = self.chain_from_first_sample()?;
-            let Some(first) = self.intake.pop() else { return Ok(Step::NeedSample) };
-            self.sensors.altimeter.reposition(first.sample.place.height_m);
+            self.intake.take();
+            let height_m = self.intake.current().map_or(0.0, |first| first.sample.place.height_m);
+            self.sensors.altimeter.reposition(height_m);
             self.mode = Mode::Flying(chain);
         }
         let Mode::Flying(chain) = &mut self.mode else { return Ok(Step::NeedSample) };
-        let Some(next) = self.intake.front() else { return Ok(Step::NeedSample) };
-        chain.check(next)?;
-        chain.advance(next, &mut self.sensors);
-        self.intake.pop();
+        let Some(recent) = self.intake.recent() else { return Ok(Step::NeedSample) };
+        chain.check(recent.next)?;
+        chain.advance(&recent, &mut self.sensors);
+        self.intake.take();
         Ok(Step::Done)
     }
 
@@ -179,18 +180,15 @@ impl Simulator {
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
         let mut intake = Intake::new(self.earth, self.options.axes, self.options.intake);
-        core::mem::swap(&mut intake, &mut self.intake);
-        if let Err(error) = self.intake.push(sample) {
-            self.intake = intake;
-            return Err(error);
-        }
+        intake.push(sample)?;
+        self.intake = intake;
         self.mode = Mode::Waiting;
         Ok(())
     }
 
     /// Back to before the first sample: same parameters, seed and draws.
     pub fn reset(&mut self) {
-        self.intake.clear();
+        self.intake = Intake::new(self.earth, self.options.axes, self.options.intake);
         self.sensors = self.sensors.restarted(&self.options);
         self.mode = Mode::Waiting;
     }
@@ -221,14 +219,14 @@ impl Simulator {
     /// The truth; `None` before the first sample.
     pub fn truth(&self) -> Result<Option<Solution>, Error> {
         self.refuse_while_navigating()?;
-        self.read(|chain| chain.truth())
+        self.read(Chain::truth)
     }
 
     /// The navigated solution; `None` before the first sample.
     pub fn navigation(&self) -> Result<Option<Solution>, Error> {
         match &self.mode {
             Mode::Navigating(navigator) => Ok(Some(navigator.solution())),
-            _ => self.read(|chain| chain.navigation()),
+            _ => self.read(Chain::navigation),
         }
     }
 
@@ -247,22 +245,23 @@ impl Simulator {
         if source == ErrorSource::Model && !self.options.error_model {
             return Err(Error::bad_state("the error model is off: options.error_model"));
         }
-        let errors = self.read(|chain| chain.errors(source).map(|errors| (chain.time_s(), errors)))?;
+        let errors =
+            self.read(|chain, truth| chain.errors(source, truth).map(|errors| (truth.time_s, errors)))?;
         Ok(errors.flatten())
     }
 
     /// Accuracy and closure so far; `None` before the first sample.
     pub fn accuracy(&self) -> Result<Option<(f64, AccuracyFigures, ClosureFigures)>, Error> {
         self.refuse_while_navigating()?;
-        self.read(|chain| (chain.time_s(), chain.accuracy(), chain.closure()))
+        self.read(|chain, truth| (truth.time_s, chain.accuracy(truth), chain.closure(truth)))
     }
 
-    /// Reads the chain as it is, or as it will start from the first sample that waits.
-    fn read<T>(&self, view: impl FnOnce(&Chain) -> T) -> Result<Option<T>, Error> {
-        match &self.mode {
-            Mode::Flying(chain) => Ok(Some(view(chain))),
-            _ if self.intake.waiting() == 0 => Ok(None),
-            _ => Ok(Some(view(&self.chain_from_first_sample()?))),
+    /// Reads the chain as it is, or as it will start from the first sample that waits, with the truth of that moment.
+    fn read<T>(&self, view: impl FnOnce(&Chain, &TruthPoint) -> T) -> Result<Option<T>, Error> {
+        match (&self.mode, self.intake.current(), self.intake.front()) {
+            (Mode::Flying(chain), Some(current), _) => Ok(Some(view(chain, current))),
+            (_, _, Some(first)) => Ok(Some(view(&self.chain_from_first_sample()?, first))),
+            _ => Ok(None),
         }
     }
 

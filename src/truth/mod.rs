@@ -2,8 +2,10 @@
 
 mod intake;
 mod point;
+mod ring;
 mod sample;
 
-pub use intake::{Intake, IntakeLimits, QUEUE_CAPACITY};
+pub use intake::{Intake, IntakeLimits};
 pub use point::TruthPoint;
+pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;

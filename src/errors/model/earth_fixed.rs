@@ -44,7 +44,7 @@ impl EarthFixedForm {
         }
     }
 
-    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion, errors: &SensorErrors) {
+    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
         let t = motion.interval_s;
         let (start, middle, end) = (motion.start(), motion.middle(), motion.end());
         let gradient = earth.gravity_gradient(&middle.state.r_e);

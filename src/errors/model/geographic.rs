@@ -93,7 +93,7 @@ impl GeographicForm {
         }
     }
 
-    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion, errors: &SensorErrors) {
+    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
         let t = motion.interval_s;
         let nodes = [motion.start(), motion.middle(), motion.end()];
         let [c0, c1, c2] = nodes.map(|node| Coefficients::at(earth, &node, errors));

@@ -74,7 +74,7 @@ impl ErrorModel {
     /// the mechanization has it, with its aid.
     pub fn advance(
         &mut self,
-        motion: &IntervalMotion,
+        motion: &IntervalMotion<'_>,
         truth: &TruthPoint,
         errors: &SensorErrors,
         aid: &VerticalAid,

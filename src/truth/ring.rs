@@ -1,0 +1,73 @@
+//! The last points taken in: those that wait for a step, and those before them that a stencil still looks back to.
+
+use super::TruthPoint;
+
+/// Samples that may wait for a step.
+pub const QUEUE_CAPACITY: usize = 16;
+
+/// A power of two that holds a full queue and the points behind it.
+const RING: usize = 32;
+
+/// Points in the order in which they came, in fixed memory.
+#[derive(Debug, Clone)]
+pub(super) struct Ring {
+    points: [Option<TruthPoint>; RING],
+    pushed: usize,
+    taken: usize,
+}
+
+/// The point that ends an interval and the ones before it.
+#[derive(Debug, Clone, Copy)]
+pub struct Recent<'a> {
+    /// The point at the end.
+    pub next: &'a TruthPoint,
+    /// The point at the start.
+    pub current: &'a TruthPoint,
+    /// The two before that, newest first, as far as there are any since the start or the last reposition.
+    pub before: [Option<&'a TruthPoint>; 2],
+}
+
+impl Ring {
+    pub const EMPTY: Self = Self { points: [None; RING], pushed: 0, taken: 0 };
+
+    /// Points that wait.
+    pub fn waiting(&self) -> usize {
+        self.pushed - self.taken
+    }
+
+    pub fn push(&mut self, point: TruthPoint) {
+        self.points[self.pushed % RING] = Some(point);
+        self.pushed += 1;
+    }
+
+    /// The oldest point that waits is now the current one.
+    pub fn take(&mut self) {
+        if self.waiting() > 0 {
+            self.taken += 1;
+        }
+    }
+
+    /// The point pushed `back` before the last.
+    pub fn pushed(&self, back: usize) -> Option<&TruthPoint> {
+        self.at(self.pushed.checked_sub(back + 1)?)
+    }
+
+    /// The point pushed last, to be completed.
+    pub fn pushed_mut(&mut self) -> Option<&mut TruthPoint> {
+        self.points[self.pushed.checked_sub(1)? % RING].as_mut()
+    }
+
+    /// The oldest point that waits.
+    pub fn front(&self) -> Option<&TruthPoint> {
+        if self.waiting() > 0 { self.at(self.taken) } else { None }
+    }
+
+    /// The point taken `back` before the last.
+    pub fn taken(&self, back: usize) -> Option<&TruthPoint> {
+        self.at(self.taken.checked_sub(back + 1)?)
+    }
+
+    fn at(&self, index: usize) -> Option<&TruthPoint> {
+        self.points[index % RING].as_ref()
+    }
+}
