@@ -198,7 +198,7 @@ typedef struct sins_flight sins_flight;
 #define SINS_NAVIGATION_NEAR_POLE 1
 /* Nothing aids the vertical channel: any error grows by e every 569 s. */
 #define SINS_NAVIGATION_VERTICAL_UNAIDED 2
-/* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm. */
+/* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
 #define SINS_NAVIGATION_INCONSISTENT 4
 
 /* Navigation minus truth: the paper's error data 2. */

@@ -12,7 +12,7 @@ use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
 pub const SINS_NAVIGATION_NEAR_POLE: i32 = 1;
 /// Nothing aids the vertical channel: any error grows by e every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: i32 = 2;
-/// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm.
+/// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
 pub const SINS_NAVIGATION_INCONSISTENT: i32 = 4;
 
 /// Navigation minus truth: the paper's error data 2.

@@ -27,6 +27,14 @@ pub struct Vertical {
     pub height_m: f64,
 }
 
+/// What is kept from one position to the next to find the vertical in one pass: the centre of curvature of the meridian,
+/// below the equator and from the axis [m].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VerticalTrack {
+    centre_z: f64,
+    centre_p: f64,
+}
+
 /// Sine and cosine of a latitude; the solution of the meridian ellipse keeps to them, so that nothing is singular.
 #[derive(Debug, Clone, Copy)]
 struct Latitude {
@@ -98,41 +106,53 @@ impl Earth {
         vertical_of(r_e, p, latitude, height_m)
     }
 
-    /// The vertical at `r_e`, from the vertical `near` at a place at most some kilometres away: one pass.
+    /// The vertical at an Earth-fixed position [m] at most some kilometres from the last one that `track` followed.
     #[inline]
-    pub fn vertical_near(&self, r_e: &Vector3<f64>, near: &Vertical) -> Vertical {
+    pub fn follow(&self, track: &mut VerticalTrack, r_e: &Vector3<f64>) -> Vertical {
         let p = hypot(r_e.x, r_e.y);
-        let guess = Latitude { sin: near.up_e.z, cos: hypot(near.up_e.x, near.up_e.y) };
-        let latitude = self.bowring(p, r_e.z, guess);
-        vertical_of(r_e, p, latitude, self.height(p, r_e.z, latitude))
+        let latitude = Latitude::of(r_e.z + track.centre_z, p - track.centre_p);
+        let w2 = 1.0 - self.eccentricity2 * latitude.sin * latitude.sin;
+        let w = w2.sqrt();
+        let height_m = p * latitude.cos + r_e.z * latitude.sin - self.equatorial_radius_m * w;
+        *track = self.centre(latitude, w * w2);
+        vertical_of(r_e, p, latitude, height_m)
     }
 
-    /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator.
+    /// Starts following the vertical at an Earth-fixed position [m].
+    pub fn track(&self, r_e: &Vector3<f64>) -> VerticalTrack {
+        let (latitude, _) = self.meridian(hypot(r_e.x, r_e.y), r_e.z);
+        let w2 = 1.0 - self.eccentricity2 * latitude.sin * latitude.sin;
+        self.centre(latitude, w2 * w2.sqrt())
+    }
+
+    /// Centre of curvature of the meridian at `latitude`, of which `w3` = (1 - e² sin²L)^1.5.
+    #[inline]
+    fn centre(&self, latitude: Latitude, w3: f64) -> VerticalTrack {
+        let scale = self.equatorial_radius_m * self.eccentricity2 / w3;
+        let flattened = (1.0 - self.flattening) * (1.0 - self.flattening);
+        VerticalTrack {
+            centre_z: scale * flattened * latitude.sin * latitude.sin * latitude.sin,
+            centre_p: scale * latitude.cos * latitude.cos * latitude.cos,
+        }
+    }
+
+    /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator; the height free of
+    /// a division, h = p cos L + z sin L - a sqrt(1 - e² sin²L).
     fn meridian(&self, p: f64, z: f64) -> (Latitude, f64) {
         let mut latitude = Latitude::of(z, p * (1.0 - self.eccentricity2));
         for _ in 0..3 {
             latitude = self.bowring(p, z, latitude);
         }
-        (latitude, self.height(p, z, latitude))
+        let w2 = 1.0 - self.eccentricity2 * latitude.sin * latitude.sin;
+        (latitude, p * latitude.cos + z * latitude.sin - self.equatorial_radius_m * w2.sqrt())
     }
 
     /// Bowring's step: the normal through the centre of curvature that belongs to the latitude `guess`. The centre
     /// moves along the normal itself, so the error squares at each step (times e² h/a).
-    #[inline]
     fn bowring(&self, p: f64, z: f64, guess: Latitude) -> Latitude {
-        let a = self.equatorial_radius_m;
-        let b = self.polar_radius_m;
-        let reduced = Latitude::of((1.0 - self.flattening) * guess.sin, guess.cos);
-        let evolute_z = self.eccentricity2 * a * a / b * reduced.sin * reduced.sin * reduced.sin;
-        let evolute_p = self.eccentricity2 * a * reduced.cos * reduced.cos * reduced.cos;
-        Latitude::of(z + evolute_z, p - evolute_p)
-    }
-
-    /// Height above the ellipsoid, free of a division: h = p cos L + z sin L - a sqrt(1 - e² sin²L).
-    #[inline]
-    fn height(&self, p: f64, z: f64, latitude: Latitude) -> f64 {
-        let w2 = 1.0 - self.eccentricity2 * latitude.sin * latitude.sin;
-        p * latitude.cos + z * latitude.sin - self.equatorial_radius_m * w2.sqrt()
+        let w2 = 1.0 - self.eccentricity2 * guess.sin * guess.sin;
+        let centre = self.centre(guess, w2 * w2.sqrt());
+        Latitude::of(z + centre.centre_z, p - centre.centre_p)
     }
 
     /// Derivative of the up vector with respect to position, Earth-fixed axes [rad/m]:

@@ -5,7 +5,7 @@
 mod geodetic;
 mod gravity;
 
-pub use geodetic::{Geodetic, Vertical, navigation_axes};
+pub use geodetic::{Geodetic, Vertical, VerticalTrack, navigation_axes};
 pub use gravity::GravityModel;
 
 use gravity::NormalField;

@@ -4,7 +4,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
 
@@ -63,6 +63,47 @@ pub fn rotate_inverse(q: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     v + q.w * t + t.cross(&u)
 }
 
+/// Matrix of the unit quaternion `q`: cheaper than [`rotate`] from three vectors on.
+#[inline]
+pub fn rotation_matrix(q: &Quaternion<f64>) -> Matrix3<f64> {
+    let (w, x, y, z) = (q.w, q.i, q.j, q.k);
+    let (x2, y2, z2) = (x + x, y + y, z + z);
+    let (xx, yy, zz) = (x * x2, y * y2, z * z2);
+    let (xy, xz, yz) = (x * y2, x * z2, y * z2);
+    let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+    Matrix3::new(
+        1.0 - (yy + zz),
+        xy - wz,
+        xz + wy,
+        xy + wz,
+        1.0 - (xx + zz),
+        yz - wx,
+        xz - wy,
+        yz + wx,
+        1.0 - (xx + yy),
+    )
+}
+
+/// (q_z(`angle`) - 1) `q`: what a turn by `angle` [rad] about the z axis of the outer frame adds to `q`.
+#[inline]
+pub fn axis_turn_increment(q: &Quaternion<f64>, angle: f64) -> Quaternion<f64> {
+    let h = 0.5 * angle;
+    let h2 = h * h;
+    // The Earth turns by 1e-6 to 1e-3 rad in an interval; the dropped terms are below 1e-17 there.
+    let (sine, cosine_less_one) = if h2 < 1e-5 {
+        (h * (1.0 - h2 * (1.0 / 6.0 - h2 / 120.0)), -0.5 * h2 * (1.0 - h2 / 12.0))
+    } else {
+        let (quarter_sine, _) = sin_cos(0.5 * h);
+        (sin_cos(h).0, -2.0 * quarter_sine * quarter_sine)
+    };
+    Quaternion::new(
+        cosine_less_one * q.w - sine * q.k,
+        cosine_less_one * q.i - sine * q.j,
+        cosine_less_one * q.j + sine * q.i,
+        cosine_less_one * q.k + sine * q.w,
+    )
+}
+
 /// Quaternion of the rotation vector `phi` [rad], less the identity: small rotations keep all their digits.
 #[inline]
 pub fn rotation_increment(phi: &Vector3<f64>) -> Quaternion<f64> {
@@ -88,14 +129,13 @@ pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
     let u = if q.w < 0.0 { -q.imag() } else { q.imag() };
     let w = q.w.abs();
     let n2 = u.norm_squared();
-    let t = n2 / (w * w);
-    // atan(√t)/√t; the first dropped term is below 1e-18 of it.
-    if t < 4e-3 {
-        let series = 1.0
-            - t * (1.0 / 3.0
-                - t * (1.0 / 5.0
-                    - t * (1.0 / 7.0 - t * (1.0 / 9.0 - t * (1.0 / 11.0 - t * (1.0 / 13.0 - t / 15.0))))));
-        u * (2.0 * series / w)
+    // atan(√t)/√t by its series for t = n²/w² < 4e-3; the first dropped term is below 1e-18 of it.
+    if n2 < 4e-3 * w * w {
+        let inverse_w = 1.0 / w;
+        let t = n2 * (inverse_w * inverse_w);
+        let tail = 1.0 / 9.0 - t * (1.0 / 11.0 - t * (1.0 / 13.0 - t / 15.0));
+        let series = 1.0 - t * (1.0 / 3.0 - t * (1.0 / 5.0 - t * (1.0 / 7.0 - t * tail)));
+        u * (2.0 * series * inverse_w)
     } else {
         let n = n2.sqrt();
         u * (2.0 * atan2(n, w) / n)
@@ -163,7 +203,6 @@ pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::Matrix3;
 
     fn distance(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
         (a - b).norm().min((a + b).norm())
@@ -207,6 +246,16 @@ mod tests {
     }
 
     #[test]
+    fn a_turn_about_the_axis_is_the_rotation_of_that_vector() {
+        let q = attitude_from_euler(&Euler { roll: 0.3, pitch: -0.6, heading: 5.0 });
+        for angle in [0.0, 7.3e-7, 6.3e-3, 6.4e-3, 2.0, -3.0] {
+            let expected = rotation_increment(&Vector3::new(0.0, 0.0, angle)) * q;
+            let scale = 1e-300 + angle.abs();
+            assert!(distance(&axis_turn_increment(&q, angle), &expected) < 4.0 * f64::EPSILON * scale);
+        }
+    }
+
+    #[test]
     fn euler_angles_are_the_sequence_heading_pitch_roll() {
         let euler = Euler { roll: 0.3, pitch: -0.6, heading: 5.0 };
         let (sr, cr) = sin_cos(euler.roll);
@@ -218,6 +267,7 @@ mod tests {
         let q = attitude_from_euler(&euler);
         for v in [Vector3::x(), Vector3::y(), Vector3::z()] {
             assert!((rotate(&q, &v) - c * v).norm() < 8.0 * f64::EPSILON);
+            assert!((rotation_matrix(&q) * v - c * v).norm() < 8.0 * f64::EPSILON);
             assert!((rotate_inverse(&q, &v) - c.transpose() * v).norm() < 8.0 * f64::EPSILON);
         }
     }

@@ -3,9 +3,11 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, VerticalCorrection, renormalize, two_sided_increment};
-use crate::earth::{Earth, Vertical};
-use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment};
+use super::{BodyMotion, VerticalCorrection, renormalize};
+use crate::earth::{Earth, VerticalTrack};
+use crate::math::{
+    Compensated, axis_turn_increment, rotate, rotate_inverse, rotation_increment, rotation_matrix,
+};
 use crate::state::EarthFixedState;
 
 /// Position, velocity and attitude in Earth-fixed axes.
@@ -17,7 +19,9 @@ pub struct EarthFixed {
     q_eb: Compensated<4>,
     /// Gravity of the last update [m/s²].
     gravity_e: Vector3<f64>,
-    vertical: Vertical,
+    track: VerticalTrack,
+    /// Up at the last observation of the vertical channel.
+    up_e: Vector3<f64>,
 }
 
 impl EarthFixed {
@@ -28,7 +32,8 @@ impl EarthFixed {
             v_e: Compensated::new(state.v_e),
             q_eb: Compensated::new(state.q_eb.coords),
             gravity_e: earth.gravity(&state.r_e),
-            vertical: earth.vertical(&state.r_e),
+            track: earth.track(&state.r_e),
+            up_e: earth.vertical(&state.r_e).up_e,
         }
     }
 
@@ -43,9 +48,8 @@ impl EarthFixed {
     pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
         let w = earth.rate_rad_s;
         let (q, v) = (self.q(), self.v_e.value);
-        let s1 = rotate(&q, &body.s1);
-        let s2 = rotate(&q, &body.s2);
-        let s3 = rotate(&q, &body.s3);
+        let to_earth = rotation_matrix(&q);
+        let (s1, s2, s3) = (to_earth * body.s1, to_earth * body.s2, to_earth * body.s3);
 
         let dv_gravity_free = s1 - earth_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) / 6.0;
         let acceleration_t = s1 + (self.gravity_e - earth_cross(2.0 * w, &v)) * t;
@@ -57,7 +61,8 @@ impl EarthFixed {
             - earth_cross(2.0 * w, &to_mean_position))
             * t;
         let dv = dv_gravity_free + gravity_e * t - earth_cross(2.0 * w, &dr);
-        let dq = two_sided_increment(&q, &Vector3::new(0.0, 0.0, -w * t), &body.rotation);
+        let turned = q * rotation_increment(&body.rotation);
+        let dq = turned + axis_turn_increment(&(q + turned), -w * t);
         self.add(&dr, &dv, &dq);
         self.gravity_e = gravity_e;
     }
@@ -87,16 +92,17 @@ impl EarthFixed {
         Quaternion::from(self.q_eb.value)
     }
 
-    /// Height above the ellipsoid [m] and velocity up [m/s], and the vertical kept for the correction that follows.
+    /// Height above the ellipsoid [m] and velocity up [m/s], and up kept for the correction that follows.
     pub fn observe_vertical(&mut self, earth: &Earth) -> (f64, f64) {
-        self.vertical = earth.vertical_near(&self.r_e.value, &self.vertical);
-        (self.vertical.height_m, self.vertical.up_e.dot(&self.v_e.value))
+        let vertical = earth.follow(&mut self.track, &self.r_e.value);
+        self.up_e = vertical.up_e;
+        (vertical.height_m, vertical.up_e.dot(&self.v_e.value))
     }
 
     /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays. `displacement_m` is what the velocity
     /// correction would have added to the height within the interval: the Coriolis integral -2 W×Δr follows it.
     pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
-        let up = &self.vertical.up_e;
+        let up = &self.up_e;
         self.r_e.add(&(up * correction.height_m));
         let coriolis = earth_cross(2.0 * earth.rate_rad_s, &(up * correction.displacement_m));
         self.v_e.add(&(up * correction.velocity_up_m_s - coriolis));

@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, VerticalCorrection, renormalize, two_sided_increment};
+use super::{BodyMotion, VerticalCorrection, renormalize};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
@@ -101,7 +101,8 @@ impl Geographic {
             dr = (v + s2 - omega_in_t.cross(&s3) + steady * 0.5) * t;
         }
         let zeta = local.omega_ie * t + local.transport(&dr);
-        let dq = two_sided_increment(&q, &-zeta, &body.rotation);
+        let turned = q * rotation_increment(&body.rotation);
+        let dq = turned + rotation_increment(&-zeta) * (q + turned);
         self.add(&local.change_of_place(&dr), &dv, &dq);
         self.a_n = dv / t;
     }

@@ -11,11 +11,9 @@ mod vertical;
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode};
 
-use nalgebra::{Quaternion, Vector3};
-
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::math::{Compensated, rotation_increment};
+use crate::math::Compensated;
 use crate::signal::Increment;
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
@@ -161,13 +159,6 @@ impl Mechanization {
             Axes::Geographic(state) => state.navigation(axes),
         }
     }
-}
-
-/// q(`left`) q q(`right`) - q for two rotation vectors [rad], without ever forming a quaternion near 1.
-#[inline]
-fn two_sided_increment(q: &Quaternion<f64>, left: &Vector3<f64>, right: &Vector3<f64>) -> Quaternion<f64> {
-    let turned = q * rotation_increment(right);
-    turned + rotation_increment(left) * (q + turned)
 }
 
 /// Puts what the norm of a quaternion lacks to 1 into the carry, so that it is never rounded away.

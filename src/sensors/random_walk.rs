@@ -10,7 +10,8 @@ use super::stream::{Purpose, Stream, StreamKey};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RandomWalk {
     density: Vector3<f64>,
-    root_dt: f64,
+    /// N √dt [u s]
+    step: Vector3<f64>,
     streams: [Stream; 3],
 }
 
@@ -18,7 +19,7 @@ impl RandomWalk {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {
         Self {
             density: Vector3::zeros(),
-            root_dt: 0.0,
+            step: Vector3::zeros(),
             streams: Stream::triad(key, sensor.source(), Purpose::RandomWalk),
         }
     }
@@ -31,15 +32,15 @@ impl RandomWalk {
 
     /// Takes the length of the increments to come [s].
     pub fn set_interval(&mut self, dt: f64) {
-        self.root_dt = dt.sqrt();
+        self.step = self.density * dt.sqrt();
     }
 
     /// Adds one increment's noise.
     #[inline]
     pub fn apply(&mut self, measured: &mut Vector3<f64>) {
         for axis in 0..3 {
-            if self.density[axis] != 0.0 {
-                measured[axis] += self.density[axis] * self.root_dt * self.streams[axis].normal();
+            if self.step[axis] != 0.0 {
+                measured[axis] += self.step[axis] * self.streams[axis].normal();
             }
         }
     }

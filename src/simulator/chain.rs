@@ -200,8 +200,7 @@ impl Chain {
     }
 
     pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
-        let navigation = truth.navigation(&self.earth, self.options.axes);
-        self.closure.figures(&self.earth, &navigation, &self.navigation_errors(truth))
+        self.closure.figures(&self.earth, truth, &self.navigation_errors(truth))
     }
 }
 

@@ -5,11 +5,10 @@ use nalgebra::Vector3;
 use crate::earth::Earth;
 use crate::errors::NavigationErrors;
 use crate::math::Compensated;
-use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
 /// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is
-/// flagged: coarser than any integrator's error, finer than a wrong unit.
+/// flagged, added as squares: coarser than any integrator's error, finer than a wrong unit.
 const FLAG_FLOOR_M: f64 = 0.01;
 const FLAG_SHARE: f64 = 0.01;
 
@@ -36,50 +35,76 @@ pub struct ClosureFigures {
     pub inconsistent_samples: u64,
 }
 
+/// The INS's answer is integrated in steps of this length [s]: a five-thousandth of its period.
+const ANSWER_STEP_S: f64 = 1.0;
+
 /// The sums behind the figures, Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Closure {
     inconsistency_e: Compensated<3>,
-    max_m: f64,
+    /// Square of the largest in one interval [m²].
+    max2_m2: f64,
     flagged: u64,
     last_flagged: bool,
-    /// The INS's answer to the inconsistency: position [m] and velocity [m/s], horizontal.
-    answer_r_e: Vector3<f64>,
-    answer_v_e: Vector3<f64>,
+    answer: Answer,
+    /// What has come since the last step of the answer: inconsistency [m] and time [s].
+    pending_e: Vector3<f64>,
+    pending_s: f64,
+}
+
+/// The INS's answer to the inconsistency: horizontal position [m] and velocity [m/s].
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Answer {
+    r_e: Vector3<f64>,
+    v_e: Vector3<f64>,
+}
+
+impl Answer {
+    /// δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency over `t` [s], semi-implicit; the vertical part is taken out.
+    fn after(mut self, earth: &Earth, truth: &TruthPoint, inconsistency_e: &Vector3<f64>, t: f64) -> Self {
+        let r_e = &truth.state.r_e;
+        let inverse_r2 = 1.0 / r_e.norm_squared();
+        let schuler2 = -truth.gravity_e.dot(r_e) * inverse_r2;
+        let w2 = 2.0 * earth.rate_rad_s;
+        let (r, v) = (&mut self.r_e, &mut self.v_e);
+        *v += (Vector3::new(w2 * v.y, -w2 * v.x, 0.0) - *r * schuler2) * t;
+        *r += *v * t + inconsistency_e;
+        *v -= r_e * (v.dot(r_e) * inverse_r2);
+        *r -= r_e * (r.dot(r_e) * inverse_r2);
+        self
+    }
 }
 
 impl Closure {
     pub fn new() -> Self {
         Self {
             inconsistency_e: Compensated::new(Vector3::zeros()),
-            max_m: 0.0,
+            max2_m2: 0.0,
             flagged: 0,
             last_flagged: false,
-            answer_r_e: Vector3::zeros(),
-            answer_v_e: Vector3::zeros(),
+            answer: Answer { r_e: Vector3::zeros(), v_e: Vector3::zeros() },
+            pending_e: Vector3::zeros(),
+            pending_s: 0.0,
         }
     }
 
     /// Over the interval to `next`: the displacement by velocity contradicts that by position by `inconsistency_e` [m].
     pub fn advance(&mut self, earth: &Earth, next: &TruthPoint, inconsistency_e: &Vector3<f64>) {
         let t = next.interval_s;
-        let r_e = &next.state.r_e;
         self.inconsistency_e.add(inconsistency_e);
-        let size = inconsistency_e.norm_squared().sqrt();
-        self.max_m = self.max_m.max(size);
-        let speed = next.state.v_e.norm_squared().sqrt();
-        self.last_flagged = size > FLAG_FLOOR_M + FLAG_SHARE * speed * t;
+        let size2 = inconsistency_e.norm_squared();
+        self.max2_m2 = self.max2_m2.max(size2);
+        let share = FLAG_SHARE * t;
+        self.last_flagged =
+            size2 > FLAG_FLOOR_M * FLAG_FLOOR_M + share * share * next.state.v_e.norm_squared();
         self.flagged += u64::from(self.last_flagged);
-
-        // δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency, semi-implicit; the vertical part is taken out.
-        let inverse_r2 = 1.0 / r_e.norm_squared();
-        let schuler2 = -next.gravity_e.dot(r_e) * inverse_r2;
-        let w2 = 2.0 * earth.rate_rad_s;
-        let (r, v) = (&mut self.answer_r_e, &mut self.answer_v_e);
-        *v += (Vector3::new(w2 * v.y, -w2 * v.x, 0.0) - *r * schuler2) * t;
-        *r += *v * t + inconsistency_e;
-        *v -= r_e * (v.dot(r_e) * inverse_r2);
-        *r -= r_e * (r.dot(r_e) * inverse_r2);
+        self.pending_e += inconsistency_e;
+        self.pending_s += t;
+        if self.pending_s >= ANSWER_STEP_S {
+            self.answer = self.answer.after(earth, next, &self.pending_e, self.pending_s);
+            self.pending_e = Vector3::zeros();
+            self.pending_s = 0.0;
+        }
     }
 
     /// Whether the last sample contradicts its velocity.
@@ -87,17 +112,19 @@ impl Closure {
         self.last_flagged
     }
 
-    pub fn figures(&self, earth: &Earth, truth: &Navigation, errors: &NavigationErrors) -> ClosureFigures {
-        let (east, north, up) = earth.east_north_up(&truth.place);
+    /// The figures while the truth is at `truth` and the solution has the errors `errors`.
+    pub fn figures(&self, earth: &Earth, truth: &TruthPoint, errors: &NavigationErrors) -> ClosureFigures {
+        let answer = self.answer.after(earth, truth, &self.pending_e, self.pending_s);
+        let (east, north, up) = earth.east_north_up(&truth.sample.place);
         let local = |v: &Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), v.dot(&up));
         let horizontal = |v: &Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), 0.0);
         ClosureFigures {
             position_n: errors.position_n,
             velocity_n: errors.velocity_n,
-            host_position_n: horizontal(&self.answer_r_e),
-            host_velocity_n: horizontal(&self.answer_v_e),
+            host_position_n: horizontal(&answer.r_e),
+            host_velocity_n: horizontal(&answer.v_e),
             inconsistency_n: local(&self.inconsistency_e.value),
-            inconsistency_max_m: self.max_m,
+            inconsistency_max_m: self.max2_m2.sqrt(),
             inconsistent_samples: self.flagged,
         }
     }

@@ -8,6 +8,7 @@ use crate::earth::Earth;
 use crate::math::rotate;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::{IntervalMotion, MotionNode};
+use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity
 /// gradient with the centrifugal part.
@@ -54,7 +55,8 @@ impl EarthFixedForm {
         let k2 = self.plus(&k1, 0.5 * t).rate(w, &gradient, &d1);
         let k3 = self.plus(&k2, 0.5 * t).rate(w, &gradient, &d1);
         let k4 = self.plus(&k3, t).rate(w, &gradient, &d2);
-        *self = self.plus(&k1, t / 6.0).plus(&k2, t / 3.0).plus(&k3, t / 3.0).plus(&k4, t / 6.0);
+        let k = k1.plus(&k2.plus(&k3, 1.0), 2.0).plus(&k4, 1.0);
+        *self = self.plus(&k, t / 6.0);
     }
 
     #[inline]
@@ -74,18 +76,22 @@ impl EarthFixedForm {
         Self { psi: self.psi + rate.psi * t, dv: self.dv + rate.dv * t, dr: self.dr + rate.dr * t }
     }
 
-    /// Errors of height [m] and of velocity up [m/s], at the true velocity `v_e`: the computed up leans with δr.
-    pub fn observe_vertical(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> (f64, f64) {
-        let position_n = local.to_local(&self.dr);
-        let lean = local.east * (position_n.x / local.n) + local.north * (position_n.y / local.m);
-        (position_n.z, local.up.dot(&self.dv) + lean.dot(v_e))
+    /// Error of the height [m].
+    pub fn height_error(&self, truth: &TruthPoint) -> f64 {
+        truth.up_e.dot(&self.dr)
     }
 
-    pub fn shift_vertical(&mut self, earth: &Earth, local: &LocalGeometry, correction: &VerticalCorrection) {
+    /// Error of the velocity up [m/s]: the computed up leans with δr.
+    pub fn velocity_up_error(&self, earth: &Earth, truth: &TruthPoint) -> f64 {
+        let lean = earth.curvature(&truth.vertical()) * self.dr;
+        truth.up_e.dot(&self.dv) + lean.dot(&truth.state.v_e)
+    }
+
+    pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
+        let up = &truth.up_e;
         let w2 = 2.0 * earth.rate_rad_s * correction.displacement_m;
-        let coriolis = Vector3::new(-w2 * local.up.y, w2 * local.up.x, 0.0);
-        self.dr += local.up * correction.height_m;
-        self.dv += local.up * correction.velocity_up_m_s - coriolis;
+        self.dr += up * correction.height_m;
+        self.dv += up * correction.velocity_up_m_s - Vector3::new(-w2 * up.y, w2 * up.x, 0.0);
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.

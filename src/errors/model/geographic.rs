@@ -8,6 +8,7 @@ use crate::earth::Earth;
 use crate::math::rotate;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::{IntervalMotion, MotionNode};
+use crate::truth::TruthPoint;
 
 /// φ [rad], δv [m/s], (δL [rad], δλ [rad], δh [m]).
 ///
@@ -101,7 +102,8 @@ impl GeographicForm {
         let k2 = self.plus(&k1, 0.5 * t).rate(&c1);
         let k3 = self.plus(&k2, 0.5 * t).rate(&c1);
         let k4 = self.plus(&k3, t).rate(&c2);
-        *self = self.plus(&k1, t / 6.0).plus(&k2, t / 3.0).plus(&k3, t / 3.0).plus(&k4, t / 6.0);
+        let k = k1.plus(&k2.plus(&k3, 1.0), 2.0).plus(&k4, 1.0);
+        *self = self.plus(&k, t / 6.0);
     }
 
     /// The system matrix, row by row.
@@ -158,19 +160,19 @@ impl GeographicForm {
         }
     }
 
-    /// Errors of height [m] and of velocity up [m/s].
-    pub fn observe_vertical(&self) -> (f64, f64) {
-        (self.d_place.z, self.dv.z)
+    /// Error of the height [m].
+    pub fn height_error(&self) -> f64 {
+        self.d_place.z
     }
 
-    pub fn shift_vertical(
-        &mut self,
-        earth: &Earth,
-        local: &LocalGeometry,
-        v_e: &Vector3<f64>,
-        correction: &VerticalCorrection,
-    ) {
-        let v = local.to_local(v_e);
+    /// Error of the velocity up [m/s].
+    pub fn velocity_up_error(&self) -> f64 {
+        self.dv.z
+    }
+
+    pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
+        let local = LocalGeometry::new(earth, &truth.vertical());
+        let v = local.to_local(&truth.state.v_e);
         let east = v.x / local.n;
         let omega = Vector3::new(
             -v.y / local.m,

@@ -83,26 +83,34 @@ impl ErrorModel {
             Form::EarthFixed(form) => form.advance(&self.earth, motion, errors),
             Form::Geographic(form) => form.advance(&self.earth, motion, errors),
         }
-        if *aid == VerticalAid::None {
-            return;
-        }
         let t = motion.interval_s;
-        let v_e = &truth.state.v_e;
-        let local = LocalGeometry::new(&self.earth, &truth.vertical());
-        let (height_error, velocity_error) = match &self.form {
-            Form::EarthFixed(form) => form.observe_vertical(&local, v_e),
-            Form::Geographic(form) => form.observe_vertical(),
-        };
         let correction = match *aid {
             VerticalAid::None => return,
-            VerticalAid::Truth { .. } => VerticalCorrection::to_truth(-height_error, -velocity_error, t),
-            VerticalAid::Barometer { height_m: indicated } => {
-                self.vertical.correct(height_error - (indicated - truth.sample.place.height_m), t)
+            VerticalAid::Truth { .. } => {
+                VerticalCorrection::to_truth(-self.height_error(truth), -self.velocity_up_error(truth), t)
+            }
+            VerticalAid::Barometer { height_m } => {
+                let altimeter_error = height_m - truth.sample.place.height_m;
+                self.vertical.correct(self.height_error(truth) - altimeter_error, t)
             }
         };
         match &mut self.form {
-            Form::EarthFixed(form) => form.shift_vertical(&self.earth, &local, &correction),
-            Form::Geographic(form) => form.shift_vertical(&self.earth, &local, v_e, &correction),
+            Form::EarthFixed(form) => form.shift_vertical(&self.earth, truth, &correction),
+            Form::Geographic(form) => form.shift_vertical(&self.earth, truth, &correction),
+        }
+    }
+
+    fn height_error(&self, truth: &TruthPoint) -> f64 {
+        match &self.form {
+            Form::EarthFixed(form) => form.height_error(truth),
+            Form::Geographic(form) => form.height_error(),
+        }
+    }
+
+    fn velocity_up_error(&self, truth: &TruthPoint) -> f64 {
+        match &self.form {
+            Form::EarthFixed(form) => form.velocity_up_error(&self.earth, truth),
+            Form::Geographic(form) => form.velocity_up_error(),
         }
     }
 
