@@ -136,10 +136,7 @@ impl Chain {
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let errors = SensorErrors {
-                gyro_b: (measured_sum.angle - ideal_sum.angle) / t,
-                accel_b: (measured_sum.velocity - ideal_sum.velocity) / t,
-            };
+            let errors = SensorErrors::between(ideal, increments, t);
             model.advance(&motion, next, &errors, &aid);
         }
         let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
@@ -171,6 +168,13 @@ impl Chain {
         let navigation = self.mechanization.navigation(self.options.axes);
         let vertical_unaided = self.options.vertical == VerticalMode::Free;
         Solution { vertical_unaided, ..self.solution(truth.time_s, navigation) }
+    }
+
+    pub fn ideal_increments(&self) -> &[Increment] {
+        match self.imu {
+            Some(_) => &self.ideal[..self.options.subsamples * self.options.updates_per_sample],
+            None => &[],
+        }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {

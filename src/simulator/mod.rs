@@ -239,6 +239,14 @@ impl Simulator {
         }
     }
 
+    /// The ideal sub-increments of the last interval; empty before the first and while navigating on increments.
+    pub fn ideal_increments(&self) -> &[Increment] {
+        match &self.mode {
+            Mode::Flying(chain) => chain.ideal_increments(),
+            _ => &[],
+        }
+    }
+
     /// Time [s] and errors of the navigated solution; `None` before the first sample.
     pub fn errors(&self, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
         self.refuse_while_navigating()?;

@@ -28,9 +28,9 @@ struct Drive {
 }
 
 impl Drive {
-    fn at(node: &MotionNode, errors: &SensorErrors) -> Self {
+    fn at(node: &MotionNode, (gyro_b, accel_b): (Vector3<f64>, Vector3<f64>)) -> Self {
         let q_eb = &node.state.q_eb;
-        Self { f_e: node.f_e, gyro_e: rotate(q_eb, &errors.gyro_b), accel_e: rotate(q_eb, &errors.accel_b) }
+        Self { f_e: node.f_e, gyro_e: rotate(q_eb, &gyro_b), accel_e: rotate(q_eb, &accel_b) }
     }
 }
 
@@ -50,7 +50,9 @@ impl EarthFixedForm {
         let (start, middle, end) = (motion.start(), motion.middle(), motion.end());
         let gradient = earth.gravity_gradient(&middle.state.r_e);
         let w = earth.rate_rad_s;
-        let (d0, d1, d2) = (Drive::at(&start, errors), Drive::at(&middle, errors), Drive::at(&end, errors));
+        let d0 = Drive::at(&start, errors.at(0.0));
+        let d1 = Drive::at(&middle, errors.at(0.5));
+        let d2 = Drive::at(&end, errors.at(1.0));
         let k1 = self.rate(w, &gradient, &d0);
         let k2 = self.plus(&k1, 0.5 * t).rate(w, &gradient, &d1);
         let k3 = self.plus(&k2, 0.5 * t).rate(w, &gradient, &d1);

@@ -47,7 +47,7 @@ struct Coefficients {
 }
 
 impl Coefficients {
-    fn at(earth: &Earth, node: &MotionNode, errors: &SensorErrors) -> Self {
+    fn at(earth: &Earth, node: &MotionNode, (gyro_b, accel_b): (Vector3<f64>, Vector3<f64>)) -> Self {
         let MotionNode { state, f_e } = node;
         let local = LocalGeometry::new(earth, &earth.vertical(&state.r_e));
         let (s, c) = (local.sin, local.cos);
@@ -68,8 +68,8 @@ impl Coefficients {
             sec,
             v,
             f: local.to_local(f_e),
-            eps: local.to_local(&rotate(&state.q_eb, &errors.gyro_b)),
-            nabla: local.to_local(&rotate(&state.q_eb, &errors.accel_b)),
+            eps: local.to_local(&rotate(&state.q_eb, &gyro_b)),
+            nabla: local.to_local(&rotate(&state.q_eb, &accel_b)),
             rate_north,
             rate_up,
             omega_in,
@@ -96,8 +96,9 @@ impl GeographicForm {
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
         let t = motion.interval_s;
-        let nodes = [motion.start(), motion.middle(), motion.end()];
-        let [c0, c1, c2] = nodes.map(|node| Coefficients::at(earth, &node, errors));
+        let c0 = Coefficients::at(earth, &motion.start(), errors.at(0.0));
+        let c1 = Coefficients::at(earth, &motion.middle(), errors.at(0.5));
+        let c2 = Coefficients::at(earth, &motion.end(), errors.at(1.0));
         let k1 = self.rate(&c0);
         let k2 = self.plus(&k1, 0.5 * t).rate(&c1);
         let k3 = self.plus(&k2, 0.5 * t).rate(&c1);

@@ -13,7 +13,7 @@ use super::NavigationErrors;
 use crate::earth::Earth;
 use crate::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
-use crate::signal::IntervalMotion;
+use crate::signal::{Increment, IntervalMotion};
 use crate::state::{BodyAxes, Navigation};
 use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
@@ -25,13 +25,47 @@ use geometry::LocalGeometry;
 const VALID_MISALIGNMENT_RAD: f64 = 0.035;
 const VALID_DISPLACEMENT_M: f64 = 100e3;
 
-/// Mean errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes.
+/// Errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes: a straight line in
+/// u = 0..1, of the same mean and first moment as those that the mechanization receives. The moment matters: noise of the
+/// first subsample tilts the force for longer than that of the last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorErrors {
-    /// [rad/s]
+    /// Mean, gyros [rad/s].
     pub gyro_b: Vector3<f64>,
-    /// [m/s²]
+    /// Mean, accelerometers [m/s²].
     pub accel_b: Vector3<f64>,
+    /// Change from the start to the end, gyros [rad/s].
+    pub gyro_change_b: Vector3<f64>,
+    /// Change from the start to the end, accelerometers [m/s²].
+    pub accel_change_b: Vector3<f64>,
+}
+
+impl SensorErrors {
+    /// From the increments of an interval of length `t` [s], in parts of equal length.
+    pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
+        let part = 1.0 / ideal.len() as f64;
+        let (mut sum, mut moment) = (Increment::ZERO, Increment::ZERO);
+        for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
+            let (angle, velocity) = (measured.angle - ideal.angle, measured.velocity - ideal.velocity);
+            let from_middle = (i as f64 + 0.5) * part - 0.5;
+            sum.angle += angle;
+            sum.velocity += velocity;
+            moment.angle += angle * from_middle;
+            moment.velocity += velocity * from_middle;
+        }
+        // The first moment of a line about the middle is a twelfth of its change.
+        Self {
+            gyro_b: sum.angle / t,
+            accel_b: sum.velocity / t,
+            gyro_change_b: moment.angle * (12.0 / t),
+            accel_change_b: moment.velocity * (12.0 / t),
+        }
+    }
+
+    /// Gyro and accelerometer errors at `u`.
+    fn at(&self, u: f64) -> (Vector3<f64>, Vector3<f64>) {
+        (self.gyro_b + self.gyro_change_b * (u - 0.5), self.accel_b + self.accel_change_b * (u - 0.5))
+    }
 }
 
 /// Errors at the start, computed less true, east-north-up: position [m], velocity [m/s], misalignment φ [rad].

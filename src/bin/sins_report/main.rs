@@ -1,0 +1,110 @@
+//! Plots recorded runs of the simulator into one self-contained HTML file.
+//!
+//! A run is what the C example writes: `NAME.csv`, a row for each record, and `NAME_summary.csv`, a row for each
+//! figure. The data flow is `run`, `summary` → `series`, `spectrum` → `axis`, `plot` → `figures` → `page`.
+#![allow(clippy::disallowed_methods, reason = "a plot needs no bits that are the same on every platform")]
+#![forbid(unsafe_code)]
+
+mod axis;
+mod failure;
+mod figures;
+mod page;
+mod plot;
+mod run;
+mod series;
+mod spectrum;
+mod summary;
+mod table;
+mod trajectory;
+mod units;
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use failure::Failure;
+use run::Run;
+
+const USAGE: &str = "\
+Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html
+
+Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
+_summary.csv is passed over, so that *.csv means all runs of a folder.
+
+  -o, --output FILE   where to write
+  -h, --help          this text";
+
+/// What the command line asks for.
+#[derive(Debug, PartialEq)]
+enum Command {
+    Help,
+    Report { runs: Vec<PathBuf>, output: PathBuf },
+}
+
+fn main() -> ExitCode {
+    let command = match command(std::env::args_os().skip(1)) {
+        Ok(command) => command,
+        Err(failure) => {
+            eprintln!("sins_report: {failure}\n\n{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match command {
+        Command::Help => println!("{USAGE}"),
+        Command::Report { runs, output } => {
+            if let Err(failure) = report(&runs, &output) {
+                eprintln!("sins_report: {failure}");
+                return ExitCode::FAILURE;
+            }
+            println!("{}", output.display());
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+fn report(paths: &[PathBuf], output: &Path) -> Result<(), Failure> {
+    let runs = paths.iter().map(|path| Run::read(path)).collect::<Result<Vec<_>, _>>()?;
+    let html = page::page(&runs)?;
+    std::fs::write(output, html).map_err(|error| Failure::of_file(output, &error))
+}
+
+fn command(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {
+    use lexopt::prelude::*;
+    let mut parser = lexopt::Parser::from_args(arguments);
+    let mut runs = Vec::new();
+    let mut output = None;
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Short('h') | Long("help") => return Ok(Command::Help),
+            Short('o') | Long("output") => output = Some(PathBuf::from(parser.value()?)),
+            Value(path) => runs.push(PathBuf::from(path)),
+            _ => return Err(argument.unexpected().into()),
+        }
+    }
+    runs.retain(|path| !path.to_string_lossy().ends_with("_summary.csv"));
+    let output = output.ok_or_else(|| Failure::new("expected -o and the file to write"))?;
+    if runs.is_empty() {
+        return Err(Failure::new("expected at least one RUN.csv"));
+    }
+    Ok(Command::Report { runs, output })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(arguments: &[&str]) -> Result<Command, String> {
+        command(arguments.iter().map(OsString::from)).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn the_command_line() {
+        let report =
+            Command::Report { runs: vec!["a.csv".into(), "b.csv".into()], output: "r.html".into() };
+        assert_eq!(parsed(&["a.csv", "a_summary.csv", "b.csv", "-o", "r.html"]), Ok(report));
+        assert_eq!(parsed(&["-h"]), Ok(Command::Help));
+        assert!(parsed(&["a.csv"]).unwrap_err().contains("-o"));
+        assert!(parsed(&["-o", "r.html"]).unwrap_err().contains("RUN.csv"));
+        assert!(parsed(&["--colour", "a.csv"]).unwrap_err().contains("--colour"));
+    }
+}

@@ -1,0 +1,129 @@
+//! Recorded series on their way to a plot: thinned out without losing an extremum, averaged, differenced, fitted.
+
+/// Points of a plotted line.
+pub type Points = Vec<(f64, f64)>;
+
+/// Most points of a plotted line.
+pub const MOST_POINTS: usize = 1400;
+
+/// At most about [`MOST_POINTS`] of the records (`x`, `y`): first, last, and the smallest and largest `y` of each stretch.
+pub fn thinned(x: &[f64], y: &[f64]) -> Points {
+    pick(&stretches(y.len(), MOST_POINTS / 2, |range| extrema(y, range)), x, y)
+}
+
+/// The same of a curve in the plane: the extrema of either coordinate.
+pub fn thinned_curve(x: &[f64], y: &[f64]) -> Points {
+    let both = |range: std::ops::Range<usize>| {
+        let mut kept = extrema(x, range.clone());
+        kept.extend(extrema(y, range));
+        kept
+    };
+    pick(&stretches(y.len(), MOST_POINTS / 4, both), x, y)
+}
+
+/// Means over `blocks` stretches of the records, each at its middle.
+pub fn block_means(x: &[f64], y: &[f64], blocks: usize) -> Points {
+    let size = y.len().div_ceil(blocks).max(1);
+    x.chunks(size).zip(y.chunks(size)).map(|(x, y)| (mean(x), mean(y))).collect()
+}
+
+/// Mean, zero for none.
+pub fn mean(values: &[f64]) -> f64 {
+    if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
+}
+
+/// `a` less `b`, record by record.
+pub fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Largest magnitude.
+pub fn magnitude(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| value.abs().max(most))
+}
+
+/// Smallest and largest `y` of all `lines`; (0, 0) without points.
+pub fn bounds<'a>(lines: impl IntoIterator<Item = &'a Points>) -> (f64, f64) {
+    let all = lines.into_iter().flatten().map(|point| point.1);
+    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    if low <= high { (low, high) } else { (0.0, 0.0) }
+}
+
+/// Straight line of least squares y = a + b x as (a, b); level where `x` does not spread.
+pub fn straight_line(x: &[f64], y: &[f64]) -> (f64, f64) {
+    let (middle, level) = (mean(x), mean(y));
+    let spread: f64 = x.iter().map(|x| (x - middle).powi(2)).sum();
+    let product: f64 = x.iter().zip(y).map(|(x, y)| (x - middle) * (y - level)).sum();
+    let slope = if spread > 0.0 { product / spread } else { 0.0 };
+    (level - slope * middle, slope)
+}
+
+/// Places of the smallest and the largest value in `range`.
+fn extrema(y: &[f64], range: std::ops::Range<usize>) -> Vec<usize> {
+    let least = range.clone().min_by(|a, b| y[*a].total_cmp(&y[*b]));
+    let most = range.max_by(|a, b| y[*a].total_cmp(&y[*b]));
+    least.into_iter().chain(most).collect()
+}
+
+/// First and last place of `length`, and those that `keep` finds in each of `count` stretches, in order.
+fn stretches(length: usize, count: usize, keep: impl Fn(std::ops::Range<usize>) -> Vec<usize>) -> Vec<usize> {
+    if length <= 2 * count {
+        return (0..length).collect();
+    }
+    let mut kept: Vec<usize> =
+        (0..count).flat_map(|k| keep(k * length / count..(k + 1) * length / count)).collect();
+    kept.extend([0, length - 1]);
+    kept.sort_unstable();
+    kept.dedup();
+    kept
+}
+
+fn pick(places: &[usize], x: &[f64], y: &[f64]) -> Points {
+    places.iter().map(|&place| (x[place], y[place])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_extrema_and_ends() {
+        let x: Vec<f64> = (0..100_000).map(f64::from).collect();
+        let mut y: Vec<f64> = x.iter().map(|x| (x * 0.37).sin()).collect();
+        (y[31_337], y[77_001], y[0], y[99_999]) = (5.0, -7.0, 0.25, 0.75);
+        let points = thinned(&x, &y);
+        assert!(points.len() <= MOST_POINTS + 2, "{}", points.len());
+        assert!(points.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        for kept in [(31_337.0, 5.0), (77_001.0, -7.0), (0.0, 0.25), (99_999.0, 0.75)] {
+            assert!(points.contains(&kept), "{kept:?}");
+        }
+    }
+
+    #[test]
+    fn a_short_record_is_kept_whole() {
+        assert_eq!(thinned(&[0.0, 1.0, 2.0], &[3.0, 4.0, 3.5]), [(0.0, 3.0), (1.0, 4.0), (2.0, 3.5)]);
+    }
+
+    #[test]
+    fn a_thinned_curve_keeps_its_outline() {
+        let angle: Vec<f64> = (0..50_000).map(|k| f64::from(k) * 1e-3).collect();
+        let (x, y): (Vec<f64>, Vec<f64>) = angle.iter().map(|a| (a.cos(), a.sin())).unzip();
+        let points = thinned_curve(&x, &y);
+        assert!(points.len() <= MOST_POINTS + 2);
+        let west = points.iter().fold(0.0, |most: f64, p| most.min(p.0));
+        assert_eq!(west, x.iter().fold(0.0, |most: f64, x| most.min(*x)));
+    }
+
+    #[test]
+    fn a_straight_line_is_found() {
+        let x = [1.0, 2.0, 4.0, 7.0];
+        let (a, b) = straight_line(&x, &x.map(|x| 3.0 - 0.5 * x));
+        // Sums of four terms below 10: a few units in the last place.
+        assert!((a - 3.0).abs() < 8.0 * 10.0 * f64::EPSILON && (b + 0.5).abs() < 8.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn means_of_blocks() {
+        assert_eq!(block_means(&[0.0, 1.0, 2.0, 3.0], &[1.0, 3.0, 5.0, 5.0], 2), [(0.5, 2.0), (2.5, 5.0)]);
+    }
+}

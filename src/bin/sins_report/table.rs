@@ -1,0 +1,94 @@
+//! A CSV file of numbers with a header, by column.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use csv::{ReaderBuilder, StringRecord};
+
+use crate::failure::Failure;
+
+/// The columns of a file.
+pub struct Table {
+    path: PathBuf,
+    columns: Vec<(String, Vec<f64>)>,
+}
+
+impl Table {
+    /// Reads all of `input`; `path` is for the errors.
+    pub fn read(path: &Path, input: impl Read) -> Result<Self, Failure> {
+        // Flexible: a row of the wrong length shall be told in our words, with the expected number.
+        let mut reader = ReaderBuilder::new().flexible(true).from_reader(input);
+        let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
+        let mut columns: Vec<(String, Vec<f64>)> =
+            header.iter().map(|name| (name.trim().to_owned(), Vec::new())).collect();
+        let mut row = StringRecord::new();
+        while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
+            let line = row.position().map_or(0, csv::Position::line);
+            if row.len() != columns.len() {
+                let what = format!("expected {} columns as in the header, found {}", columns.len(), row.len());
+                return Err(Failure::of_line(path, line, &what));
+            }
+            for (place, ((name, values), text)) in columns.iter_mut().zip(&row).enumerate() {
+                match text.trim().parse::<f64>() {
+                    Ok(value) if value.is_finite() => values.push(value),
+                    _ => {
+                        let what =
+                            format!("column {} ({name}): expected a finite number, found \"{text}\"", place + 1);
+                        return Err(Failure::of_line(path, line, &what));
+                    }
+                }
+            }
+        }
+        Ok(Self { path: path.to_owned(), columns })
+    }
+
+    /// Takes the column `name` out.
+    pub fn take(&mut self, name: &str) -> Result<Vec<f64>, Failure> {
+        match self.columns.iter_mut().find(|(column, _)| column == name) {
+            Some((_, values)) => Ok(std::mem::take(values)),
+            None => Err(Failure::of_line(&self.path, 1, &format!("expected a column \"{name}\" in the header"))),
+        }
+    }
+
+    /// Takes three columns out, `{}` in `pattern` replaced by each of `axes`.
+    pub fn take_three(&mut self, pattern: &str, axes: [&str; 3]) -> Result<[Vec<f64>; 3], Failure> {
+        let [a, b, c] = axes.map(|axis| pattern.replace("{}", axis));
+        Ok([self.take(&a)?, self.take(&b)?, self.take(&c)?])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Table, String> {
+        Table::read(Path::new("run.csv"), text.as_bytes()).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn columns_come_by_name() {
+        let mut table = read("t,x_a,x_b,x_c\n0,1,2,3\n0.5, 1e-9 ,-2,4\n").unwrap();
+        assert_eq!(table.take("t").unwrap(), [0.0, 0.5]);
+        assert_eq!(table.take_three("x_{}", ["c", "b", "a"]).unwrap(), [[3.0, 4.0], [2.0, -2.0], [1.0, 1e-9]]);
+    }
+
+    #[test]
+    fn a_missing_column_is_named() {
+        let failure = read("t,x\n0,1\n").unwrap().take("y").unwrap_err().to_string();
+        assert_eq!(failure, "run.csv, line 1: expected a column \"y\" in the header");
+    }
+
+    #[test]
+    fn a_bad_number_is_told_with_line_and_column() {
+        let expected = "run.csv, line 3: column 2 (x): expected a finite number, found";
+        assert_eq!(read("t,x\n0,1\n1,one\n").err(), Some(format!("{expected} \"one\"")));
+        assert_eq!(read("t,x\n0,1\n1,nan\n").err(), Some(format!("{expected} \"nan\"")));
+        assert_eq!(read("t,x\n0,1\n1,\n").err(), Some(format!("{expected} \"\"")));
+    }
+
+    #[test]
+    fn a_short_row_is_told() {
+        let expected = "run.csv, line 2: expected 2 columns as in the header, found 1";
+        assert_eq!(read("t,x\n0\n").err().as_deref(), Some(expected));
+    }
+}

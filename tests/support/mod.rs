@@ -1,0 +1,213 @@
+//! What several tests share: reference signals, flights, samples.
+#![allow(dead_code)] // each test uses a part of it
+
+use std::path::{Path, PathBuf};
+
+use nalgebra::Vector3;
+use sins::earth::Geodetic;
+use sins::math::Euler;
+use sins::signal::Increment;
+use sins::truth::FlightSample;
+
+pub const DEG: f64 = std::f64::consts::PI / 180.0;
+pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
+pub const G: f64 = 9.80665;
+
+/// A file of the project.
+pub fn project_file(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// Columns of numbers by name.
+pub struct Table {
+    names: Vec<String>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Table {
+    /// A file written by `tests/data/pack.py`, which describes the format.
+    pub fn packed(name: &str) -> Self {
+        let bytes = std::fs::read(project_file("tests/data").join(name)).unwrap();
+        let mut input = bytes.strip_prefix(b"SINSPACK").unwrap();
+        let mut table = Self { names: Vec::new(), columns: Vec::new() };
+        for _ in 0..take(&mut input, 1)[0] {
+            let length = usize::from(take(&mut input, 1)[0]);
+            table.names.push(String::from_utf8(take(&mut input, length).to_vec()).unwrap());
+            let &[decimals, order] = take(&mut input, 2) else { unreachable!() };
+            let count = u32::from_le_bytes(take(&mut input, 4).try_into().unwrap());
+            let mut values: Vec<i128> = (0..count).map(|_| varint(&mut input)).collect();
+            for k in (0..usize::from(order)).rev() {
+                for i in k + 1..values.len() {
+                    values[i] += values[i - 1];
+                }
+            }
+            // Two roundings at most: 1e-16 rad of latitude is 0.6 nm.
+            let scale = 10f64.powi(i32::from(decimals));
+            table.columns.push(values.into_iter().map(|value| value as f64 / scale).collect());
+        }
+        table
+    }
+
+    /// A CSV file; lines that begin with # are comments.
+    pub fn csv(path: &str) -> Self {
+        let text = std::fs::read_to_string(project_file(path)).unwrap();
+        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+        let names: Vec<String> = lines.next().unwrap().split(',').map(str::to_owned).collect();
+        let mut columns = vec![Vec::new(); names.len()];
+        for line in lines {
+            for (column, field) in columns.iter_mut().zip(line.split(',')) {
+                column.push(field.parse().unwrap());
+            }
+        }
+        Self { names, columns }
+    }
+
+    pub fn column(&self, name: &str) -> &[f64] {
+        let index = self.names.iter().position(|n| n == name);
+        &self.columns[index.unwrap_or_else(|| panic!("no column {name}"))]
+    }
+
+    pub fn len(&self) -> usize {
+        self.columns[0].len()
+    }
+
+    /// Three columns as vectors.
+    pub fn vectors(&self, names: [&str; 3]) -> Vec<Vector3<f64>> {
+        let [x, y, z] = names.map(|name| self.column(name));
+        (0..self.len()).map(|i| Vector3::new(x[i], y[i], z[i])).collect()
+    }
+
+    /// The rows as flight samples; with `host_signals` they carry angular rate and specific force.
+    pub fn samples(&self, host_signals: bool) -> Vec<FlightSample> {
+        let velocity = self.vectors(["velocity_east_m_s", "velocity_north_m_s", "velocity_up_m_s"]);
+        let angles = self.vectors(["roll_rad", "pitch_rad", "heading_rad"]);
+        let signals = host_signals.then(|| {
+            let rate = self.vectors(["rate_x_rad_s", "rate_y_rad_s", "rate_z_rad_s"]);
+            (rate, self.vectors(["force_x_m_s2", "force_y_m_s2", "force_z_m_s2"]))
+        });
+        (0..self.len())
+            .map(|i| FlightSample {
+                time_s: self.column("time_s")[i],
+                place: Geodetic {
+                    latitude_rad: self.column("latitude_rad")[i],
+                    longitude_rad: self.column("longitude_rad")[i],
+                    height_m: self.column("height_m")[i],
+                },
+                v_n: Some(velocity[i]),
+                euler: Euler { roll: angles[i].x, pitch: angles[i].y, heading: angles[i].z },
+                omega_ib_b: signals.as_ref().map(|(rate, _)| rate[i]),
+                f_b: signals.as_ref().map(|(_, force)| force[i]),
+            })
+            .collect()
+    }
+}
+
+fn take<'a>(input: &mut &'a [u8], count: usize) -> &'a [u8] {
+    let (head, tail) = input.split_at(count);
+    *input = tail;
+    head
+}
+
+fn varint(input: &mut &[u8]) -> i128 {
+    let mut z = 0_u128;
+    for shift in (0..).step_by(7) {
+        let byte = take(input, 1)[0];
+        z |= u128::from(byte & 127) << shift;
+        if byte < 128 {
+            break;
+        }
+    }
+    (z >> 1) as i128 ^ -((z & 1) as i128)
+}
+
+/// An exact reference flight: truth samples, and exact integrals over each half interval.
+pub struct Reference {
+    pub truth: Table,
+    pub increments: Vec<Increment>,
+    pub period_s: f64,
+}
+
+impl Reference {
+    pub fn load(name: &str) -> Self {
+        let truth = Table::packed(&format!("{name}_truth.packed"));
+        let table = Table::packed(&format!("{name}_increments.packed"));
+        let angle = table.vectors(["angle_x_rad", "angle_y_rad", "angle_z_rad"]);
+        let velocity = table.vectors(["velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s"]);
+        let increments =
+            angle.into_iter().zip(velocity).map(|(angle, velocity)| Increment { angle, velocity }).collect();
+        let period_s = truth.column("time_s")[1];
+        Self { truth, increments, period_s }
+    }
+}
+
+/// Beijing's latitude, as in the closed form's fixture: 39.9° N, at rest, level but for a tilt, heading north-east.
+pub fn resting_sample(time_s: f64) -> FlightSample {
+    let place = Geodetic { latitude_rad: 39.9 * DEG, longitude_rad: 116.4 * DEG, height_m: 0.0 };
+    FlightSample::at_rest(time_s, place, Euler::default())
+}
+
+/// The patrol of the paper's simulations: 40° N, 200 m/s, figure-eights of sums of sinusoids, banks to 30°.
+pub fn patrol(duration_s: f64) -> sins::flight::Flight {
+    use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+    let term = |channel, amplitude, period_s: f64| Sinusoid {
+        channel,
+        amplitude,
+        frequency_hz: 1.0 / period_s,
+        phase_rad: 0.0,
+    };
+    let terms = [
+        // The zero of J0: the swings of the course close to figure-eights.
+        term(Channel::Course, 2.404_825_557_695_773, 560.0),
+        term(Channel::Climb, 0.02, 217.0),
+        term(Channel::Speed, 5.0, 143.0),
+        term(Channel::Roll, 0.004, 3.1),
+        term(Channel::Pitch, 0.002, 2.3),
+        term(Channel::Heading, 0.002, 4.7),
+    ];
+    let start = FlightStart {
+        latitude_rad: 40.0 * DEG,
+        longitude_rad: 116.4 * DEG,
+        height_m: 8000.0,
+        speed_m_s: 200.0,
+        heading_rad: 0.3,
+        ..Default::default()
+    };
+    Flight::new(&start, &[Manoeuvre::Sinusoids { duration_s, ramp_s: 600.0, terms, count: 6 }]).unwrap()
+}
+
+/// Options with a stated sample rate and the vertical channel following the truth.
+pub fn options_at(rate_hz: f64) -> sins::Options {
+    sins::Options {
+        vertical: sins::mechanization::VerticalMode::FollowTruth,
+        intake: sins::truth::IntakeLimits { period_s: Some(1.0 / rate_hz), ..Default::default() },
+        ..Default::default()
+    }
+}
+
+/// Largest norms of the errors on the way.
+#[derive(Debug, Default)]
+pub struct Worst {
+    pub position_m: f64,
+    pub velocity_m_s: f64,
+    pub misalignment_rad: f64,
+}
+
+/// Flies `samples`, looking at the errors every `every` intervals.
+pub fn fly(
+    simulator: &mut sins::Simulator,
+    samples: impl Iterator<Item = FlightSample>,
+    every: usize,
+) -> Worst {
+    let mut worst = Worst::default();
+    for (k, sample) in samples.enumerate() {
+        simulator.push_sample(&sample).unwrap();
+        simulator.step().unwrap();
+        if k % every == 0 {
+            let (_, errors) = simulator.errors(sins::ErrorSource::Navigation).unwrap().unwrap();
+            worst.position_m = worst.position_m.max(errors.position_n.norm());
+            worst.velocity_m_s = worst.velocity_m_s.max(errors.velocity_n.norm());
+            worst.misalignment_rad = worst.misalignment_rad.max(errors.misalignment_n.norm());
+        }
+    }
+    worst
+}
