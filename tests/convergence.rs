@@ -150,8 +150,7 @@ fn coning_drift_is_of_order_2n_and_of_the_size_of_theory() {
     let w = std::f64::consts::TAU * 10.0;
     // Steps small enough for the leading term and large enough to stand above the rounding of 2000 updates; cones so small
     // that the terms of fourth order in the angle, which these formulas leave, stay below it.
-    for (n, a, wh) in [(1, 1e-3, 0.02_f64), (2, 1e-3, 0.05), (3, 1e-3, 0.1), (4, 3e-4, 0.2), (5, 1e-4, 0.3)]
-    {
+    for (n, a, wh) in [(1, 1e-3, 0.02_f64), (2, 1e-3, 0.05), (3, 1e-3, 0.1), (4, 3e-4, 0.2), (5, 1e-4, 0.3)] {
         let drifts: Vec<f64> =
             [1.0, 2.0].iter().map(|&scale| coning_drift(n, a, w, scale * wh / w)).collect();
         assert_slopes(&format!("coning n = {n}"), &drifts, 2.0 * n as f64);

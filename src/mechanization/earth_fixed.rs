@@ -99,19 +99,31 @@ impl EarthFixed {
         (vertical.height_m, vertical.up_e.dot(&self.v_e.value))
     }
 
-    /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays. `displacement_m` is what the velocity
-    /// correction would have added to the height within the interval: the Coriolis integral -2 W×Δr follows it.
+    /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays. The displacement that the velocity
+    /// correction stands for takes its Coriolis integral and its share in the turn of the vertical with it.
     pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
-        let up = &self.up_e;
+        let up = self.up_e;
+        let horizontal = displaced_vertical(earth, &up, &self.v_e.value, correction.displacement_m);
         self.r_e.add(&(up * correction.height_m));
-        let coriolis = earth_cross(2.0 * earth.rate_rad_s, &(up * correction.displacement_m));
-        self.v_e.add(&(up * correction.velocity_up_m_s - coriolis));
+        self.v_e.add(&(up * correction.velocity_up_m_s - horizontal));
     }
 
     /// The state.
     pub fn state(&self) -> EarthFixedState {
         EarthFixedState { r_e: self.r_e.value, v_e: self.v_e.value, q_eb: self.q() }
     }
+}
+
+/// (2 W + w_en)×up times a `displacement` [m] along `up`: what a wrong velocity up does to the horizontal velocity [m/s] at
+/// the true velocity `v_e`. The vertical turns with v/a, to 0.3 %.
+pub(crate) fn displaced_vertical(
+    earth: &Earth,
+    up: &Vector3<f64>,
+    v_e: &Vector3<f64>,
+    displacement: f64,
+) -> Vector3<f64> {
+    let up_rate = (v_e - up * up.dot(v_e)) / earth.equatorial_radius_m;
+    (earth_cross(2.0 * earth.rate_rad_s, up) + up_rate) * displacement
 }
 
 /// (0, 0, `w`) × `v`

@@ -9,6 +9,7 @@ mod geographic;
 mod vertical;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
+pub(crate) use earth_fixed::displaced_vertical;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode};
 
 use crate::earth::Earth;

@@ -24,7 +24,8 @@ impl Axis {
         let (low, high) = if high > low { (low, high) } else { (low - 1.0, high + 1.0) };
         let rough = (high - low) / most.max(1) as f64;
         let decade = 10f64.powf(rough.log10().floor());
-        let step = [1.0, 2.0, 5.0].map(|m| m * decade).into_iter().find(|s| *s >= rough).unwrap_or(10.0 * decade);
+        let step =
+            [1.0, 2.0, 5.0].map(|m| m * decade).into_iter().find(|s| *s >= rough).unwrap_or(10.0 * decade);
         Self::with_step(low, high, step)
     }
 
@@ -46,15 +47,20 @@ impl Axis {
 
     /// Periods in minutes and hours; positions are logarithms of seconds. `room` is the least distance of two ticks.
     pub fn periods(low: f64, high: f64, room: f64) -> Self {
-        const MINUTES: [f64; 15] =
-            [1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 180.0, 360.0, 720.0, 1440.0, 2880.0, 5760.0, 11_520.0, 23_040.0, 46_080.0];
+        const MINUTES: [f64; 15] = [
+            1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 180.0, 360.0, 720.0, 1440.0, 2880.0, 5760.0, 11_520.0, 23_040.0,
+            46_080.0,
+        ];
         let mut ticks: Vec<(f64, String)> = Vec::new();
         for seconds in MINUTES.map(|minutes| minutes * 60.0) {
             let at = seconds.log10();
             let free = ticks.last().is_none_or(|(last, _)| at - last >= room);
             if (low..=high).contains(&at) && free {
-                let text =
-                    if seconds < 3600.0 { format!("{} min", seconds / 60.0) } else { format!("{} h", seconds / 3600.0) };
+                let text = if seconds < 3600.0 {
+                    format!("{} min", seconds / 60.0)
+                } else {
+                    format!("{} h", seconds / 3600.0)
+                };
                 ticks.push((at, text));
             }
         }
@@ -63,7 +69,8 @@ impl Axis {
 
     /// Time from 0 to `duration_s` in seconds, minutes or hours, with at most `most` ticks.
     pub fn time(duration_s: f64, most: usize) -> TimeAxis {
-        const HOURS: &[f64] = &[0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0, 12.0, 24.0, 48.0, 96.0, 168.0, 336.0, 720.0];
+        const HOURS: &[f64] =
+            &[0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0, 12.0, 24.0, 48.0, 96.0, 168.0, 336.0, 720.0];
         const MINUTES: &[f64] = &[1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0];
         let (unit, seconds, steps): (_, _, &[f64]) = match duration_s {
             s if s <= 900.0 => ("s", 1.0, &[]),
@@ -81,7 +88,10 @@ impl Axis {
     /// The text of the tick at `place`.
     pub fn text(&self, place: f64) -> String {
         let tolerance = (self.high - self.low) * 1e-9;
-        self.ticks.iter().find(|(at, _)| (at - place).abs() <= tolerance).map_or_else(String::new, |(_, text)| text.clone())
+        self.ticks
+            .iter()
+            .find(|(at, _)| (at - place).abs() <= tolerance)
+            .map_or_else(String::new, |(_, text)| text.clone())
     }
 
     fn with_step(low: f64, high: f64, step: f64) -> Self {
@@ -119,7 +129,7 @@ mod tests {
         assert_eq!(texts(&Axis::linear(-0.31, 0.72, 5)), ["0", "0.5"]);
         assert_eq!(texts(&Axis::linear(-3.0, 8.0, 6)), ["-2", "0", "2", "4", "6", "8"]);
         assert_eq!(texts(&Axis::linear(0.0, 2.4e-7, 3)), ["0", "1e-7", "2e-7"]);
-        assert_eq!(texts(&Axis::linear(0.0, 0.0, 4)), ["-1", "-0.5", "0", "0.5", "1"]);
+        assert_eq!(texts(&Axis::linear(0.0, 0.0, 4)), ["-1.0", "-0.5", "0", "0.5", "1.0"]);
     }
 
     #[test]

@@ -99,8 +99,7 @@ mod tests {
 
     #[test]
     fn the_command_line() {
-        let report =
-            Command::Report { runs: vec!["a.csv".into(), "b.csv".into()], output: "r.html".into() };
+        let report = Command::Report { runs: vec!["a.csv".into(), "b.csv".into()], output: "r.html".into() };
         assert_eq!(parsed(&["a.csv", "a_summary.csv", "b.csv", "-o", "r.html"]), Ok(report));
         assert_eq!(parsed(&["-h"]), Ok(Command::Help));
         assert!(parsed(&["a.csv"]).unwrap_err().contains("-o"));

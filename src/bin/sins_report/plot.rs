@@ -4,7 +4,10 @@
 //! light, dark and print. `plotters` knows colours alone and writes whole coordinates: a pen goes in as the colour that is
 //! its number, and a drawing unit is [`FINE`] of its pixels.
 
+use std::ops::Range;
+
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -179,17 +182,13 @@ impl Drawing {
 
     fn draw<'a>(&self, area: &Area<'a>, panel: &Panel, below: f64) -> Drawn<'a> {
         let style = |pen: Pen| ShapeStyle { color: pen.colour().to_rgba(), filled: false, stroke_width: 1 };
-        let places = |axis: &Axis| axis.ticks.iter().map(|(at, _)| *at).collect::<Vec<_>>();
         area.draw(&Text::new(panel.caption.clone(), (pixel(4.0), pixel(4.0)), text_style(HPos::Left)))?;
         let mut chart = ChartBuilder::on(area)
             .margin_top(size(panel.above()))
             .margin_right(size(RIGHT))
             .set_label_area_size(LabelAreaPosition::Left, size(LEFT))
             .set_label_area_size(LabelAreaPosition::Bottom, size(below))
-            .build_cartesian_2d(
-                (self.x.low..self.x.high).with_key_points(places(&self.x)),
-                (panel.y.low..panel.y.high).with_key_points(places(&panel.y)),
-            )?;
+            .build_cartesian_2d(self.x.clone(), panel.y.clone())?;
         chart
             .configure_mesh()
             .bold_line_style(style(Pen::Grid))
@@ -198,15 +197,20 @@ impl Drawing {
             .set_all_tick_mark_size(size(4.0))
             .label_style(text_style(HPos::Center))
             .axis_desc_style(text_style(HPos::Center))
-            .x_label_formatter(&|place| self.x.text(*place))
-            .y_label_formatter(&|place| panel.y.text(*place))
             .x_desc(self.x_label.clone())
             .draw()?;
         for mark in &panel.marks {
-            chart.draw_series(LineSeries::new([(mark.at, panel.y.low), (mark.at, panel.y.high)], style(mark.pen)))?;
+            chart.draw_series(LineSeries::new(
+                [(mark.at, panel.y.low), (mark.at, panel.y.high)],
+                style(mark.pen),
+            ))?;
             let (x, y) = chart.backend_coord(&(mark.at, panel.y.high));
             let (left, top) = area.get_base_pixel();
-            area.draw(&Text::new(mark.text.clone(), (x - left, y - top - pixel(MARK_TEXT)), text_style(HPos::Center)))?;
+            area.draw(&Text::new(
+                mark.text.clone(),
+                (x - left, y - top - pixel(MARK_TEXT)),
+                text_style(HPos::Center),
+            ))?;
         }
         for trace in &panel.traces {
             chart.draw_series(LineSeries::new(trace.points.iter().copied(), style(trace.pen)))?;
@@ -214,6 +218,30 @@ impl Drawing {
         let dot = ShapeStyle { filled: true, ..style(Pen::Start) };
         chart.draw_series(panel.start.iter().map(|place| Circle::new(*place, size(6.0), dot)))?;
         Ok(())
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        let share = (value - self.low) / (self.high - self.low);
+        (f64::from(from) + share * f64::from(to - from)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.ticks.iter().map(|(at, _)| *at).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.low..self.high
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, place: &f64) -> String {
+        self.text(*place)
     }
 }
 
@@ -227,9 +255,10 @@ fn size(units: f64) -> u32 {
 
 /// Only the layout follows this size; the style sheet has the one that is seen.
 fn text_style(horizontal: HPos) -> TextStyle<'static> {
-    TextStyle::from(("sans-serif", size(16.0)).into_font())
-        .color(&Pen::Text.colour())
-        .pos(Pos::new(horizontal, VPos::Top))
+    let mut style =
+        TextStyle::from(("sans-serif", size(16.0)).into_font()).pos(Pos::new(horizontal, VPos::Top));
+    style.color = Pen::Text.colour().to_backend_color();
+    style
 }
 
 /// Puts classes in the place of colours, and leaves the rest of the look to the style sheet.
@@ -269,7 +298,9 @@ mod tests {
         let drawing =
             Drawing { x: Axis::linear(0.0, 10.0, 5), x_label: "time [s]".into(), panels: vec![panel] };
         let svg = drawing.svg("a \"line\"").unwrap();
-        assert!(svg.starts_with("<svg class=\"plot\" role=\"img\" aria-label=\"a &quot;line&quot;\" viewBox="));
+        assert!(
+            svg.starts_with("<svg class=\"plot\" role=\"img\" aria-label=\"a &quot;line&quot;\" viewBox=")
+        );
         assert!(svg.ends_with("</svg>\n"));
         for class in ["text", "grid", "axis", "east", "schuler", "start"] {
             assert!(svg.contains(&format!("class=\"{class}\"")), "{class}");
@@ -284,7 +315,9 @@ mod tests {
     fn every_pen_has_a_rule_in_the_style_sheet() {
         let css = include_str!("page.css");
         for pen in Pen::ALL {
-            assert!(css.contains(&format!(".{} ", pen.class())) || css.contains(&format!(".{},", pen.class())));
+            assert!(
+                css.contains(&format!(".{} ", pen.class())) || css.contains(&format!(".{},", pen.class()))
+            );
         }
     }
 }

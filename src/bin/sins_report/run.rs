@@ -60,7 +60,8 @@ impl Run {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let summary_path = path.with_file_name(format!("{stem}_summary.csv"));
         let summary = File::open(&summary_path).map_err(|error| {
-            let what = format!("the summary that has to lie beside {} cannot be read: {error}", path.display());
+            let what =
+                format!("the summary that has to lie beside {} cannot be read: {error}", path.display());
             Failure::of_file(&summary_path, &what)
         })?;
         let summary = Summary::read(&summary_path, summary)?;
@@ -105,9 +106,10 @@ impl Run {
     }
 
     fn flagged_s(&self, errors: &Errors, flag: u32) -> Option<(f64, f64)> {
-        let mut times = self.time_s.iter().zip(&errors.flags).filter(|(_, f)| *f & flag != 0).map(|(t, _)| *t);
+        let mut times =
+            self.time_s.iter().zip(&errors.flags).filter(|(_, f)| *f & flag != 0).map(|(t, _)| *t);
         let first = times.next()?;
-        Some((first, times.last().unwrap_or(first)))
+        Some((first, times.next_back().unwrap_or(first)))
     }
 }
 
@@ -136,7 +138,8 @@ impl Errors {
 /// Times less the first; refuses fewer than two, and such as do not increase.
 fn since_start(path: &Path, time_s: Vec<f64>) -> Result<Vec<f64>, Failure> {
     if let Some(row) = time_s.windows(2).position(|pair| pair[1] <= pair[0]) {
-        let what = format!("column time_s: expected a time later than {}, found {}", time_s[row], time_s[row + 1]);
+        let what =
+            format!("column time_s: expected a time later than {}, found {}", time_s[row], time_s[row + 1]);
         return Err(Failure::of_line(path, row as u64 + 3, &what));
     }
     match time_s.first() {

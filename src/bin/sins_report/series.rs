@@ -45,7 +45,8 @@ pub fn magnitude(values: &[f64]) -> f64 {
 /// Smallest and largest `y` of all `lines`; (0, 0) without points.
 pub fn bounds<'a>(lines: impl IntoIterator<Item = &'a Points>) -> (f64, f64) {
     let all = lines.into_iter().flatten().map(|point| point.1);
-    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    let (low, high) =
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
     if low <= high { (low, high) } else { (0.0, 0.0) }
 }
 

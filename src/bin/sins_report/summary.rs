@@ -94,7 +94,9 @@ mod tests {
 
     #[test]
     fn whatever_rows_are_there_are_kept() {
-        let summary = read("key,value,unit,label\nseed,18446744073709551615,,seed\nr,0.61234567,nmi/h,\"a, b\"\n").unwrap();
+        let summary =
+            read("key,value,unit,label\nseed,18446744073709551615,,seed\nr,0.61234567,nmi/h,\"a, b\"\n")
+                .unwrap();
         assert_eq!(summary.value("seed"), Some("18446744073709551615"));
         assert_eq!(summary.figures[0].text(), "18446744073709551615");
         assert_eq!(summary.figures[1].text(), "0.6123 nmi/h");
@@ -116,6 +118,9 @@ mod tests {
     #[test]
     fn a_wrong_header_or_row_is_told() {
         assert!(read("key,value\n").unwrap_err().contains("line 1"));
-        assert_eq!(read("key,value,unit,label\na,b\n").unwrap_err(), "s.csv, line 2: expected 4 columns, found 2");
+        assert_eq!(
+            read("key,value,unit,label\na,b\n").unwrap_err(),
+            "s.csv, line 2: expected 4 columns, found 2"
+        );
     }
 }

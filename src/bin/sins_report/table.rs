@@ -25,15 +25,18 @@ impl Table {
         while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
             let line = row.position().map_or(0, csv::Position::line);
             if row.len() != columns.len() {
-                let what = format!("expected {} columns as in the header, found {}", columns.len(), row.len());
+                let what =
+                    format!("expected {} columns as in the header, found {}", columns.len(), row.len());
                 return Err(Failure::of_line(path, line, &what));
             }
             for (place, ((name, values), text)) in columns.iter_mut().zip(&row).enumerate() {
                 match text.trim().parse::<f64>() {
                     Ok(value) if value.is_finite() => values.push(value),
                     _ => {
-                        let what =
-                            format!("column {} ({name}): expected a finite number, found \"{text}\"", place + 1);
+                        let what = format!(
+                            "column {} ({name}): expected a finite number, found \"{text}\"",
+                            place + 1
+                        );
                         return Err(Failure::of_line(path, line, &what));
                     }
                 }
@@ -46,7 +49,9 @@ impl Table {
     pub fn take(&mut self, name: &str) -> Result<Vec<f64>, Failure> {
         match self.columns.iter_mut().find(|(column, _)| column == name) {
             Some((_, values)) => Ok(std::mem::take(values)),
-            None => Err(Failure::of_line(&self.path, 1, &format!("expected a column \"{name}\" in the header"))),
+            None => {
+                Err(Failure::of_line(&self.path, 1, &format!("expected a column \"{name}\" in the header")))
+            }
         }
     }
 
@@ -69,7 +74,10 @@ mod tests {
     fn columns_come_by_name() {
         let mut table = read("t,x_a,x_b,x_c\n0,1,2,3\n0.5, 1e-9 ,-2,4\n").unwrap();
         assert_eq!(table.take("t").unwrap(), [0.0, 0.5]);
-        assert_eq!(table.take_three("x_{}", ["c", "b", "a"]).unwrap(), [[3.0, 4.0], [2.0, -2.0], [1.0, 1e-9]]);
+        assert_eq!(
+            table.take_three("x_{}", ["c", "b", "a"]).unwrap(),
+            [[3.0, 4.0], [2.0, -2.0], [1.0, 1e-9]]
+        );
     }
 
     #[test]

@@ -141,7 +141,10 @@ mod tests {
         ] {
             assert_eq!(significant(value), text);
         }
-        assert_eq!((power_of_ten(-2), power_of_ten(3), power_of_ten(-5)), ("0.01".into(), "1000".into(), "10⁻⁵".into()));
+        assert_eq!(
+            (power_of_ten(-2), power_of_ten(3), power_of_ten(-5)),
+            ("0.01".into(), "1000".into(), "10⁻⁵".into())
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::geometry::LocalGeometry;
 use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
 use crate::math::rotate;
-use crate::mechanization::VerticalCorrection;
+use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::{IntervalMotion, MotionNode};
 use crate::truth::TruthPoint;
 
@@ -91,9 +91,9 @@ impl EarthFixedForm {
 
     pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
         let up = &truth.up_e;
-        let w2 = 2.0 * earth.rate_rad_s * correction.displacement_m;
+        let horizontal = displaced_vertical(earth, up, &truth.state.v_e, correction.displacement_m);
         self.dr += up * correction.height_m;
-        self.dv += up * correction.velocity_up_m_s - Vector3::new(-w2 * up.y, w2 * up.x, 0.0);
+        self.dv += up * correction.velocity_up_m_s - horizontal;
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.

@@ -1,0 +1,247 @@
+//! The figures of a run over time: errors, radial error, sensor errors.
+
+use crate::axis::{Axis, TimeAxis};
+use crate::failure::Failure;
+use crate::plot::{Drawing, Panel, Pen, Trace};
+use crate::run::{EAST_NORTH_UP, Errors, Run, SENSOR_AXES};
+use crate::series::{Points, block_means, bounds, difference, magnitude, straight_line, thinned};
+use crate::spectrum;
+use crate::trajectory;
+use crate::units::{self, Unit, fitting, significant, time_text, with_unit};
+
+/// A drawing and the words around it.
+pub struct Figure {
+    pub title: String,
+    pub legend: Vec<(Pen, String)>,
+    pub svg: String,
+    /// Below the drawing: what it says in numbers.
+    pub note: String,
+}
+
+/// Most ticks of a time axis.
+pub const TIME_TICKS: usize = 8;
+
+/// The radial error is fitted from here on [s], as the library's accuracy figures are.
+const FIT_FROM_S: f64 = 300.0;
+
+/// The line of 1 nmi/h is drawn where the largest error is within this factor of it.
+const COMPARABLE: f64 = 30.0;
+
+/// Means drawn over noisy sensor errors.
+const MEANS: usize = 100;
+
+/// All figures of `run`, in reading order; without the ones that would be empty.
+pub fn figures(run: &Run) -> Result<Vec<Figure>, Failure> {
+    let mut figures = vec![trajectory::track(run)?, trajectory::height(run)?];
+    figures.push(errors(
+        run,
+        "Attitude errors (figure 3 of the paper)",
+        "misalignment",
+        units::ANGLE,
+        |errors| &errors.misalignment_rad,
+    )?);
+    figures.push(errors(
+        run,
+        "Velocity errors (figure 4 of the paper)",
+        "velocity",
+        units::SPEED,
+        |errors| &errors.velocity_m_s,
+    )?);
+    figures.push(errors(
+        run,
+        "Position errors (figure 5 of the paper)",
+        "position",
+        units::LENGTH,
+        |errors| &errors.position_m,
+    )?);
+    figures.push(radial(run)?);
+    figures.extend(spectrum::figure(run)?);
+    figures.extend(sensor(run, "Gyro errors", &run.gyro_error_rad_s, units::DEG_PER_HOUR)?);
+    figures.extend(sensor(run, "Accelerometer errors", &run.accel_error_m_s2, units::MICRO_G)?);
+    Ok(figures)
+}
+
+/// `values` over time, thinned, in the units of the axes.
+pub fn over_time(run: &Run, time: &TimeAxis, values: &[f64], unit: Unit) -> Points {
+    scaled(thinned(&run.time_s, values), time, unit)
+}
+
+fn scaled(points: Points, time: &TimeAxis, unit: Unit) -> Points {
+    points.into_iter().map(|(t, y)| (t / time.seconds, y / unit.si)).collect()
+}
+
+/// A panel whose y axis covers its traces and zero.
+fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> Panel {
+    let (low, high) = bounds(traces.iter().map(|trace| &trace.points));
+    Panel::new(caption, Axis::around(low.min(0.0), high.max(0.0), 0.0, ticks), height, traces)
+}
+
+pub fn time_label(time: &TimeAxis) -> String {
+    format!("time since the start [{}]", time.unit)
+}
+
+/// Error data 2 over error data 1, a panel for each of east, north and up, and their difference below.
+fn errors(
+    run: &Run,
+    title: &str,
+    what: &str,
+    family: &[Unit],
+    of: impl Fn(&Errors) -> &[Vec<f64>; 3],
+) -> Result<Figure, Failure> {
+    let time = Axis::time(run.duration_s(), TIME_TICKS);
+    let computed = of(&run.errors);
+    let model = run.model.as_ref().map(of);
+    let sizes: [f64; 3] = std::array::from_fn(|axis| {
+        magnitude(&computed[axis]).max(model.map_or(0.0, |model| magnitude(&model[axis])))
+    });
+    let largest = sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
+    let mut panels = Vec::new();
+    for (axis, name) in EAST_NORTH_UP.iter().enumerate() {
+        // One unit for all three, unless one is so small that its ticks would be fractions.
+        let size = if sizes[axis] < 0.05 * largest { sizes[axis] } else { largest };
+        let unit = fitting(size, family);
+        let mut traces = Vec::new();
+        if let Some(model) = model {
+            traces.push(Trace::new(Pen::Reference, over_time(run, &time, &model[axis], unit)));
+        }
+        traces.push(Trace::new(Pen::Computed, over_time(run, &time, &computed[axis], unit)));
+        panels.push(panel(format!("{what} {name} [{}]", unit.name), 110.0, 4, traces));
+    }
+    let in_words = |values: &[f64; 3]| {
+        let parts: Vec<String> = EAST_NORTH_UP
+            .iter()
+            .zip(values)
+            .map(|(name, value)| format!("{name} {}", with_unit(*value, family)))
+            .collect();
+        parts.join(", ")
+    };
+    let mut note = format!("Largest: {}.", in_words(&std::array::from_fn(|axis| magnitude(&computed[axis]))));
+    let mut legend = vec![(Pen::Computed, "error data 2: navigation minus truth".to_owned())];
+    if let Some(model) = model {
+        let differences: [Vec<f64>; 3] =
+            std::array::from_fn(|axis| difference(&computed[axis], &model[axis]));
+        let sizes = differences.each_ref().map(|values| magnitude(values));
+        let unit = fitting(sizes.iter().fold(0.0, |most: f64, size| most.max(*size)), family);
+        let traces = [Pen::East, Pen::North, Pen::Up]
+            .into_iter()
+            .zip(&differences)
+            .map(|(pen, values)| Trace::new(pen, over_time(run, &time, values, unit)))
+            .collect();
+        panels.push(panel(format!("data 2 minus data 1 [{}]", unit.name), 80.0, 3, traces));
+        note += &format!(" Largest difference of data 2 and 1: {}.", in_words(&sizes));
+        legend.push((Pen::Reference, "error data 1: error differential equations".to_owned()));
+        for (pen, name) in [Pen::East, Pen::North, Pen::Up].into_iter().zip(EAST_NORTH_UP) {
+            legend.push((pen, format!("difference, {name}")));
+        }
+    }
+    let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
+    let svg = drawing.svg(&format!("{title} over time. {note}"))?;
+    Ok(Figure { title: title.to_owned(), legend, svg, note })
+}
+
+/// Horizontal position error with its straight line and that of 1 nmi/h.
+fn radial(run: &Run) -> Result<Figure, Failure> {
+    let title = "Radial position error".to_owned();
+    let time = Axis::time(run.duration_s(), TIME_TICKS);
+    let [east, north, _] = &run.errors.position_m;
+    let radius: Vec<f64> = east.iter().zip(north).map(|(east, north)| east.hypot(*north)).collect();
+    let largest = magnitude(&radius);
+    let unit = fitting(largest, units::LENGTH);
+
+    let window =
+        run.time_s.iter().position(|t| *t >= FIT_FROM_S).filter(|from| from + 1 < radius.len()).unwrap_or(0);
+    let (level, slope) = straight_line(&run.time_s[window..], &radius[window..]);
+    let line = |(level, slope): (f64, f64), from: f64, to: f64| {
+        scaled(vec![(from, level + slope * from), (to, level + slope * to)], &time, unit)
+    };
+    let end = run.duration_s();
+    let mut traces = vec![
+        Trace::new(Pen::Computed, over_time(run, &time, &radius, unit)),
+        Trace::new(Pen::Fit, line((level, slope), run.time_s[window], end)),
+    ];
+    let rate = format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
+    let mut legend = vec![
+        (Pen::Computed, "horizontal distance from truth".to_owned()),
+        (
+            Pen::Fit,
+            format!("straight line of least squares from {} on, slope {rate}", time_text(run.time_s[window])),
+        ),
+    ];
+    let mile = units::NMI_PER_HOUR.si;
+    if largest < COMPARABLE * mile * end && mile * end < COMPARABLE * largest {
+        traces.push(Trace::new(Pen::NauticalMile, line((0.0, mile), 0.0, end.min(1.05 * largest / mile))));
+        legend.push((Pen::NauticalMile, "1 nmi/h".to_owned()));
+    }
+    let note = format!("Largest: {}. Slope of the straight line: {rate}.", with_unit(largest, units::LENGTH));
+    let panels = vec![panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
+    let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
+    let svg = drawing.svg(&format!("{title} over time. {note}"))?;
+    Ok(Figure { title, legend, svg, note })
+}
+
+/// Errors of a triad of sensors, the records and their running mean; none where there are no errors.
+fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<Option<Figure>, Failure> {
+    if values.iter().all(|values| magnitude(values) == 0.0) {
+        return Ok(None);
+    }
+    let time = Axis::time(run.duration_s(), TIME_TICKS);
+    let panels = SENSOR_AXES.iter().zip(values).map(|(axis, values)| {
+        let means = scaled(block_means(&run.time_s, values, MEANS), &time, unit);
+        let traces = vec![
+            Trace::new(Pen::Record, over_time(run, &time, values, unit)),
+            Trace::new(Pen::Computed, means),
+        ];
+        panel(format!("{axis} [{}]", unit.name), 90.0, 4, traces)
+    });
+    let drawing = Drawing { x_label: time_label(&time), panels: panels.collect(), x: time.axis };
+    let stretch = time_text(run.duration_s() / MEANS as f64);
+    let legend = vec![
+        (Pen::Record, "measured minus ideal, each record".to_owned()),
+        (Pen::Computed, format!("mean over {stretch}")),
+    ];
+    let mean = |values: &Vec<f64>| significant(crate::series::mean(values) / unit.si);
+    let [x, y, z] = values.each_ref().map(mean);
+    let note = format!("Mean over the run: x {x}, y {y}, z {z} {}.", unit.name);
+    let svg = drawing.svg(&format!("{title} over time. {note}"))?;
+    Ok(Some(Figure { title: title.to_owned(), legend, svg, note }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::tests::made;
+
+    fn titles(run: &Run) -> Vec<String> {
+        figures(run).unwrap().into_iter().map(|figure| figure.title).collect()
+    }
+
+    #[test]
+    fn a_run_of_zeros_still_has_its_figures() {
+        let titles = titles(&made(3, |_, _| 0.0));
+        assert_eq!(titles.len(), 6, "track, height, three errors, radial: {titles:?}");
+    }
+
+    #[test]
+    fn sensor_errors_and_spectrum_come_where_there_is_something() {
+        let run = made(3000, |name, t| match name {
+            "gyro_error_z_rad_s" => 1e-8,
+            "error2_velocity_east_m_s" => (t / 806.0).sin(),
+            _ => 0.0,
+        });
+        let titles = titles(&run);
+        assert!(
+            titles.iter().any(|title| title.starts_with("Spectrum"))
+                && titles.contains(&"Gyro errors".into())
+        );
+        assert!(!titles.contains(&"Accelerometer errors".into()));
+    }
+
+    #[test]
+    fn the_slope_is_told_in_nautical_miles_an_hour() {
+        let run =
+            made(400, |name, t| if name == "error2_position_north_m" { 1852.0 / 3600.0 * t } else { 0.0 });
+        let figure = radial(&run).unwrap();
+        assert!(figure.note.ends_with("1.000 nmi/h."), "{}", figure.note);
+        assert!(figure.legend.iter().any(|(pen, _)| *pen == Pen::NauticalMile));
+    }
+}
