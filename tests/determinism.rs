@@ -95,7 +95,7 @@ fn digest(simulator: &mut Simulator, samples: &[FlightSample]) -> u64 {
     digest.0
 }
 
-const PINNED: [&str; 4] = ["fbed294161a355e8", "1e74afe78e2bd185", "76771622ff558fec", "a160c87ca7df5d92"];
+const PINNED: [&str; 4] = ["dc144a98cce831d2", "f4f64b1689993c6c", "a559422f8697f8fa", "4f7ff1cf87869583"];
 
 /// The digests of a minute of patrol with every effect on. They may change with the algorithms, then by a commit that says
 /// so; never with the machine.

@@ -142,6 +142,17 @@ pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
     }
 }
 
+/// q0* q1 of two unit quaternions, the rotation from one attitude to the other, formed from their difference: exactly none
+/// where they are equal. A product would leave 5e-17 rad of rounding each time: 5e-15 rad/s at 100 Hz, and at rest always in
+/// the same sense, 5 mm after 48 h.
+#[inline]
+pub fn relative_rotation(from: &Quaternion<f64>, to: &Quaternion<f64>) -> Quaternion<f64> {
+    let to = if from.dot(to) < 0.0 { -to } else { *to };
+    let mut relative = from.conjugate() * (to - from);
+    relative.w += 1.0;
+    relative
+}
+
 /// Rate of the rotation vector `phi` [rad] when the body turns at `omega` (body axes): the inverse of the right
 /// Jacobian applied to `omega`.
 #[inline]
@@ -216,6 +227,18 @@ mod tests {
             let back = rotation_vector(&rotation_quaternion(&phi));
             // cos(n/2) near π/2 and sin near 0 hold 1e-16 absolute; the arc tangent spreads it evenly.
             assert!((back - phi).norm() <= 8.0 * f64::EPSILON * angle, "{angle}: {}", (back - phi).norm());
+        }
+    }
+
+    #[test]
+    fn relative_rotation_is_exact_at_rest_and_right_elsewhere() {
+        let q = attitude_from_euler(&Euler { roll: 0.3, pitch: -0.6, heading: 5.0 });
+        assert_eq!(relative_rotation(&q, &q), Quaternion::identity());
+        assert_eq!(relative_rotation(&q, &-q), Quaternion::identity());
+        for angle in [1e-12, 1e-3, 2.0] {
+            let phi = Vector3::new(0.36, -0.48, 0.8) * angle;
+            let found = rotation_vector(&relative_rotation(&q, &(q * rotation_quaternion(&phi))));
+            assert!((found - phi).norm() < 8.0 * f64::EPSILON, "{angle}");
         }
     }
 

@@ -4,7 +4,9 @@
 use nalgebra::Vector3;
 
 use super::motion::IntervalMotion;
-use crate::math::{end_derivative_weights, rotate_inverse, rotation_increment, rotation_vector};
+use crate::math::{
+    end_derivative_weights, relative_rotation, rotate_inverse, rotation_increment, rotation_vector,
+};
 use crate::truth::{Recent, TruthPoint};
 
 /// Total rotation over a stencil beyond which the rotation vectors from its end grow ambiguous [rad] (150°).
@@ -31,7 +33,7 @@ struct Neighbour {
 
 impl Neighbour {
     fn new(from: &TruthPoint, point: &TruthPoint, offset_s: f64) -> Self {
-        let rotation = rotation_vector(&(from.state.q_eb.conjugate() * point.state.q_eb));
+        let rotation = rotation_vector(&relative_rotation(&from.state.q_eb, &point.state.q_eb));
         Self { v_e: point.state.v_e, offset_s, rotation }
     }
 }
@@ -59,7 +61,7 @@ impl SignalGenerator {
     pub fn advance<'a>(&mut self, recent: &Recent<'a>) -> IntervalMotion<'a> {
         let Recent { next, current, before } = *recent;
         let interval = next.interval_s;
-        let against_earth = current.state.q_eb.conjugate() * next.state.q_eb;
+        let against_earth = relative_rotation(&current.state.q_eb, &next.state.q_eb);
         let turn = rotation_vector(&against_earth);
         let turned = turn.norm_squared().sqrt();
 

@@ -19,13 +19,16 @@ pub struct TimeAxis {
 }
 
 impl Axis {
-    /// From `low` to `high` with at most `most` ticks at 1, 2 or 5 times a power of ten.
+    /// From `low` to `high` with at most `most` ticks at 1, 2, 2.5 or 5 times a power of ten.
     pub fn linear(low: f64, high: f64, most: usize) -> Self {
         let (low, high) = if high > low { (low, high) } else { (low - 1.0, high + 1.0) };
         let rough = (high - low) / most.max(1) as f64;
         let decade = 10f64.powf(rough.log10().floor());
-        let step =
-            [1.0, 2.0, 5.0].map(|m| m * decade).into_iter().find(|s| *s >= rough).unwrap_or(10.0 * decade);
+        let step = [1.0, 2.0, 2.5, 5.0]
+            .map(|m| m * decade)
+            .into_iter()
+            .find(|s| *s >= rough)
+            .unwrap_or(10.0 * decade);
         Self::with_step(low, high, step)
     }
 
@@ -126,7 +129,7 @@ mod tests {
 
     #[test]
     fn linear_ticks_are_round() {
-        assert_eq!(texts(&Axis::linear(-0.31, 0.72, 5)), ["0", "0.5"]);
+        assert_eq!(texts(&Axis::linear(-0.31, 0.72, 5)), ["-0.25", "0", "0.25", "0.50"]);
         assert_eq!(texts(&Axis::linear(-3.0, 8.0, 6)), ["-2", "0", "2", "4", "6", "8"]);
         assert_eq!(texts(&Axis::linear(0.0, 2.4e-7, 3)), ["0", "1e-7", "2e-7"]);
         assert_eq!(texts(&Axis::linear(0.0, 0.0, 4)), ["-1.0", "-0.5", "0", "0.5", "1.0"]);

@@ -9,12 +9,13 @@ use crate::spectrum;
 use crate::trajectory;
 use crate::units::{self, Unit, fitting, significant, time_text, with_unit};
 
-/// A drawing and the words around it.
+/// Drawings and the words around them.
 pub struct Figure {
     pub title: String,
     pub legend: Vec<(Pen, String)>,
-    pub svg: String,
-    /// Below the drawing: what it says in numbers.
+    /// As SVG elements.
+    pub drawings: Vec<String>,
+    /// Below the drawings: what it says in numbers.
     pub note: String,
 }
 
@@ -32,7 +33,7 @@ const MEANS: usize = 100;
 
 /// All figures of `run`, in reading order; without the ones that would be empty.
 pub fn figures(run: &Run) -> Result<Vec<Figure>, Failure> {
-    let mut figures = vec![trajectory::track(run)?, trajectory::height(run)?];
+    let mut figures = vec![trajectory::figure(run)?];
     figures.push(errors(
         run,
         "Attitude errors (figure 3 of the paper)",
@@ -105,7 +106,7 @@ fn errors(
             traces.push(Trace::new(Pen::Reference, over_time(run, &time, &model[axis], unit)));
         }
         traces.push(Trace::new(Pen::Computed, over_time(run, &time, &computed[axis], unit)));
-        panels.push(panel(format!("{what} {name} [{}]", unit.name), 110.0, 4, traces));
+        panels.push(panel(format!("{what} {name} [{}]", unit.name), 110.0, 5, traces));
     }
     let in_words = |values: &[f64; 3]| {
         let parts: Vec<String> = EAST_NORTH_UP
@@ -127,7 +128,7 @@ fn errors(
             .zip(&differences)
             .map(|(pen, values)| Trace::new(pen, over_time(run, &time, values, unit)))
             .collect();
-        panels.push(panel(format!("data 2 minus data 1 [{}]", unit.name), 80.0, 3, traces));
+        panels.push(panel(format!("data 2 minus data 1 [{}]", unit.name), 80.0, 4, traces));
         note += &format!(" Largest difference of data 2 and 1: {}.", in_words(&sizes));
         legend.push((Pen::Reference, "error data 1: error differential equations".to_owned()));
         for (pen, name) in [Pen::East, Pen::North, Pen::Up].into_iter().zip(EAST_NORTH_UP) {
@@ -136,7 +137,7 @@ fn errors(
     }
     let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
     let svg = drawing.svg(&format!("{title} over time. {note}"))?;
-    Ok(Figure { title: title.to_owned(), legend, svg, note })
+    Ok(Figure { title: title.to_owned(), legend, drawings: vec![svg], note })
 }
 
 /// Horizontal position error with its straight line and that of 1 nmi/h.
@@ -176,7 +177,7 @@ fn radial(run: &Run) -> Result<Figure, Failure> {
     let panels = vec![panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
     let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
     let svg = drawing.svg(&format!("{title} over time. {note}"))?;
-    Ok(Figure { title, legend, svg, note })
+    Ok(Figure { title, legend, drawings: vec![svg], note })
 }
 
 /// Errors of a triad of sensors, the records and their running mean; none where there are no errors.
@@ -191,7 +192,7 @@ fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<
             Trace::new(Pen::Record, over_time(run, &time, values, unit)),
             Trace::new(Pen::Computed, means),
         ];
-        panel(format!("{axis} [{}]", unit.name), 90.0, 4, traces)
+        panel(format!("{axis} [{}]", unit.name), 90.0, 5, traces)
     });
     let drawing = Drawing { x_label: time_label(&time), panels: panels.collect(), x: time.axis };
     let stretch = time_text(run.duration_s() / MEANS as f64);
@@ -203,7 +204,7 @@ fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<
     let [x, y, z] = values.each_ref().map(mean);
     let note = format!("Mean over the run: x {x}, y {y}, z {z} {}.", unit.name);
     let svg = drawing.svg(&format!("{title} over time. {note}"))?;
-    Ok(Some(Figure { title: title.to_owned(), legend, svg, note }))
+    Ok(Some(Figure { title: title.to_owned(), legend, drawings: vec![svg], note }))
 }
 
 #[cfg(test)]
@@ -218,7 +219,7 @@ mod tests {
     #[test]
     fn a_run_of_zeros_still_has_its_figures() {
         let titles = titles(&made(3, |_, _| 0.0));
-        assert_eq!(titles.len(), 6, "track, height, three errors, radial: {titles:?}");
+        assert_eq!(titles.len(), 5, "trajectory, three errors, radial: {titles:?}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::figures::{self, Figure};
 use crate::plot::Pen;
 use crate::run::Run;
 use crate::summary;
-use crate::units::time_text;
+use crate::units::{self, time_text};
 
 const STYLE: &str = include_str!("page.css");
 
@@ -70,7 +70,7 @@ fn comparison(runs: &[Run]) -> Markup {
             div.table role="region" aria-label="The runs compared" tabindex="0" {
                 table.comparison {
                     thead {
-                        tr { th scope="col" { "Figure" } @for run in runs { th scope="col" { (run.name) } } }
+                        tr { th scope="col" { "Quantity" } @for run in runs { th scope="col" { (run.name) } } }
                     }
                     tbody {
                         @for row in different {
@@ -115,15 +115,15 @@ fn list(figures: &[&summary::Figure]) -> Markup {
 
 fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
     let figures = figures::figures(run)?;
-    let (measured, flown): (Vec<_>, Vec<_>) =
-        run.summary.figures.iter().partition(|figure| figure.is_measured());
+    let rows: Vec<_> = run.summary.figures.iter().collect();
+    let (flown, measured) = rows.split_at(rows.iter().position(|row| row.is_error()).unwrap_or(rows.len()));
     Ok(html! {
         section.run id={ "run-" (place + 1) } {
             h2 { (run.name) }
-            p.source { "From " code { (run.file) } ", " (run.time_s.len()) " records over " (time_text(run.duration_s())) "." }
+            p.source { "From " code { (run.file) } ", " (run.time_s.len()) " records over " (time_text(run.duration_s())) ", one each " (units::significant(run.duration_s() / (run.time_s.len() - 1) as f64)) " s." }
             div.tables {
-                div { h3 { "Flight, sensors, settings" } (list(&flown)) }
-                div { h3 { "Figures" } (list(&measured)) }
+                div { h3 { "Flight, sensors, settings" } (list(flown)) }
+                div { h3 { "Errors and accuracy" } (list(measured)) }
             }
             @for remark in remarks(run, &figures) { p.remark { (remark) } }
             div.figures { @for figure in &figures { (self::figure(figure)) } }
@@ -165,7 +165,7 @@ fn figure(figure: &Figure) -> Markup {
             ul.legend {
                 @for (pen, text) in &figure.legend { li { (swatch(*pen)) span { (text) } } }
             }
-            (PreEscaped(&figure.svg))
+            @for drawing in &figure.drawings { (PreEscaped(drawing)) }
             figcaption { (figure.note) }
         }
     }
@@ -203,7 +203,7 @@ mod tests {
         }
         let drawings = html.matches("class=\"plot\"").count();
         assert_eq!(html.matches("role=\"img\" aria-label=\"").count(), drawings);
-        assert_eq!(html.matches("<figure>").count(), drawings);
+        assert_eq!(html.matches("<figure>").count() + 1, drawings, "two in the trajectory's figure");
     }
 
     #[test]

@@ -24,10 +24,10 @@ pub const WIDTH: f64 = 520.0;
 /// Room for the labels left of the panels, the margin right, the caption above, the marks' texts under it, the x axis
 /// [drawing units].
 const LEFT: f64 = 64.0;
-const RIGHT: f64 = 16.0;
+const RIGHT: f64 = 22.0;
 const CAPTION: f64 = 25.0;
 const MARK_TEXT: f64 = 20.0;
-const X_AXIS: f64 = 44.0;
+const X_AXIS: f64 = 48.0;
 const GAP: f64 = 6.0;
 
 /// Width of the panels [drawing units].

@@ -147,12 +147,17 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
         time_text(peak_north.period_s),
         2.0 * 3600.0 / duration_s,
     );
-    let room = (high - low) * 46.0 / PANEL_WIDTH;
+    let room = (high - low) * 60.0 / PANEL_WIDTH;
     let drawing =
         Drawing { x: Axis::periods(low, high, room), x_label: "period".to_owned(), panels: vec![panel] };
     let svg =
         drawing.svg(&format!("Amplitude spectrum of the horizontal velocity errors over period. {note}"))?;
-    Ok(Some(Figure { title: "Spectrum of the horizontal velocity errors".to_owned(), legend, svg, note }))
+    Ok(Some(Figure {
+        title: "Spectrum of the horizontal velocity errors".to_owned(),
+        legend,
+        drawings: vec![svg],
+        note,
+    }))
 }
 
 /// Foucault period 24 h / |sin L| of a vehicle at rest, and the two periods into which it splits Schuler's [s]; none near

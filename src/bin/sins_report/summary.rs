@@ -57,9 +57,9 @@ impl Summary {
 }
 
 impl Figure {
-    /// Whether the value is a number with a fraction or a unit: something measured, not a name, a count or a setting.
-    pub fn is_measured(&self) -> bool {
-        self.value.parse::<f64>().is_ok() && !(self.is_whole() && self.unit.is_empty())
+    /// Whether it is an error of the run: a length, a speed, an angle or a rate of radial error.
+    pub fn is_error(&self) -> bool {
+        units::family(&self.unit).is_some() || self.unit == units::NMI_PER_HOUR.name
     }
 
     /// The label, or else the key.
@@ -71,6 +71,9 @@ impl Figure {
     pub fn text(&self) -> String {
         let with_unit = |value: String, unit: &str| format!("{value} {unit}").trim_end().to_owned();
         match self.value.parse::<f64>() {
+            Ok(value) if self.unit == "s" && value >= 120.0 => {
+                format!("{} s ({})", self.value, units::time_text(value))
+            }
             Ok(value) if value.is_finite() && !self.is_whole() => match units::family(&self.unit) {
                 Some(family) => units::with_unit(value, family),
                 None => with_unit(units::significant(value), &self.unit),
@@ -101,7 +104,7 @@ mod tests {
         assert_eq!(summary.figures[0].text(), "18446744073709551615");
         assert_eq!(summary.figures[1].text(), "0.6123 nmi/h");
         assert_eq!(summary.figures[1].title(), "a, b");
-        assert!(summary.figures[1].is_measured() && !summary.figures[0].is_measured());
+        assert!(summary.figures[1].is_error() && !summary.figures[0].is_error());
     }
 
     #[test]
@@ -112,7 +115,7 @@ mod tests {
         assert_eq!(figure("-1.9066e-9", "m"), "-1.907 nm");
         assert_eq!(figure("12345.678", "m"), "12.35 km");
         assert_eq!(figure("0.0", "m"), "0 m");
-        assert_eq!(figure("3600", "s"), "3600 s");
+        assert_eq!(figure("3600", "s"), "3600 s (60 min)");
     }
 
     #[test]

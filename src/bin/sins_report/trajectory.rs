@@ -7,8 +7,8 @@ use crate::failure::Failure;
 use crate::figures::{Figure, TIME_TICKS, over_time, time_label};
 use crate::plot::{Drawing, PANEL_WIDTH, Panel, Pen, Trace};
 use crate::run::{Path3, Run};
-use crate::series::{Points, bounds, magnitude, thinned_curve};
-use crate::units::{LENGTH, Unit, fitting, with_unit};
+use crate::series::{Points, bounds, magnitude, outline};
+use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, with_unit};
 
 /// Mean radius of the Earth [m], for the length of an arc over its chord.
 const EARTH_RADIUS_M: f64 = 6.371e6;
@@ -17,15 +17,32 @@ const EARTH_RADIUS_M: f64 = 6.371e6;
 const LEAST_TRACK_M: f64 = 1.0;
 const LEAST_HEIGHT_M: f64 = 10.0;
 
-/// Ground track, east and north of the start, equal axes.
-pub fn track(run: &Run) -> Result<Figure, Failure> {
+/// A track keeps the details down to its extent over this number.
+const TRACK_RESOLUTION: f64 = 2000.0;
+
+/// Ground track, and height over time.
+pub fn figure(run: &Run) -> Result<Figure, Failure> {
+    let (track, track_note) = track(run)?;
+    let (height, height_note) = height(run)?;
+    let legend = vec![
+        (Pen::Reference, "truth".to_owned()),
+        (Pen::Computed, "navigation".to_owned()),
+        (Pen::Start, "start".to_owned()),
+    ];
+    let note = format!("{track_note} {height_note}");
+    Ok(Figure { title: "Trajectory".to_owned(), legend, drawings: vec![track, height], note })
+}
+
+/// Track east and north of the start, equal axes, and what it says in words.
+fn track(run: &Run) -> Result<(String, String), Failure> {
     let (truth_east, truth_north) = local(&run.truth, &run.truth);
     let (east, north) = local(&run.navigation, &run.truth);
-    let truth = thinned_curve(&truth_east, &truth_north);
-    let navigation = thinned_curve(&east, &north);
     let extent = [&truth_east, &truth_north, &east, &north]
         .into_iter()
         .fold(0.0, |most: f64, v| most.max(magnitude(v)));
+    let tolerance = extent / TRACK_RESOLUTION;
+    let truth = outline(&truth_east, &truth_north, tolerance);
+    let navigation = outline(&east, &north, tolerance);
     let unit = fitting(extent.max(LEAST_TRACK_M), LENGTH);
     let [truth, navigation] = [truth, navigation]
         .map(|points| points.into_iter().map(|(e, n)| (e / unit.si, n / unit.si)).collect::<Points>());
@@ -59,34 +76,25 @@ pub fn track(run: &Run) -> Result<Figure, Failure> {
         run.truth.latitude_rad[0].to_degrees(),
         run.truth.longitude_rad[0].to_degrees(),
     );
-    let legend = vec![
-        (Pen::Reference, "truth".to_owned()),
-        (Pen::Computed, "navigation".to_owned()),
-        (Pen::Start, "start".to_owned()),
-    ];
-    let svg = drawing.svg(&format!("Ground track, equal axes. {note}"))?;
-    Ok(Figure { title: "Ground track".to_owned(), legend, svg, note })
+    Ok((drawing.svg(&format!("Ground track, equal axes. {note}"))?, note))
 }
 
 /// Height over time.
-pub fn height(run: &Run) -> Result<Figure, Failure> {
+fn height(run: &Run) -> Result<(String, String), Failure> {
     let time = Axis::time(run.duration_s(), TIME_TICKS);
     let of = |values: &[f64], unit: Unit| over_time(run, &time, values, unit);
-    let metre = LENGTH[3];
-    let lines = [of(&run.truth.height_m, metre), of(&run.navigation.height_m, metre)];
+    let lines = [of(&run.truth.height_m, METRE), of(&run.navigation.height_m, METRE)];
     let (low, high) = bounds(&lines);
-    let unit = if high - low >= 1000.0 { LENGTH[4] } else { metre };
+    let unit = if high - low >= KILOMETRE.si { KILOMETRE } else { METRE };
     let traces = vec![
         Trace::new(Pen::Reference, of(&run.truth.height_m, unit)),
         Trace::new(Pen::Computed, of(&run.navigation.height_m, unit)),
     ];
-    let y = Axis::around(low / unit.si, high / unit.si, LEAST_HEIGHT_M / unit.si, 6);
-    let panels = vec![Panel::new(format!("height above the ellipsoid [{}]", unit.name), y, 220.0, traces)];
-    let note = format!("From {} to {}.", with_unit(low, LENGTH), with_unit(high, LENGTH));
+    let y = Axis::around(low / unit.si, high / unit.si, LEAST_HEIGHT_M / unit.si, 5);
+    let panels = vec![Panel::new(format!("height above the ellipsoid [{}]", unit.name), y, 120.0, traces)];
+    let note = format!("Heights {low:.1} m to {high:.1} m.");
     let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
-    let svg = drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?;
-    let legend = vec![(Pen::Reference, "truth".to_owned()), (Pen::Computed, "navigation".to_owned())];
-    Ok(Figure { title: "Height".to_owned(), legend, svg, note })
+    Ok((drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?, note))
 }
 
 /// East and north [m] of the first place of `origin`, by distance and bearing from there (azimuthal equidistant), so that
@@ -122,7 +130,7 @@ fn span((low, high): (f64, f64)) -> f64 {
 /// Width and height of the panel and the drawing units for one plotted unit, the same on both axes.
 fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
     let margin = 1.12;
-    let height = (PANEL_WIDTH * north / east).clamp(0.35 * PANEL_WIDTH, 0.95 * PANEL_WIDTH);
+    let height = (PANEL_WIDTH * north / east).clamp(0.35 * PANEL_WIDTH, 0.75 * PANEL_WIDTH);
     (PANEL_WIDTH, height, (PANEL_WIDTH / (east * margin)).min(height / (north * margin)))
 }
 

@@ -13,16 +13,28 @@ const fn unit(name: &'static str, si: f64) -> Unit {
     Unit { name, si }
 }
 
+/// The units of height.
+pub const METRE: Unit = unit("m", 1.0);
+/// See [`METRE`].
+pub const KILOMETRE: Unit = unit("km", 1e3);
+
 /// Units of length [m], each family from small to large.
 pub const LENGTH: &[Unit] =
-    &[unit("nm", 1e-9), unit("µm", 1e-6), unit("mm", 1e-3), unit("m", 1.0), unit("km", 1e3)];
+    &[unit("pm", 1e-12), unit("nm", 1e-9), unit("µm", 1e-6), unit("mm", 1e-3), METRE, KILOMETRE];
 
 /// Units of speed [m/s].
-pub const SPEED: &[Unit] =
-    &[unit("nm/s", 1e-9), unit("µm/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0), unit("km/s", 1e3)];
+pub const SPEED: &[Unit] = &[
+    unit("pm/s", 1e-12),
+    unit("nm/s", 1e-9),
+    unit("µm/s", 1e-6),
+    unit("mm/s", 1e-3),
+    unit("m/s", 1.0),
+    unit("km/s", 1e3),
+];
 
 /// Units of angle [rad].
 pub const ANGLE: &[Unit] = &[
+    unit("prad", 1e-12),
     unit("nrad", 1e-9),
     unit("µrad", 1e-6),
     unit("arcsec", PI / 648_000.0),
@@ -51,14 +63,17 @@ pub fn family(si_name: &str) -> Option<&'static [Unit]> {
 
 /// The largest unit of which `size` [SI] is at least one; the SI unit itself for zero (a degree for angles).
 pub fn fitting(size: f64, family: &[Unit]) -> Unit {
-    let zero = if family == ANGLE { 4 } else { 3 };
+    let zero = if family == ANGLE { 5 } else { 4 };
     let fits = |unit: &&Unit| if size == 0.0 { **unit == family[zero] } else { size.abs() >= unit.si };
     family.iter().rev().find(fits).copied().unwrap_or(family[0])
 }
 
-/// `value` [SI] in the unit that fits it, "12.35 km".
+/// `value` [SI] in the unit that fits it, "12.35 km"; in the large one with a power of ten where none does.
 pub fn with_unit(value: f64, family: &[Unit]) -> String {
-    let unit = fitting(value, family);
+    let mut unit = fitting(value, family);
+    if value.abs() < 1e-3 * unit.si {
+        unit = fitting(0.0, family);
+    }
     format!("{} {}", significant(value / unit.si), unit.name)
 }
 
@@ -110,14 +125,14 @@ mod tests {
     fn units_follow_the_size() {
         for (size, family, name) in [
             (1.2e-8, LENGTH, "nm"),
-            (1e-14, LENGTH, "nm"),
+            (1e-14, LENGTH, "pm"),
             (0.4, LENGTH, "mm"),
             (-850.0, LENGTH, "m"),
             (1852.0, LENGTH, "km"),
             (0.0, LENGTH, "m"),
             (2e-6, SPEED, "µm/s"),
             (0.5, SPEED, "mm/s"),
-            (1e-15, ANGLE, "nrad"),
+            (1e-15, ANGLE, "prad"),
             (3e-6, ANGLE, "µrad"),
             (5e-5, ANGLE, "arcsec"),
             (5e-4, ANGLE, "arcmin"),
