@@ -15,8 +15,9 @@
  *   sins_destroy(sim);
  *
  * Zero is off. Every struct begins with struct_size, to be set to its sizeof, and a second 32-bit integer that is 0 unless
- *   told otherwise; "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. Output structs want their struct_size set
- *   too. Structs grow at their end only: old hosts run on new libraries and the other way round.
+ *   told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
+ *   that warn of the fields left out. Output structs want their struct_size set too. Structs grow at their end only: old
+ *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
@@ -25,7 +26,7 @@
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
  *   output, no random number drawn. SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
  *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
- *   sins_last_error() has the sentence: which field, which value, which limit.
+ *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
@@ -39,6 +40,7 @@
 #define SINS_H
 
 #include <stddef.h>
+#include <string.h>
 
 #if defined(_MSC_VER) && _MSC_VER < 1600
 typedef __int32 int32_t;
@@ -59,6 +61,9 @@ typedef unsigned __int64 uint64_t;
 #else
 #define SINS_API
 #endif
+
+/* Makes a struct the zero of its kind: everything off, or recommended. */
+#define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = (uint32_t)sizeof(object)))
 
 /* Units: multiply by them to get SI, divide to get back. */
 #define SINS_DEG 0.017453292519943295              /* degree [rad] */
@@ -641,7 +646,10 @@ typedef struct sins_accuracy {
     double time_s;
     /* Time since the start [s]. */
     double duration_s;
-    /* Where the window of the radial error rates begins, in time since the start [s]. */
+    /*
+     * Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
+     * over next to nothing [s].
+     */
     double window_start_s;
     /* Samples in that window; the rates are 0 while there is none. */
     uint64_t window_samples;
@@ -661,10 +669,11 @@ typedef struct sins_accuracy {
     double closure_velocity_enu_m_s[3];
     /*
      * Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
-     * to displacement by velocity less displacement by position. Closure less this is the simulator's and the sensors'.
+     * to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
+     * sensors'.
      */
     double host_position_enu_m[3];
-    /* The same of the velocity closure [m/s]. */
+    /* The same of the horizontal velocity closure; up is 0 [m/s]. */
     double host_velocity_enu_m_s[3];
     /* Displacement by the host's velocities less displacement by its positions, summed over the flight [m]. */
     double inconsistency_enu_m[3];
@@ -766,6 +775,9 @@ SINS_API sins_status SINS_CALL sins_version_string(const char **text);
  * loaded.
  */
 SINS_API sins_status SINS_CALL sins_status_string(sins_status status, const char **text);
+
+/* Reads the options in effect: those of the create, with the defaults in place of 0. */
+SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
 
 /*
  * Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
@@ -902,6 +914,13 @@ SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, st
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
  */
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
+
+/*
+ * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ */
+SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
 
 /*
  * Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not

@@ -30,8 +30,6 @@ pub enum Rule {
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
-    /// value > limit.
-    Above(f64),
     /// value < limit.
     Below(f64),
     /// A sentence, for limits that need words.
@@ -85,22 +83,36 @@ impl fmt::Display for Error {
                 write!(f, "[{index}]")?;
             }
             match self.value {
-                Some(value) => write!(f, " = {value:?}: ")?,
+                Some(value) => write!(f, " = {}: ", Number(value))?,
                 None => f.write_str(": ")?,
             }
         }
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
-            Rule::Between(low, high) => write!(f, "must be from {low:?} to {high:?}"),
-            Rule::Above(limit) => write!(f, "must be greater than {limit:?}"),
-            Rule::Below(limit) => write!(f, "must be less than {limit:?}"),
+            Rule::Between(low, high) => write!(f, "must be from {} to {}", Number(low), Number(high)),
+            Rule::Below(limit) => write!(f, "must be less than {}", Number(limit)),
             Rule::Words(words) => f.write_str(words),
-            Rule::WordsAnd(words, number) => write!(f, "{words} {number:?}"),
+            Rule::WordsAnd(words, number) => write!(f, "{words} {}", Number(number)),
         }
     }
 }
 
 impl core::error::Error for Error {}
+
+/// Integers as integers, very large and very small numbers with an exponent.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        let size = value.abs();
+        if size != 0.0 && value.is_finite() && !(1e-4..1e7).contains(&size) {
+            write!(f, "{value:e}")
+        } else {
+            write!(f, "{value}")
+        }
+    }
+}
 
 /// Checks that `value` is a finite number from `low` to `high`.
 pub(crate) fn check_range(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
@@ -128,7 +140,7 @@ mod tests {
     #[test]
     fn the_sentence_names_field_value_and_limit() {
         let error = check_ranges("gyro.markov_time_s", &[1.0, -3.0], 0.0, 1e12).unwrap_err();
-        assert_eq!(error.to_string(), "gyro.markov_time_s[1] = -3.0: must be from 0.0 to 1000000000000.0");
+        assert_eq!(error.to_string(), "gyro.markov_time_s[1] = -3: must be from 0 to 1e12");
         assert_eq!(
             check_range("height_m", f64::NAN, 0.0, 1.0).unwrap_err().to_string(),
             "height_m = NaN: must be a finite number"

@@ -20,7 +20,8 @@ pub struct sins_accuracy {
     pub time_s: f64,
     /// Time since the start [s].
     pub duration_s: f64,
-    /// Where the window of the radial error rates begins, in time since the start [s].
+    /// Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
+    /// over next to nothing [s].
     pub window_start_s: f64,
     /// Samples in that window; the rates are 0 while there is none.
     pub window_samples: u64,
@@ -39,9 +40,10 @@ pub struct sins_accuracy {
     /// Closure: navigation minus truth now, velocity [m/s].
     pub closure_velocity_enu_m_s: [f64; 3],
     /// Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
-    /// to displacement by velocity less displacement by position. Closure less this is the simulator's and the sensors'.
+    /// to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
+    /// sensors'.
     pub host_position_enu_m: [f64; 3],
-    /// The same of the velocity closure [m/s].
+    /// The same of the horizontal velocity closure; up is 0 [m/s].
     pub host_velocity_enu_m_s: [f64; 3],
     /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
     pub inconsistency_enu_m: [f64; 3],

@@ -1,7 +1,8 @@
 //! `sins_options`.
 
-use super::failure::Failure;
-use super::memory::interface_struct;
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::{Output, interface_struct};
+use super::simulator::{sins_sim, with_simulator};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::error::{Error, Rule, check_range};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
@@ -146,6 +147,51 @@ impl sins_options {
         one_of(field, value, &CHOICES, "must be a SINS_EARTH_ constant, 0 to 3")
     }
 
+    /// The options as they are in effect, no default left 0.
+    pub(super) fn from_options(options: &Options) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            frame: match options.frame {
+                Frame::EarthFixed => SINS_FRAME_EARTH_FIXED,
+                Frame::Geographic => SINS_FRAME_GEOGRAPHIC,
+            },
+            scheme: match options.scheme {
+                Scheme::Exact => SINS_SCHEME_EXACT,
+                Scheme::Paper => SINS_SCHEME_PAPER,
+            },
+            subsamples: options.subsamples as i32,
+            updates_per_sample: options.updates_per_sample as i32,
+            vertical: match options.vertical {
+                VerticalMode::Damped => SINS_VERTICAL_DAMPED,
+                VerticalMode::FollowTruth => SINS_VERTICAL_FOLLOW_TRUTH,
+                VerticalMode::Free => SINS_VERTICAL_FREE,
+            },
+            error_model: if options.error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF },
+            earth: match options.ellipsoid {
+                Ellipsoid::Wgs84 => SINS_EARTH_WGS84,
+                Ellipsoid::Cgcs2000 => SINS_EARTH_CGCS2000,
+                Ellipsoid::Grs80 => SINS_EARTH_GRS80,
+                Ellipsoid::Krassovsky1940 => SINS_EARTH_KRASSOVSKY1940,
+            },
+            gravity: match options.gravity {
+                GravityModel::Normal => SINS_GRAVITY_NORMAL,
+                GravityModel::Somigliana => SINS_GRAVITY_SOMIGLIANA,
+            },
+            axes: match options.axes {
+                BodyAxes::RightForwardUp => SINS_AXES_RIGHT_FORWARD_UP,
+                BodyAxes::ForwardRightDown => SINS_AXES_FORWARD_RIGHT_DOWN,
+            },
+            signal: SINS_SIGNAL_PHYSICAL,
+            seed: options.key.seed,
+            run: options.key.run,
+            closed_loop_time_s: 0.0,
+            sample_period_s: options.intake.period_s.unwrap_or(0.0),
+            max_gap_s: options.intake.max_gap_s,
+            max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
+        }
+    }
+
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
         let frame = one_of(
@@ -224,4 +270,15 @@ impl sins_options {
             },
         })
     }
+}
+
+/// Reads the options in effect: those of the create, with the defaults in place of 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(options, "options")? };
+        output.write(&sins_options::from_options(simulator.options()));
+        Ok(SINS_OK)
+    })
 }

@@ -15,8 +15,9 @@
  *   sins_destroy(sim);
  *
  * Zero is off. Every struct begins with struct_size, to be set to its sizeof, and a second 32-bit integer that is 0 unless
- *   told otherwise; "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. Output structs want their struct_size set
- *   too. Structs grow at their end only: old hosts run on new libraries and the other way round.
+ *   told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
+ *   that warn of the fields left out. Output structs want their struct_size set too. Structs grow at their end only: old
+ *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
@@ -25,7 +26,7 @@
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
  *   output, no random number drawn. SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
  *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
- *   sins_last_error() has the sentence: which field, which value, which limit.
+ *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
@@ -39,6 +40,7 @@
 #define SINS_H
 
 #include <stddef.h>
+#include <string.h>
 
 #if defined(_MSC_VER) && _MSC_VER < 1600
 typedef __int32 int32_t;
@@ -59,6 +61,9 @@ typedef unsigned __int64 uint64_t;
 #else
 #define SINS_API
 #endif
+
+/* Makes a struct the zero of its kind: everything off, or recommended. */
+#define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = (uint32_t)sizeof(object)))
 
 /* Units: multiply by them to get SI, divide to get back. */
 #define SINS_DEG 0.017453292519943295              /* degree [rad] */

@@ -1,8 +1,9 @@
 //! `sins_record`: one line of the output of `sins_run`.
 
-use super::failure::Failure;
-use super::memory::interface_struct;
-use super::solution::{errors_of, sins_errors, sins_navigation};
+use super::failure::{Failure, sins_status};
+use super::memory::{Output, interface_struct};
+use super::simulator::{sins_sim, with_simulator};
+use super::solution::{errors_of, sins_errors, sins_navigation, write_or_need};
 use crate::simulator::{ErrorSource, Simulator};
 
 /// A solution within a sins_record; never grows. Fields as in sins_navigation.
@@ -139,4 +140,16 @@ impl sins_record {
             model_errors: or_none(model),
         }))
     }
+}
+
+/// Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_record) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(record, "record")? };
+        Ok(write_or_need(&output, sins_record::now(simulator)?))
+    })
 }

@@ -64,9 +64,11 @@ impl Flight {
         self.duration_s
     }
 
-    /// The sample at `time_s` [s] since the start, 0 to the duration.
+    /// The sample at `time_s` [s] since the start, 0 to the duration; a host's rounding beyond either is let pass.
     pub fn sample_at(&self, time_s: f64) -> Result<FlightSample, Error> {
-        check_range("time_s", time_s, 0.0, self.duration_s)?;
+        let rounding = 1e-9 + 1e-12 * self.duration_s;
+        check_range("time_s", time_s, -rounding, self.duration_s + rounding)?;
+        let time_s = time_s.clamp(0.0, self.duration_s);
         let segment = &self.segments[self.segments.partition_point(|s| s.end_s() < time_s)];
         let motion = segment.at(time_s);
         let (q_ew, height_m) = self.path.at(time_s);

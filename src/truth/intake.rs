@@ -164,16 +164,6 @@ impl Intake {
         let jump = |field, value, rule| Err(Error::of(ErrorKind::Discontinuity, field, value, rule));
         let limit = self.limits.max_acceleration_m_s2;
         let interval = point.interval_s;
-        let change2 = (point.state.v_e - last.state.v_e).norm_squared();
-        // A velocity from coarse positions is noise of metres a second: there the displacement alone is judged.
-        let measured = point.sample.v_n.is_some() && last.sample.v_n.is_some();
-        if measured && change2 > (limit * interval) * (limit * interval) {
-            return jump(
-                "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
-                change2.sqrt() / interval,
-                Rule::WordsAnd("must be at most max_acceleration_m_s2 =", limit),
-            );
-        }
         let mean = 0.5 * (point.state.v_e + last.state.v_e);
         let displacement2 = (point.state.r_e - last.state.r_e - mean * interval).norm_squared();
         let allowed = POSITION_SLACK_M + 0.5 * limit * interval * interval;
@@ -182,6 +172,16 @@ impl Intake {
                 "sample position: displacement that the velocity does not explain [m]",
                 displacement2.sqrt(),
                 Rule::WordsAnd("must be at most 10 m + max_acceleration_m_s2 interval^2 / 2 =", allowed),
+            );
+        }
+        let change2 = (point.state.v_e - last.state.v_e).norm_squared();
+        // A velocity from coarse positions is noise of metres a second: there the displacement alone is judged.
+        let measured = point.sample.v_n.is_some() && last.sample.v_n.is_some();
+        if measured && change2 > (limit * interval) * (limit * interval) {
+            return jump(
+                "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
+                change2.sqrt() / interval,
+                Rule::WordsAnd("must be at most max_acceleration_m_s2 =", limit),
             );
         }
         let cosine = last.state.q_eb.dot(&point.state.q_eb).abs();

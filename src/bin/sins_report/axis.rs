@@ -51,8 +51,8 @@ impl Axis {
     /// Periods in minutes and hours; positions are logarithms of seconds. `room` is the least distance of two ticks.
     pub fn periods(low: f64, high: f64, room: f64) -> Self {
         const MINUTES: [f64; 15] = [
-            1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 180.0, 360.0, 720.0, 1440.0, 2880.0, 5760.0, 11_520.0, 23_040.0,
-            46_080.0,
+            1.0, 3.0, 10.0, 30.0, 60.0, 180.0, 360.0, 720.0, 1440.0, 2880.0, 5760.0, 11_520.0, 23_040.0,
+            46_080.0, 92_160.0,
         ];
         let mut ticks: Vec<(f64, String)> = Vec::new();
         for seconds in MINUTES.map(|minutes| minutes * 60.0) {

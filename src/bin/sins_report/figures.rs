@@ -2,7 +2,8 @@
 
 use crate::axis::{Axis, TimeAxis};
 use crate::failure::Failure;
-use crate::plot::{Drawing, Panel, Pen, Trace};
+use crate::pen::Pen;
+use crate::plot::{Drawing, Panel, Trace};
 use crate::run::{EAST_NORTH_UP, Errors, Run, SENSOR_AXES};
 use crate::series::{Points, block_means, bounds, difference, magnitude, straight_line, thinned};
 use crate::spectrum;

@@ -9,6 +9,7 @@ mod axis;
 mod failure;
 mod figures;
 mod page;
+mod pen;
 mod plot;
 mod run;
 mod series;
@@ -65,7 +66,8 @@ fn main() -> ExitCode {
 fn report(paths: &[PathBuf], output: &Path) -> Result<(), Failure> {
     let runs = paths.iter().map(|path| Run::read(path)).collect::<Result<Vec<_>, _>>()?;
     let html = page::page(&runs)?;
-    std::fs::write(output, html).map_err(|error| Failure::of_file(output, &error))
+    std::fs::write(output, html)
+        .map_err(|error| Failure::of_file(output, &format!("cannot be written: {error}")))
 }
 
 fn command(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {

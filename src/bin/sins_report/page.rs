@@ -4,16 +4,20 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::failure::Failure;
 use crate::figures::{self, Figure};
-use crate::plot::Pen;
+use crate::pen::Pen;
 use crate::run::Run;
-use crate::summary;
-use crate::units::{self, time_text};
+use crate::summary::Row;
+use crate::units::{significant, time_text};
 
 const STYLE: &str = include_str!("page.css");
 
 /// The whole page.
 pub fn page(runs: &[Run]) -> Result<String, Failure> {
     let names = runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>().join(", ");
+    let title = match runs {
+        [run] => format!("Inertial navigation: {}", run.name),
+        _ => format!("Inertial navigation: {} runs", runs.len()),
+    };
     let sections =
         runs.iter().enumerate().map(|(place, run)| section(place, run)).collect::<Result<Vec<_>, _>>()?;
     let markup = html! {
@@ -23,7 +27,7 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
-                title { "Inertial navigation runs: " (names) }
+                title { (title) }
                 style { (PreEscaped(STYLE)) }
             }
             body {
@@ -53,12 +57,12 @@ fn contents(runs: &[Run]) -> Markup {
     }
 }
 
-/// Every figure in which the runs differ, a column for each run; then those that are the same in all.
+/// Every row in which the runs differ, a column for each run; then those that are the same in all.
 fn comparison(runs: &[Run]) -> Markup {
-    let mut rows: Vec<&summary::Figure> = Vec::new();
-    for figure in runs.iter().flat_map(|run| &run.summary.figures) {
-        if figure.key != "name" && !rows.iter().any(|row| row.key == figure.key) {
-            rows.push(figure);
+    let mut rows: Vec<&Row> = Vec::new();
+    for row in runs.iter().flat_map(|run| &run.summary.rows) {
+        if row.key != "name" && !rows.iter().any(|known| known.key == row.key) {
+            rows.push(row);
         }
     }
     let (same, different): (Vec<_>, Vec<_>) = rows
@@ -67,7 +71,7 @@ fn comparison(runs: &[Run]) -> Markup {
     html! {
         section id="comparison" {
             h2 { "The runs compared" }
-            div.table role="region" aria-label="The runs compared" tabindex="0" {
+            div.table tabindex="0" {
                 table.comparison {
                     thead {
                         tr { th scope="col" { "Quantity" } @for run in runs { th scope="col" { (run.name) } } }
@@ -76,7 +80,7 @@ fn comparison(runs: &[Run]) -> Markup {
                         @for row in different {
                             tr {
                                 th scope="row" { (row.title()) }
-                                @for run in runs { (cell(run.summary.figure(&row.key))) }
+                                @for run in runs { (cell(run.summary.row(&row.key))) }
                             }
                         }
                     }
@@ -90,23 +94,23 @@ fn comparison(runs: &[Run]) -> Markup {
     }
 }
 
-fn cell(figure: Option<&summary::Figure>) -> Markup {
-    match figure {
-        Some(figure) if figure.value.parse::<f64>().is_ok() => {
-            html! { td.number title=(figure.value) { (figure.text()) } }
+fn cell(row: Option<&Row>) -> Markup {
+    match row {
+        Some(row) if row.value.parse::<f64>().is_ok() => {
+            html! { td.number title=(row.value) { (row.text()) } }
         }
-        Some(figure) => html! { td { (figure.text()) } },
+        Some(row) => html! { td { (row.text()) } },
         None => html! { td { "–" } },
     }
 }
 
-/// Figures as rows of label and value.
-fn list(figures: &[&summary::Figure]) -> Markup {
+/// Label and value of each row.
+fn list(rows: &[&Row]) -> Markup {
     html! {
         table.list {
             tbody {
-                @for figure in figures {
-                    tr { th scope="row" { (figure.title()) } (cell(Some(figure))) }
+                @for row in rows {
+                    tr { th scope="row" { (row.title()) } (cell(Some(row))) }
                 }
             }
         }
@@ -115,12 +119,15 @@ fn list(figures: &[&summary::Figure]) -> Markup {
 
 fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
     let figures = figures::figures(run)?;
-    let rows: Vec<_> = run.summary.figures.iter().collect();
+    let rows: Vec<_> = run.summary.rows.iter().collect();
     let (flown, measured) = rows.split_at(rows.iter().position(|row| row.is_error()).unwrap_or(rows.len()));
     Ok(html! {
         section.run id={ "run-" (place + 1) } {
             h2 { (run.name) }
-            p.source { "From " code { (run.file) } ", " (run.time_s.len()) " records over " (time_text(run.duration_s())) ", one each " (units::significant(run.duration_s() / (run.time_s.len() - 1) as f64)) " s." }
+            p.source {
+                "From " code { (run.file) } ", " (run.time_s.len()) " records over " (time_text(run.duration_s()))
+                ", one each " (significant(run.spacing_s())) " s."
+            }
             div.tables {
                 div { h3 { "Flight, sensors, settings" } (list(flown)) }
                 div { h3 { "Errors and accuracy" } (list(measured)) }

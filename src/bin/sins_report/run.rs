@@ -26,8 +26,8 @@ pub struct Run {
     pub file: String,
     /// Time since the first record [s].
     pub time_s: Vec<f64>,
-    pub truth: Path3,
-    pub navigation: Path3,
+    pub truth: Places,
+    pub navigation: Places,
     /// Error data 2: navigation minus truth.
     pub errors: Errors,
     /// Error data 1: the error differential equations; none if they were off.
@@ -40,7 +40,7 @@ pub struct Run {
 }
 
 /// A path over the ground.
-pub struct Path3 {
+pub struct Places {
     pub latitude_rad: Vec<f64>,
     pub longitude_rad: Vec<f64>,
     pub height_m: Vec<f64>,
@@ -57,6 +57,8 @@ pub struct Errors {
 impl Run {
     /// Reads `path` and the summary beside it.
     pub fn read(path: &Path) -> Result<Self, Failure> {
+        let input =
+            File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let summary_path = path.with_file_name(format!("{stem}_summary.csv"));
         let summary = File::open(&summary_path).map_err(|error| {
@@ -65,14 +67,13 @@ impl Run {
             Failure::of_file(&summary_path, &what)
         })?;
         let summary = Summary::read(&summary_path, summary)?;
-        let input = File::open(path).map_err(|error| Failure::of_file(path, &error))?;
         Self::from_table(path, &stem, Table::read(path, input)?, summary)
     }
 
     fn from_table(path: &Path, stem: &str, mut table: Table, summary: Summary) -> Result<Self, Failure> {
         let time_s = since_start(path, table.take("time_s")?)?;
-        let truth = Path3::take(&mut table, "truth")?;
-        let navigation = Path3::take(&mut table, "nav")?;
+        let truth = Places::take(&mut table, "truth")?;
+        let navigation = Places::take(&mut table, "nav")?;
         let errors = Errors::take(&mut table, "error2")?;
         let model = Errors::take(&mut table, "error1")?;
         let model_was_on = model.flags.iter().any(|flags| flags & NOT_COMPUTED == 0);
@@ -95,6 +96,11 @@ impl Run {
         self.time_s.last().copied().unwrap_or(0.0)
     }
 
+    /// Mean distance of the records [s].
+    pub fn spacing_s(&self) -> f64 {
+        self.duration_s() / (self.time_s.len() - 1) as f64
+    }
+
     /// First and last time at which navigation or truth was near a pole [s].
     pub fn near_pole_s(&self) -> Option<(f64, f64)> {
         self.flagged_s(&self.errors, NEAR_POLE)
@@ -113,7 +119,7 @@ impl Run {
     }
 }
 
-impl Path3 {
+impl Places {
     fn take(table: &mut Table, prefix: &str) -> Result<Self, Failure> {
         Ok(Self {
             latitude_rad: table.take(&format!("{prefix}_latitude_rad"))?,
@@ -152,7 +158,7 @@ fn since_start(path: &Path, time_s: Vec<f64>) -> Result<Vec<f64>, Failure> {
 pub mod tests {
     use super::*;
 
-    /// A run of `records` records, 10 s apart, in which column number c has the value `value(c name, time)`.
+    /// A run of `records` records, 10 s apart, in which the column `name` has the value `value(name, time)`.
     pub fn made(records: u32, value: impl Fn(&str, f64) -> f64) -> Run {
         let three = |pattern: &str, axes: [&str; 3]| axes.map(|axis| pattern.replace("{}", axis));
         let mut names = vec!["time_s".to_owned()];
@@ -175,7 +181,9 @@ pub mod tests {
             text += &format!("\n{}", row.join(","));
         }
         let path = Path::new("made.csv");
-        let summary = "key,value,unit,label\nname,<made> & \"quoted\",,name of the run\nmax_position_m,1234.5,m,largest\n";
+        let summary = "key,value,unit,label\n\
+            name,<made> & \"quoted\",,name of the run\n\
+            max_position_m,1234.5,m,largest\n";
         let summary = Summary::read(Path::new("made_summary.csv"), summary.as_bytes()).unwrap();
         Run::from_table(path, "made", Table::read(path, text.as_bytes()).unwrap(), summary).unwrap()
     }
@@ -210,8 +218,10 @@ pub mod tests {
 
     #[test]
     fn a_missing_summary_is_told() {
-        let folder = std::env::temp_dir();
-        let failure = Run::read(&folder.join("sins_report_no_such_run.csv")).err().unwrap().to_string();
-        assert!(failure.contains("sins_report_no_such_run_summary.csv: the summary that has to lie beside"));
+        let run = std::env::temp_dir().join("sins_report_lone.csv");
+        std::fs::write(&run, "time_s\n").unwrap();
+        let failure = Run::read(&run).err().unwrap().to_string();
+        std::fs::remove_file(&run).unwrap();
+        assert!(failure.contains("sins_report_lone_summary.csv: the summary that has to lie beside"));
     }
 }

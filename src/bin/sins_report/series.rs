@@ -9,13 +9,14 @@ pub const MOST_POINTS: usize = 1400;
 /// Most corners of a plotted track; laps one over another need more than a line over time.
 pub const MOST_CORNERS: usize = 3000;
 
-/// At most about [`MOST_POINTS`] of the records (`x`, `y`): first, last, and the smallest and largest `y` of each stretch.
+/// At most about [`MOST_POINTS`] of the records (`x`, `y`): first, last, and the smallest and largest `y` of each
+/// stretch.
 pub fn thinned(x: &[f64], y: &[f64]) -> Points {
     pick(&stretches(y.len(), MOST_POINTS / 2, |range| extrema(y, range)), x, y)
 }
 
-/// The corners of the curve (`x`, `y`) that keep it within `tolerance` (Douglas and Peucker 1973), doubled until they are
-/// at most [`MOST_CORNERS`].
+/// The corners of the curve (`x`, `y`) that keep it within `tolerance` (Douglas and Peucker 1973), doubled until they
+/// are at most [`MOST_CORNERS`].
 pub fn outline(x: &[f64], y: &[f64], tolerance: f64) -> Points {
     let mut tolerance = tolerance;
     loop {

@@ -1,4 +1,4 @@
-//! The figures of a run: a table of whatever keys the file has.
+//! The summary of a run: whatever rows the file has.
 
 use std::io::Read;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::units;
 
 /// One row of the file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub struct Row {
     pub key: String,
     pub value: String,
     pub unit: String,
@@ -20,7 +20,7 @@ pub struct Figure {
 /// All rows, in the order of the file.
 #[derive(Debug, Default)]
 pub struct Summary {
-    pub figures: Vec<Figure>,
+    pub rows: Vec<Row>,
 }
 
 impl Summary {
@@ -31,7 +31,7 @@ impl Summary {
         if header != ["key", "value", "unit", "label"].as_slice() {
             return Err(Failure::of_line(path, 1, &"expected the header \"key,value,unit,label\""));
         }
-        let mut figures = Vec::new();
+        let mut rows = Vec::new();
         for row in reader.records() {
             let row = row.map_err(|error| Failure::of_file(path, &error))?;
             let line = row.position().map_or(0, csv::Position::line);
@@ -40,23 +40,23 @@ impl Summary {
                 let what = format!("expected 4 columns, found {}", row.len());
                 return Err(Failure::of_line(path, line, &what));
             }
-            figures.push(Figure { key: field(0), value: field(1), unit: field(2), label: field(3) });
+            rows.push(Row { key: field(0), value: field(1), unit: field(2), label: field(3) });
         }
-        Ok(Self { figures })
+        Ok(Self { rows })
     }
 
-    /// The text of the figure `key`.
+    /// The text of the row `key`.
     pub fn value(&self, key: &str) -> Option<&str> {
-        self.figure(key).map(|figure| figure.value.as_str())
+        self.row(key).map(|row| row.value.as_str())
     }
 
-    /// The figure `key`.
-    pub fn figure(&self, key: &str) -> Option<&Figure> {
-        self.figures.iter().find(|figure| figure.key == key)
+    /// The row `key`.
+    pub fn row(&self, key: &str) -> Option<&Row> {
+        self.rows.iter().find(|row| row.key == key)
     }
 }
 
-impl Figure {
+impl Row {
     /// Whether it is an error of the run: a length, a speed, an angle or a rate of radial error.
     pub fn is_error(&self) -> bool {
         units::family(&self.unit).is_some() || self.unit == units::NMI_PER_HOUR.name
@@ -101,21 +101,21 @@ mod tests {
             read("key,value,unit,label\nseed,18446744073709551615,,seed\nr,0.61234567,nmi/h,\"a, b\"\n")
                 .unwrap();
         assert_eq!(summary.value("seed"), Some("18446744073709551615"));
-        assert_eq!(summary.figures[0].text(), "18446744073709551615");
-        assert_eq!(summary.figures[1].text(), "0.6123 nmi/h");
-        assert_eq!(summary.figures[1].title(), "a, b");
-        assert!(summary.figures[1].is_error() && !summary.figures[0].is_error());
+        assert_eq!(summary.rows[0].text(), "18446744073709551615");
+        assert_eq!(summary.rows[1].text(), "0.6123 nmi/h");
+        assert_eq!(summary.rows[1].title(), "a, b");
+        assert!(summary.rows[1].is_error() && !summary.rows[0].is_error());
     }
 
     #[test]
     fn si_units_become_readable() {
-        let figure = |value: &str, unit: &str| {
-            Figure { key: "k".into(), value: value.into(), unit: unit.into(), label: String::new() }.text()
+        let row = |value: &str, unit: &str| {
+            Row { key: "k".into(), value: value.into(), unit: unit.into(), label: String::new() }.text()
         };
-        assert_eq!(figure("-1.9066e-9", "m"), "-1.907 nm");
-        assert_eq!(figure("12345.678", "m"), "12.35 km");
-        assert_eq!(figure("0.0", "m"), "0 m");
-        assert_eq!(figure("3600", "s"), "3600 s (60 min)");
+        assert_eq!(row("-1.9066e-9", "m"), "-1.907 nm");
+        assert_eq!(row("12345.678", "m"), "12.35 km");
+        assert_eq!(row("0.0", "m"), "0 m");
+        assert_eq!(row("3600", "s"), "3600 s (60 min)");
     }
 
     #[test]

@@ -5,8 +5,9 @@ use sins::earth::{Earth, Ellipsoid, Geodetic, GravityModel};
 use crate::axis::Axis;
 use crate::failure::Failure;
 use crate::figures::{Figure, TIME_TICKS, over_time, time_label};
-use crate::plot::{Drawing, PANEL_WIDTH, Panel, Pen, Trace};
-use crate::run::{Path3, Run};
+use crate::pen::Pen;
+use crate::plot::{Drawing, PANEL_WIDTH, Panel, Trace};
+use crate::run::{Places, Run};
 use crate::series::{Points, bounds, magnitude, outline};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, with_unit};
 
@@ -97,12 +98,12 @@ fn height(run: &Run) -> Result<(String, String), Failure> {
     Ok((drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?, note))
 }
 
-/// East and north [m] of the first place of `origin`, by distance and bearing from there (azimuthal equidistant), so that
-/// tracks over a pole or over the date line stay whole.
-fn local(path: &Path3, origin: &Path3) -> (Vec<f64>, Vec<f64>) {
+/// East and north [m] of the first place of `origin`, by distance and bearing from there (azimuthal equidistant), so
+/// that tracks over a pole or over the date line stay whole.
+fn local(path: &Places, origin: &Places) -> (Vec<f64>, Vec<f64>) {
     let earth = Earth::new(Ellipsoid::Wgs84, GravityModel::Normal);
     let height_m = origin.height_m[0];
-    let place = |path: &Path3, record: usize| Geodetic {
+    let place = |path: &Places, record: usize| Geodetic {
         latitude_rad: path.latitude_rad[record],
         longitude_rad: path.longitude_rad[record],
         height_m,
@@ -138,10 +139,10 @@ fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
 mod tests {
     use super::*;
 
-    fn path(places: &[(f64, f64)]) -> Path3 {
+    fn path(places: &[(f64, f64)]) -> Places {
         let (latitude_rad, longitude_rad) =
             places.iter().map(|(l, o)| (l.to_radians(), o.to_radians())).unzip();
-        Path3 { latitude_rad, longitude_rad, height_m: vec![0.0; places.len()] }
+        Places { latitude_rad, longitude_rad, height_m: vec![0.0; places.len()] }
     }
 
     #[test]

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Builds the library and the C and C++ examples into target/c_examples.
+# SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
+set -eu
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+out=$root/target/c_examples
+warnings="-O2 -Wall -Wextra -Wpedantic -Werror"
+
+if [ -n "${SINS_LIB_DIR:-}" ]; then
+    lib=$(cd "$SINS_LIB_DIR" && pwd)
+    cd "$root"
+else
+    cd "$root"
+    cargo rustc --release --lib --crate-type cdylib
+    lib=$(cd "${CARGO_TARGET_DIR:-target}/release" && pwd)
+fi
+cd c_examples
+
+mkdir -p "$out"
+ln -sf "$lib/libsins.so" "$out/libsins.so.1"
+
+# build PROGRAM COMPILER AND ITS FLAGS SOURCE...
+build() {
+    program=$1
+    shift
+    "$@" $warnings -I../include -o "$out/$program" -L"$lib" -lsins -lm '-Wl,-rpath,$ORIGIN'
+}
+
+build minimal ${CC:-cc} -std=c99 minimal.c
+build cpp_host ${CXX:-c++} -std=c++11 cpp_host.cpp
+build sins_harness ${CC:-cc} -std=c99 sins_harness.c harness/*.c
+echo "built in target/c_examples: minimal cpp_host sins_harness"

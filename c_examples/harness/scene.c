@@ -1,0 +1,118 @@
+#include "scene.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "flight_plan.h"
+#include "report.h"
+
+/* What rounding may leave of a sample interval. */
+static const double ROUNDING = 1e-6;
+
+static int open_flight(struct scene *scene, const struct settings *set)
+{
+    static struct flight_plan plan;
+    double wanted_s = set->hours * 3600;
+
+    if (set->kind == SCENE_EMBEDDED) {
+        int code = flight_plan_named(&plan, set->operand, wanted_s);
+        if (code != DONE) {
+            return code;
+        }
+    } else if (set->motion == MOTION_REST) {
+        flight_plan_rest(&plan, wanted_s);
+    } else {
+        flight_plan_patrol(&plan, wanted_s);
+    }
+    plan.start.earth = set->options.earth;
+    if (refused(NULL, sins_flight_create(&plan.start, plan.manoeuvres, plan.count, &scene->flight))
+        || refused(NULL, sins_flight_duration(scene->flight, &scene->flight_s))) {
+        return FAILED;
+    }
+    if (wanted_s > scene->flight_s * (1 + ROUNDING)) {
+        report("--hours %g: the flight lasts %.4g h", set->hours, scene->flight_s / 3600);
+        return BAD_INPUT;
+    }
+    scene->period_s = 1 / set->rate_hz;
+    scene->samples = (uint64_t)floor((wanted_s > 0 ? wanted_s : scene->flight_s) / scene->period_s + ROUNDING) + 1;
+    scene->duration_s = (double)(scene->samples - 1) * scene->period_s;
+    return DONE;
+}
+
+/* Reads the whole log once: errors show before anything is flown, and its length is known. */
+static int measure_log(struct scene *scene, const struct settings *set)
+{
+    sins_flight_sample sample;
+    double last_time_s = 0;
+    int found;
+
+    while ((found = flight_csv_next(&scene->log, &sample)) == 1) {
+        if (scene->samples == 0) {
+            scene->first_time_s = sample.time_s;
+        }
+        if (set->hours > 0 && sample.time_s - scene->first_time_s > set->hours * 3600 * (1 + ROUNDING)) {
+            break;
+        }
+        last_time_s = sample.time_s;
+        scene->samples++;
+    }
+    if (found < 0) {
+        return BAD_INPUT;
+    }
+    if (scene->samples < 2) {
+        report("%s: %s; a flight needs at least two", set->operand, scene->samples == 0 ? "no sample" : "one sample");
+        return BAD_INPUT;
+    }
+    scene->duration_s = fmax(last_time_s - scene->first_time_s, 0);
+    scene->period_s = scene->duration_s / (double)(scene->samples - 1);
+    return DONE;
+}
+
+int scene_open(struct scene *scene, const struct settings *set)
+{
+    int code;
+
+    memset(scene, 0, sizeof *scene);
+    if (set->kind != SCENE_FLIGHT) {
+        return open_flight(scene, set);
+    }
+    if (flight_csv_open(&scene->log, set->operand) != 0) {
+        return BAD_INPUT;
+    }
+    code = measure_log(scene, set);
+    flight_csv_close(&scene->log);
+    return code != DONE ? code : flight_csv_open(&scene->log, set->operand) != 0 ? BAD_INPUT : DONE;
+}
+
+int scene_next(struct scene *scene, sins_flight_sample *samples, size_t count, size_t *got)
+{
+    for (*got = 0; *got < count && scene->given < scene->samples; (*got)++, scene->given++) {
+        sins_flight_sample *sample = &samples[*got];
+
+        if (scene->flight == NULL) {
+            int found = flight_csv_next(&scene->log, sample);
+            if (found <= 0) {
+                return found < 0 ? BAD_INPUT : DONE;
+            }
+            scene->line[*got] = scene->log.line;
+        } else {
+            /* Rounding must not carry the last time over the end. */
+            double time_s = fmin((double)scene->given * scene->period_s, scene->flight_s);
+
+            sample->struct_size = sizeof *sample;
+            if (refused(NULL, sins_flight_sample_at(scene->flight, time_s, sample))) {
+                return FAILED;
+            }
+        }
+    }
+    return DONE;
+}
+
+void scene_close(struct scene *scene)
+{
+    flight_csv_close(&scene->log);
+    if (scene->flight != NULL) {
+        sins_flight_destroy(scene->flight);
+        scene->flight = NULL;
+    }
+}

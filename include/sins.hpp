@@ -1,0 +1,252 @@
+/*
+ * sins.hpp - the C interface of sins.h for C++11 and later: handles that close themselves, errors that are exceptions.
+ *
+ *   sins::Simulator sim;                                      recommended options
+ *   auto gyro = sins::make<sins_gyro_params>();               all zero, struct_size set
+ *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR;
+ *   sim.set_gyro(gyro);
+ *   while (...) {
+ *       sim.push_sample(sample);
+ *       if (sim.step())                                       false: push the next sample first
+ *           sim.get_navigation(navigation);
+ *   }
+ *
+ * Every function of sins.h has its namesake here, without handle and status; sins.h tells what it does. A negative
+ * status is thrown as sins::Error with the library's sentence. SINS_NEED_SAMPLE is no error: functions that can answer
+ * it return false, and leave their output as it was. Structs and constants are those of sins.h. Header only; each
+ * function is the call and a look at its status.
+ */
+
+#ifndef SINS_HPP
+#define SINS_HPP
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "sins.h"
+
+namespace sins {
+
+/* A call that failed: its status, and in what() the sentence of sins_last_error(). */
+class Error : public std::runtime_error {
+public:
+    Error(sins_status status, const std::string &sentence) : std::runtime_error(sentence), status_(status) {}
+
+    sins_status status() const noexcept { return status_; }
+
+private:
+    sins_status status_;
+};
+
+/* An interface struct: all zero, which is off or recommended, with struct_size set. */
+template <typename T> T make() noexcept
+{
+    T zeroed = T();
+    zeroed.struct_size = static_cast<uint32_t>(sizeof(T));
+    return zeroed;
+}
+
+/* "SINS_ERROR_TIME_ORDER" */
+inline const char *status_string(sins_status status) noexcept
+{
+    const char *text = "";
+    sins_status_string(status, &text);
+    return text;
+}
+
+/* The sentence of the last failed call on sim; NULL: of the last one on this thread that has no simulator. */
+inline std::string last_error(const sins_sim *sim)
+{
+    char sentence[1024];
+    const sins_status status = sins_last_error(sim, sentence, sizeof sentence, nullptr);
+    return status == SINS_OK || status == SINS_ERROR_BUFFER_TOO_SMALL ? sentence : status_string(status);
+}
+
+namespace detail {
+
+[[noreturn]] inline void fail(sins_status status, const sins_sim *sim)
+{
+    /* A handle that is none has no sentence. */
+    throw Error(status, status == SINS_ERROR_BAD_HANDLE ? status_string(status) : last_error(sim));
+}
+
+/* Whether there is a result; an error is thrown. */
+inline bool done(sins_status status, const sins_sim *sim)
+{
+    if (status < 0) {
+        fail(status, sim);
+    }
+    return status == SINS_OK;
+}
+
+} // namespace detail
+
+/* Compare with SINS_ABI_VERSION. */
+inline uint32_t abi_version()
+{
+    uint32_t version = 0;
+    detail::done(sins_abi_version(&version), nullptr);
+    return version;
+}
+
+/* "0.1.0" */
+inline const char *version_string()
+{
+    const char *text = nullptr;
+    detail::done(sins_version_string(&text), nullptr);
+    return text;
+}
+
+inline void version(uint32_t &major, uint32_t &minor, uint32_t &patch)
+{
+    detail::done(sins_version(&major, &minor, &patch), nullptr);
+}
+
+/* SINS_GRADE_... */
+inline sins_gyro_params gyro_preset(int32_t grade)
+{
+    sins_gyro_params params = make<sins_gyro_params>();
+    detail::done(sins_gyro_preset(grade, &params), nullptr);
+    return params;
+}
+
+inline sins_accel_params accel_preset(int32_t grade)
+{
+    sins_accel_params params = make<sins_accel_params>();
+    detail::done(sins_accel_preset(grade, &params), nullptr);
+    return params;
+}
+
+/* An embedded flight. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+class Flight {
+public:
+    Flight(const sins_flight_start &start, const sins_manoeuvre *manoeuvres, std::size_t count)
+    {
+        detail::done(sins_flight_create(&start, manoeuvres, count, &flight_), nullptr);
+    }
+
+    Flight(Flight &&other) noexcept : flight_(other.flight_) { other.flight_ = nullptr; }
+
+    Flight &operator=(Flight &&other) noexcept
+    {
+        Flight taken(std::move(other));
+        std::swap(flight_, taken.flight_);
+        return *this;
+    }
+
+    Flight(const Flight &) = delete;
+    Flight &operator=(const Flight &) = delete;
+
+    ~Flight()
+    {
+        if (flight_ != nullptr) {
+            sins_flight_destroy(flight_);
+        }
+    }
+
+    /* For the functions of sins.h; still owned here. */
+    sins_flight *handle() const noexcept { return flight_; }
+
+    double duration() const
+    {
+        double duration_s = 0.0;
+        detail::done(sins_flight_duration(flight_, &duration_s), nullptr);
+        return duration_s;
+    }
+
+    sins_flight_sample sample_at(double time_s) const
+    {
+        sins_flight_sample sample = make<sins_flight_sample>();
+        detail::done(sins_flight_sample_at(flight_, time_s, &sample), nullptr);
+        return sample;
+    }
+
+    /* The same into a sample with struct_size set. */
+    void sample_at(double time_s, sins_flight_sample &sample) const
+    {
+        detail::done(sins_flight_sample_at(flight_, time_s, &sample), nullptr);
+    }
+
+private:
+    sins_flight *flight_ = nullptr;
+};
+
+/* A simulator. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+class Simulator {
+public:
+    Simulator() { detail::done(sins_create(nullptr, &sim_), nullptr); }
+
+    explicit Simulator(const sins_options &options) { detail::done(sins_create(&options, &sim_), nullptr); }
+
+    Simulator(Simulator &&other) noexcept : sim_(other.sim_) { other.sim_ = nullptr; }
+
+    Simulator &operator=(Simulator &&other) noexcept
+    {
+        Simulator taken(std::move(other));
+        std::swap(sim_, taken.sim_);
+        return *this;
+    }
+
+    Simulator(const Simulator &) = delete;
+    Simulator &operator=(const Simulator &) = delete;
+
+    ~Simulator()
+    {
+        if (sim_ != nullptr) {
+            sins_destroy(sim_);
+        }
+    }
+
+    /* For the functions of sins.h; still owned here. */
+    sins_sim *handle() const noexcept { return sim_; }
+
+    void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }
+    void set_accel(const sins_accel_params &params) { done(sins_set_accel(sim_, &params)); }
+    void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(sim_, &params)); }
+    void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
+
+    void push_sample(const sins_flight_sample &sample) { done(sins_push_sample(sim_, &sample)); }
+
+    /* False: no complete interval yet. */
+    bool step() { return done(sins_step(sim_)); }
+
+    void reposition(const sins_flight_sample &sample) { done(sins_reposition(sim_, &sample)); }
+    void reset() { done(sins_reset(sim_)); }
+
+    /* written, if not NULL, gets the number of records also when it throws. */
+    void run(const sins_flight_sample *samples, std::size_t count, std::size_t every = 0,
+             sins_record *records = nullptr, std::size_t capacity = 0, std::size_t *written = nullptr)
+    {
+        done(sins_run(sim_, samples, count, every, records, capacity, written));
+    }
+
+    /* Reads into structs with struct_size set. False: no sample, or no interval, yet. */
+    bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(sim_, &truth)); }
+    bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(sim_, &navigation)); }
+    bool get_imu(sins_imu &imu) const { return done(sins_get_imu(sim_, &imu)); }
+    bool get_errors(int32_t source, sins_errors &errors) const { return done(sins_get_errors(sim_, source, &errors)); }
+    bool get_accuracy(sins_accuracy &accuracy) const { return done(sins_get_accuracy(sim_, &accuracy)); }
+    bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
+
+    /* The options in effect, defaults in place of 0. */
+    sins_options options() const
+    {
+        sins_options options = make<sins_options>();
+        done(sins_get_options(sim_, &options));
+        return options;
+    }
+
+    void start_navigation(const sins_navigation &navigation) { done(sins_start_navigation(sim_, &navigation)); }
+    void push_imu(const sins_imu_increment &increment) { done(sins_push_imu(sim_, &increment)); }
+
+private:
+    bool done(sins_status status) const { return detail::done(status, sim_); }
+
+    sins_sim *sim_ = nullptr;
+};
+
+} // namespace sins
+
+#endif /* SINS_HPP */

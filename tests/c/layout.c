@@ -1,0 +1,100 @@
+/* Sizes and offsets of every struct: the same for every compiler, word size and packing. Compiled, not run, also under
+ * -fpack-struct=4 and -fpack-struct=1, as C99 and as C++11. */
+
+#include "sins.h"
+
+#ifdef __cplusplus
+#define CHECK(condition) static_assert(condition, #condition)
+#else
+#define CHECK_JOIN(a, b) a##b
+#define CHECK_NAME(line) CHECK_JOIN(check_, line)
+#define CHECK(condition) typedef char CHECK_NAME(__LINE__)[(condition) ? 1 : -1]
+#endif
+
+#define SIZE(type, size) CHECK(sizeof(struct type) == (size))
+#define AT(type, field, offset) CHECK(offsetof(struct type, field) == (offset))
+
+SIZE(sins_options, 96);
+AT(sins_options, struct_size, 0);
+AT(sins_options, reserved, 4);
+AT(sins_options, frame, 8);
+AT(sins_options, signal, 44);
+AT(sins_options, seed, 48);
+AT(sins_options, closed_loop_time_s, 64);
+AT(sins_options, max_acceleration_m_s2, 88);
+
+SIZE(sins_gyro_params, 512);
+AT(sins_gyro_params, bias_rad_s, 8);
+AT(sins_gyro_params, markov_time_s, 80);
+AT(sins_gyro_params, random_walk_rad_sqrt_s, 104);
+AT(sins_gyro_params, scale_factor, 224);
+AT(sins_gyro_params, misalignment_rad, 296);
+AT(sins_gyro_params, dead_zone_rad_s, 488);
+
+SIZE(sins_accel_params, 536);
+AT(sins_accel_params, bias_m_s2, 8);
+AT(sins_accel_params, velocity_random_walk_m_s_sqrt_s, 104);
+AT(sins_accel_params, scale_factor, 224);
+AT(sins_accel_params, misalignment_rad, 296);
+AT(sins_accel_params, lever_arm_m, 440);
+AT(sins_accel_params, vibration_rectification_s2_m, 512);
+
+SIZE(sins_altimeter_params, 56);
+AT(sins_altimeter_params, lag_s, 48);
+
+SIZE(sins_initial_errors, 160);
+AT(sins_initial_errors, position_enu_m, 8);
+AT(sins_initial_errors, alignment, 152);
+
+SIZE(sins_flight_sample, 136);
+AT(sins_flight_sample, flags, 4);
+AT(sins_flight_sample, time_s, 8);
+AT(sins_flight_sample, velocity_enu_m_s, 40);
+AT(sins_flight_sample, roll_rad, 64);
+AT(sins_flight_sample, angular_rate_rad_s, 88);
+AT(sins_flight_sample, specific_force_m_s2, 112);
+
+SIZE(sins_navigation, 128);
+AT(sins_navigation, time_s, 8);
+AT(sins_navigation, velocity_enu_m_s, 40);
+AT(sins_navigation, quaternion_nb, 88);
+AT(sins_navigation, flags, 120);
+
+SIZE(sins_errors, 144);
+AT(sins_errors, position_enu_m, 16);
+AT(sins_errors, velocity_enu_m_s, 64);
+AT(sins_errors, misalignment_enu_rad, 88);
+AT(sins_errors, flags, 136);
+
+SIZE(sins_imu, 216);
+AT(sins_imu, interval_s, 16);
+AT(sins_imu, ideal_angle_rad, 24);
+AT(sins_imu, measured_force_m_s2, 192);
+
+SIZE(sins_accuracy, 232);
+AT(sins_accuracy, window_samples, 32);
+AT(sins_accuracy, closure_position_enu_m, 96);
+AT(sins_accuracy, inconsistent_samples, 224);
+
+SIZE(sins_imu_increment, 264);
+AT(sins_imu_increment, count, 16);
+AT(sins_imu_increment, angle_rad, 24);
+AT(sins_imu_increment, velocity_m_s, 144);
+
+SIZE(sins_record_solution, 112);
+SIZE(sins_record_errors, 128);
+SIZE(sins_record, 496);
+AT(sins_record, truth, 16);
+AT(sins_record, navigation, 128);
+AT(sins_record, navigation_errors, 240);
+AT(sins_record, model_errors, 368);
+
+SIZE(sins_flight_start, 72);
+AT(sins_flight_start, earth, 64);
+
+SIZE(sins_manoeuvre, 240);
+AT(sins_manoeuvre, kind, 8);
+AT(sins_manoeuvre, duration_s, 16);
+AT(sins_manoeuvre, channel, 72);
+AT(sins_manoeuvre, amplitude, 96);
+AT(sins_manoeuvre, phase_rad, 192);

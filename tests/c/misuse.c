@@ -1,0 +1,291 @@
+/* Everything that a host does wrong: null pointers, stale, made-up and wrong-kind handles, wrong struct sizes, small
+ * buffers - through every function. Nothing crashes, every answer is the right status, and nothing is changed. */
+
+#include <stdint.h>
+#include <string.h>
+
+#include "check.h"
+#include "sins.h"
+
+/* A handle for every way to be wrong. */
+enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
+
+static sins_sim *wrong_sims[WRONG_HANDLES];
+static sins_flight *wrong_flights[WRONG_HANDLES];
+
+static sins_flight *make_flight(void)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre rest = {.struct_size = sizeof rest};
+    sins_flight *flight = NULL;
+    rest.duration_s = 10.0;
+    CHECK(sins_flight_create(&start, &rest, 1, &flight) == SINS_OK);
+    return flight;
+}
+
+static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
+{
+    sins_sim *stale = NULL;
+    sins_flight *stale_flight = make_flight();
+    CHECK(sins_create(NULL, &stale) == SINS_OK);
+    CHECK(sins_destroy(stale) == SINS_OK);
+    CHECK(sins_flight_destroy(stale_flight) == SINS_OK);
+    wrong_sims[NULL_HANDLE] = NULL;
+    wrong_sims[STALE] = stale;
+    wrong_sims[MADE_UP] = (sins_sim *)(uintptr_t)0xdeadbeef;
+    wrong_sims[OTHER_KIND] = (sins_sim *)(void *)flight;
+    wrong_flights[NULL_HANDLE] = NULL;
+    wrong_flights[STALE] = stale_flight;
+    wrong_flights[MADE_UP] = (sins_flight *)(uintptr_t)4;
+    wrong_flights[OTHER_KIND] = (sins_flight *)(void *)sim;
+}
+
+static void handles(void)
+{
+    int i;
+    for (i = 0; i < WRONG_HANDLES; i++) {
+        sins_sim *sim = wrong_sims[i];
+        sins_flight *flight = wrong_flights[i];
+        sins_gyro_params gyro = {.struct_size = sizeof gyro};
+        sins_accel_params accel = {.struct_size = sizeof accel};
+        sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
+        sins_initial_errors initial = {.struct_size = sizeof initial};
+        sins_flight_sample sample = {.struct_size = sizeof sample};
+        sins_navigation navigation = {.struct_size = sizeof navigation};
+        sins_imu imu = {.struct_size = sizeof imu};
+        sins_errors errors = {.struct_size = sizeof errors};
+        sins_accuracy accuracy = {.struct_size = sizeof accuracy};
+        sins_imu_increment increment = {.struct_size = sizeof increment};
+        sins_record record = {.struct_size = sizeof record};
+        sins_options options = {.struct_size = sizeof options};
+        double duration = -1.0;
+        size_t written = 77, needed = 77;
+        char text[8] = "before";
+
+        CHECK(sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_gyro(sim, &gyro) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_accel(sim, &accel) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_altimeter(sim, &altimeter) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_initial_errors(sim, &initial) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_step(sim) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_run(sim, &sample, 1, 0, NULL, 0, &written) == SINS_ERROR_BAD_HANDLE && written == 77);
+        CHECK(sins_get_truth(sim, &navigation) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_get_navigation(sim, &navigation) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_get_imu(sim, &imu) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_get_accuracy(sim, &accuracy) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_get_record(sim, &record) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_get_options(sim, &options) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_start_navigation(sim, &navigation) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_push_imu(sim, &increment) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_reposition(sim, &sample) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_reset(sim) == SINS_ERROR_BAD_HANDLE);
+        if (i != NULL_HANDLE) {
+            CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_ERROR_BAD_HANDLE);
+            CHECK(needed == 77 && strcmp(text, "before") == 0);
+        }
+        CHECK(sins_flight_destroy(flight) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_flight_duration(flight, &duration) == SINS_ERROR_BAD_HANDLE && duration == -1.0);
+        CHECK(sins_flight_sample_at(flight, 0.0, &sample) == SINS_ERROR_BAD_HANDLE);
+    }
+}
+
+static void null_pointers(sins_sim *sim, sins_flight *flight)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre rest = {.struct_size = sizeof rest};
+    sins_flight *made = NULL;
+    uint32_t number;
+    rest.duration_s = 1.0;
+
+    CHECK(sins_abi_version(NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_version(NULL, &number, &number) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_version(&number, NULL, &number) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_version(&number, &number, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_version_string(NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_status_string(SINS_OK, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_create(NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_last_error(sim, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_run(sim, NULL, 1, 0, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_truth(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_accuracy(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_record(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_options(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_start_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_push_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_reposition(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_flight_create(NULL, &rest, 1, &made) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_flight_create(&start, NULL, 1, &made) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_flight_create(&start, &rest, 1, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_flight_duration(flight, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_flight_sample_at(flight, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(made == NULL);
+}
+
+/* A struct with room behind it, to play a newer release's. */
+#define ROOMY(type)             \
+    union {                     \
+        struct type value;      \
+        unsigned char bytes[2 * sizeof(struct type)]; \
+    }
+
+/* Input: every size from 0 to twice the struct's, zero tail. The struct of this release is the first, so shorter is an
+ * error; longer is fine while the tail is zero. */
+#define INPUT_SIZES(type, call)                                                              \
+    do {                                                                                     \
+        ROOMY(type) in;                                                                      \
+        size_t size;                                                                         \
+        for (size = 0; size <= sizeof in; size++) {                                          \
+            struct type *pointer = &in.value;                                                \
+            int fits = size >= sizeof(struct type) && size % 8 == 0;                         \
+            sins_status status;                                                              \
+            memset(&in, 0, sizeof in);                                                       \
+            in.value.struct_size = (uint32_t)size;                                           \
+            status = (call);                                                                 \
+            CHECK((status == SINS_ERROR_STRUCT_SIZE) == !fits);                              \
+            if (fits && size > sizeof(struct type)) {                                        \
+                in.bytes[size - 1] = 1;                                                      \
+                CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                     \
+            }                                                                                \
+        }                                                                                    \
+        in.value.struct_size = 0xffffffffu;                                                  \
+        {                                                                                    \
+            struct type *pointer = &in.value;                                                \
+            CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                         \
+        }                                                                                    \
+    } while (0)
+
+/* Output: what the host's struct has room for is written, struct_size stays, nothing behind is touched. */
+#define OUTPUT_SIZES(type, call)                                                             \
+    do {                                                                                     \
+        ROOMY(type) out;                                                                     \
+        size_t size, i;                                                                      \
+        for (size = 0; size <= sizeof out; size++) {                                         \
+            struct type *pointer = &out.value;                                               \
+            int fits = size >= sizeof(struct type) && size % 8 == 0;                         \
+            sins_status status;                                                              \
+            memset(&out, 0xa5, sizeof out);                                                  \
+            out.value.struct_size = (uint32_t)size;                                          \
+            status = (call);                                                                 \
+            CHECK(status == (fits ? SINS_OK : SINS_ERROR_STRUCT_SIZE));                      \
+            CHECK(out.value.struct_size == size);                                            \
+            for (i = fits ? sizeof(struct type) : 4; i < sizeof out; i++) {                  \
+                CHECK(out.bytes[i] == 0xa5);                                                 \
+            }                                                                                \
+        }                                                                                    \
+    } while (0)
+
+static sins_status create_and_destroy(const sins_options *options)
+{
+    sins_sim *sim = NULL;
+    sins_status status = sins_create(options, &sim);
+    if (status == SINS_OK) {
+        CHECK(sins_destroy(sim) == SINS_OK);
+    } else {
+        CHECK(sim == NULL);
+    }
+    return status;
+}
+
+static void struct_sizes(sins_sim *sim, sins_flight *flight)
+{
+    sins_sim *fresh = NULL;
+    CHECK(sins_create(NULL, &fresh) == SINS_OK);
+    INPUT_SIZES(sins_options, create_and_destroy(pointer));
+    INPUT_SIZES(sins_gyro_params, sins_set_gyro(fresh, pointer));
+    INPUT_SIZES(sins_accel_params, sins_set_accel(fresh, pointer));
+    INPUT_SIZES(sins_altimeter_params, sins_set_altimeter(fresh, pointer));
+    INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
+    INPUT_SIZES(sins_flight_sample, sins_reposition(fresh, pointer));
+    CHECK(sins_reset(fresh) == SINS_OK);
+    INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
+    INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
+    CHECK(sins_destroy(fresh) == SINS_OK);
+
+    OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
+    OUTPUT_SIZES(sins_navigation, sins_get_navigation(sim, pointer));
+    OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));
+    OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
+    OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
+    OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
+    OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
+    OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
+}
+
+static void sentences(sins_sim *sim)
+{
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    char text[200], small[11];
+    size_t needed = 0;
+    sins_options options = {.struct_size = sizeof options};
+    sins_sim *made = NULL;
+
+    gyro.markov_sigma_rad_s[1] = 1.0;
+    gyro.markov_time_s[1] = -3.0;
+    CHECK(sins_set_gyro(sim, &gyro) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(sim, NULL, 0, &needed) == SINS_OK);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "gyro.markov_time_s[1] = -3") == text && needed == strlen(text) + 1);
+    memset(small, 'x', sizeof small);
+    CHECK(sins_last_error(sim, small, 10, &needed) == SINS_ERROR_BUFFER_TOO_SMALL);
+    CHECK(strcmp(small, "gyro.mark") == 0 && small[10] == 'x');
+    CHECK(sins_last_error(sim, text, needed, NULL) == SINS_OK);
+    CHECK(sins_last_error(sim, text, needed - 1, NULL) == SINS_ERROR_BUFFER_TOO_SMALL);
+
+    /* A later release's parameter is refused, not ignored. */
+    memset(&gyro, 0, sizeof gyro);
+    gyro.struct_size = sizeof gyro;
+    gyro.flicker_rad_s[2] = 1e-9;
+    CHECK(sins_set_gyro(sim, &gyro) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "gyro.flicker_rad_s[2] = 1e-9: must be 0") == text);
+
+    options.scheme = 9;
+    CHECK(sins_create(&options, &made) == SINS_ERROR_INVALID_ARGUMENT && made == NULL);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "options.scheme = 9") == text);
+}
+
+int main(void)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_sim *sim = NULL;
+    sins_flight *flight = make_flight();
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_navigation before = {.struct_size = sizeof before}, after = {.struct_size = sizeof after};
+
+    options.error_model = SINS_ERROR_MODEL_RK4;
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    sample.time_s = 0.01;
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    CHECK(sins_step(sim) == SINS_OK);
+    CHECK(sins_get_navigation(sim, &before) == SINS_OK);
+
+    make_wrong_handles(sim, flight);
+    handles();
+    null_pointers(sim, flight);
+    struct_sizes(sim, flight);
+    sentences(sim);
+
+    CHECK(sins_get_navigation(sim, &after) == SINS_OK);
+    CHECK(memcmp(&before, &after, sizeof before) == 0);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(sins_flight_destroy(flight) == SINS_OK);
+    printf("misuse: every answer is the right one\n");
+    return 0;
+}

@@ -1,0 +1,140 @@
+/* sins_run gives the same bits and the same records as pushing and stepping, by any split of the flight into calls. */
+
+#include <string.h>
+
+#include "check.h"
+#include "sins.h"
+
+enum { COUNT = 1001, EVERY = 7, RECORDS = (COUNT - 1) / EVERY };
+
+static sins_flight_sample samples[COUNT];
+static sins_record expected[RECORDS], found[RECORDS];
+
+static sins_sim *make(void)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_sim *sim = NULL;
+    options.error_model = SINS_ERROR_MODEL_RK4;
+    options.sample_period_s = 0.01;
+    options.seed = 3;
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &gyro) == SINS_OK);
+    CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &accel) == SINS_OK);
+    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
+    CHECK(sins_set_accel(sim, &accel) == SINS_OK);
+    return sim;
+}
+
+static void make_samples(void)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre turn = {.struct_size = sizeof turn};
+    sins_flight *flight = NULL;
+    int k;
+    start.speed_m_s = 200.0;
+    turn.kind = SINS_MANOEUVRE_TURN;
+    turn.heading_change_rad = 2.0;
+    turn.bank_rad = 0.6;
+    CHECK(sins_flight_create(&start, &turn, 1, &flight) == SINS_OK);
+    for (k = 0; k < COUNT; k++) {
+        samples[k].struct_size = sizeof samples[k];
+        CHECK(sins_flight_sample_at(flight, k * 0.01, &samples[k]) == SINS_OK);
+    }
+    CHECK(sins_flight_destroy(flight) == SINS_OK);
+}
+
+/* Sample by sample; the records put together from the reads. */
+static void by_steps(void)
+{
+    sins_sim *sim = make();
+    size_t k, flown = 0, written = 0;
+    for (k = 0; k < COUNT; k++) {
+        sins_record *record = &expected[written < RECORDS ? written : 0];
+        CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
+        if (sins_step(sim) == SINS_OK && ++flown % EVERY == 0) {
+            sins_navigation truth = {.struct_size = sizeof truth}, navigation = {.struct_size = sizeof navigation};
+            sins_errors errors = {.struct_size = sizeof errors}, model = {.struct_size = sizeof model};
+            CHECK(sins_get_truth(sim, &truth) == SINS_OK);
+            CHECK(sins_get_navigation(sim, &navigation) == SINS_OK);
+            CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors) == SINS_OK);
+            CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, &model) == SINS_OK);
+            record->struct_size = sizeof *record;
+            record->time_s = truth.time_s;
+            memcpy(&record->truth, &truth.latitude_rad, sizeof record->truth);
+            memcpy(&record->navigation, &navigation.latitude_rad, sizeof record->navigation);
+            memcpy(&record->navigation_errors, &errors.position_enu_m, sizeof record->navigation_errors);
+            memcpy(&record->model_errors, &model.position_enu_m, sizeof record->model_errors);
+            if (written == 0) {
+                sins_record read = {.struct_size = sizeof read};
+                CHECK(sins_get_record(sim, &read) == SINS_OK);
+                CHECK(memcmp(&read, record, sizeof read) == 0);
+            }
+            written++;
+        }
+    }
+    CHECK(written == RECORDS);
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
+/* In calls of at most `chunk` samples. */
+static void by_chunks(size_t chunk)
+{
+    sins_sim *sim = make();
+    size_t k, total = 0;
+    memset(found, 0, sizeof found);
+    for (k = 0; k < COUNT; k += chunk) {
+        size_t count = COUNT - k < chunk ? COUNT - k : chunk, written = 99;
+        if (total < RECORDS) {
+            found[total].struct_size = sizeof found[0];
+        }
+        CHECK(sins_run(sim, &samples[k], count, EVERY, &found[total < RECORDS ? total : 0], RECORDS - total,
+                       &written) == SINS_OK);
+        total += written;
+    }
+    CHECK(total == RECORDS);
+    CHECK(memcmp(expected, found, sizeof expected) == 0);
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
+static void refusals(void)
+{
+    sins_sim *sim = make();
+    size_t written = 99;
+    char text[200];
+    double good = samples[500].height_m;
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+
+    found[0].struct_size = sizeof found[0];
+    CHECK(sins_run(sim, samples, COUNT, EVERY, found, RECORDS - 1, &written) == SINS_ERROR_BUFFER_TOO_SMALL);
+    CHECK(sins_get_navigation(sim, &navigation) == SINS_NEED_SAMPLE); /* nothing was flown */
+    CHECK(written == 99);
+
+    /* An error stops the run where it is, and says where. */
+    samples[500].height_m = 1e9;
+    CHECK(sins_run(sim, samples, COUNT, EVERY, found, RECORDS, &written) == SINS_ERROR_INVALID_ARGUMENT);
+    samples[500].height_m = good;
+    CHECK(written == 499 / EVERY && memcmp(expected, found, written * sizeof found[0]) == 0);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "sample.height_m = 1e9") == text && strstr(text, "(samples[500])") != NULL);
+    /* And the rest goes on from there to the same records. */
+    found[written].struct_size = sizeof found[0];
+    CHECK(sins_run(sim, &samples[500], COUNT - 500, EVERY, &found[written], RECORDS - written, NULL) == SINS_OK);
+    CHECK(memcmp(expected, found, sizeof expected) == 0);
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
+int main(void)
+{
+    make_samples();
+    by_steps();
+    by_chunks(COUNT);
+    by_chunks(1);
+    by_chunks(2);
+    by_chunks(100);
+    by_chunks(333);
+    refusals();
+    printf("run: same bits by any call pattern\n");
+    return 0;
+}

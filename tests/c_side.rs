@@ -1,0 +1,155 @@
+//! The C side, built and run: layout, misuse, threads, call patterns, floating-point state, and the examples.
+
+#[path = "support/c_side.rs"]
+mod c_side;
+
+use std::process::Command;
+
+use c_side::{STRICT, c_compiler, cpp_compiler, library_folder, link, project_file, succeed};
+
+#[test]
+fn structs_are_laid_out_alike_under_every_packing_and_language() {
+    for packing in ["-DNO_PACKING", "-fpack-struct=4", "-fpack-struct=1"] {
+        for (mut compiler, standard) in
+            [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
+        {
+            compiler.args(standard).arg(packing).args(STRICT).arg("-fsyntax-only");
+            compiler.arg("-I").arg(project_file("include")).arg(project_file("tests/c/layout.c"));
+            succeed(&mut compiler);
+        }
+    }
+}
+
+#[test]
+fn the_header_alone_is_c90_and_cpp98() {
+    let header = project_file("include/sins.h");
+    succeed(c_compiler().args(["-x", "c", "-std=c90", "-fsyntax-only"]).args(STRICT).arg(&header));
+    succeed(cpp_compiler().args(["-x", "c++", "-std=c++98", "-fsyntax-only"]).args(STRICT).arg(&header));
+}
+
+fn run_test_program(name: &str) {
+    let folder = library_folder(name);
+    let source = format!("tests/c/{name}.c");
+    let program = link(c_compiler(), &["-std=c99", "-O1"], &[&source], &folder, name);
+    succeed(&mut Command::new(program));
+}
+
+#[test]
+fn misuse_of_every_function_is_answered() {
+    run_test_program("misuse");
+}
+
+#[test]
+fn any_call_pattern_gives_the_same_bits() {
+    run_test_program("run");
+}
+
+#[test]
+fn threads_are_serialised_by_handle() {
+    run_test_program("threads");
+}
+
+#[test]
+fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
+    run_test_program("float_environment");
+}
+
+/// The harness: its main file and the folder beside it.
+fn harness_sources() -> Vec<String> {
+    let folder = project_file("c_examples/harness");
+    let mut sources: Vec<String> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".c"))
+        .map(|name| format!("c_examples/harness/{name}"))
+        .collect();
+    sources.sort();
+    sources.insert(0, "c_examples/sins_harness.c".to_owned());
+    sources
+}
+
+#[test]
+fn examples_compile_without_a_warning_as_c99_and_as_cpp11() {
+    let mut sources = harness_sources();
+    sources.push("c_examples/minimal.c".to_owned());
+    for source in &sources {
+        for (mut compiler, standard) in
+            [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
+        {
+            compiler.args(standard).args(STRICT).arg("-fsyntax-only").arg("-I").arg(project_file("include"));
+            succeed(compiler.arg(project_file(source)));
+        }
+    }
+}
+
+#[test]
+fn the_small_examples_run() {
+    let folder = library_folder("examples");
+    let minimal = link(c_compiler(), &["-std=c99"], &["c_examples/minimal.c"], &folder, "minimal");
+    let output = succeed(&mut Command::new(minimal));
+    // Schuler's loop holds a drift of 0.01 deg/h for an hour to about a mile.
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains(" m east, -1") && text.ends_with(" m north\n"), "{text}");
+
+    let cpp_host = link(cpp_compiler(), &["-std=c++11"], &["c_examples/cpp_host.cpp"], &folder, "cpp_host");
+    let text = String::from_utf8(succeed(&mut Command::new(cpp_host)).stdout).unwrap();
+    assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
+}
+
+#[test]
+fn the_harness_flies_and_refuses() {
+    let folder = library_folder("harness");
+    let sources = harness_sources();
+    let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
+    let harness = link(c_compiler(), &["-std=c99", "-O1"], &sources, &folder, "sins_harness");
+    let out = folder.join("out");
+    let run = |arguments: &[&str]| {
+        let output = Command::new(&harness).args(arguments).arg("--out").arg(&out).output().unwrap();
+        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+        (output.status.code(), text(&output.stdout), text(&output.stderr))
+    };
+
+    // Each scene, briefly; a row at the start and one each record.
+    for (arguments, name, rows) in [
+        (&["simulation1", "--hours", "0.1", "--every", "10"][..], "simulation1_patrol", 37),
+        (&["simulation2", "--motion", "rest", "--hours", "0.1", "--every", "10"], "simulation2_rest", 37),
+        (&["embedded", "over_the_pole", "--hours", "0.05", "--every", "10"], "over_the_pole", 19),
+    ] {
+        let (code, summary, errors) = run(arguments);
+        assert_eq!(code, Some(0), "{errors}");
+        assert!(summary.contains("closure: navigation - truth"), "{summary}");
+        let csv = std::fs::read_to_string(out.join(name).with_extension("csv")).unwrap();
+        assert_eq!(csv.lines().count(), 1 + rows, "{name}");
+        let columns = csv.lines().next().unwrap().split(',').count();
+        assert!(
+            csv.lines().all(|line| line.split(',').count() == columns) && columns == 51,
+            "{name}: {columns}"
+        );
+        let figures = std::fs::read_to_string(out.join(format!("{name}_summary.csv"))).unwrap();
+        assert!(figures.starts_with("key,value,unit,label\n"));
+    }
+
+    // Bad logs: file, line and column, and what was expected.
+    let header = "time_s,latitude_rad,longitude_rad,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_rad,pitch_rad,heading_rad\n";
+    let row = "0.00,0.7,0.1,100,0,0,0,0,0,0\n";
+    for (log, expected) in [
+        (format!("{header}{row}0.01,0.7,x1,100,0,0,0,0,0,0\n"), ":3:3: \"x1\""),
+        (format!("{header}{row}0.01,0.7,0.1,100,0,0\n"), ":3:"),
+        (format!("{header}{row}{row}"), ":3:"),
+        (header.replace("height_m,", ""), "height_m"),
+        (String::new(), "bad.csv"),
+    ] {
+        let path = folder.join("bad.csv");
+        std::fs::write(&path, log).unwrap();
+        let (code, _, errors) = run(&["flight", path.to_str().unwrap()]);
+        assert_eq!(code, Some(2), "{errors}");
+        assert!(errors.contains("bad.csv") && errors.contains(expected), "{expected}: {errors}");
+    }
+    for arguments in
+        [&["simulation3"][..], &["simulation1", "--rate", "fast"], &["simulation2", "--gyro-bias", "1,2"]]
+    {
+        let (code, _, errors) = run(arguments);
+        assert_eq!(code, Some(2), "{arguments:?}");
+        assert!(errors.contains(arguments.last().unwrap()), "{errors}");
+    }
+}
