@@ -681,6 +681,8 @@ typedef struct sins_accuracy {
     double inconsistency_max_m;
     /* Samples flagged SINS_NAVIGATION_INCONSISTENT. */
     uint64_t inconsistent_samples;
+    /* Intervals flown since the start or the last reposition: one less than the samples. */
+    uint64_t intervals;
 } sins_accuracy;
 
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
@@ -873,7 +875,8 @@ SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const stru
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
- * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not.
+ * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
+ * sins_accuracy.intervals counts them.
  */
 SINS_API sins_status SINS_CALL sins_run(
     sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,

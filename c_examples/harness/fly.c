@@ -126,19 +126,13 @@ static sins_status fly_samples(struct run *run, size_t count, size_t *made)
     return SINS_OK;
 }
 
-/* How many samples of the chunk were flown, by the time that the simulator has come to. */
-static size_t samples_flown(sins_sim *sim, size_t count)
+/* How many samples of the chunk were flown: the intervals since those before it. */
+static size_t samples_flown(const struct run *run)
 {
-    sins_navigation truth;
-    size_t i = 0;
+    sins_accuracy accuracy;
 
-    truth.struct_size = sizeof truth;
-    if (sins_get_truth(sim, &truth) == SINS_OK) {
-        while (i < count && samples[i].time_s <= truth.time_s + 1e-9) {
-            i++;
-        }
-    }
-    return i;
+    accuracy.struct_size = sizeof accuracy;
+    return sins_get_accuracy(run->sim, &accuracy) == SINS_OK ? (size_t)(accuracy.intervals - run->result->steps) : 0;
 }
 
 /* The library's sentence about sample `at` of the chunk, with its line in the log. */
@@ -220,7 +214,7 @@ static int fly_chunk(struct run *run)
     began_s = host_seconds();
     status = fly_samples(run, got, &made);
     run->result->library_s += host_seconds() - began_s;
-    flown_samples = status < 0 ? samples_flown(run->sim, got) : got;
+    flown_samples = status < 0 ? samples_flown(run) : got;
     run->result->steps += flown_samples;
     for (i = 0; i < made; i++) {
         keep_record(run, &records[i], &sensors[i]);

@@ -51,12 +51,14 @@ pub struct sins_accuracy {
     pub inconsistency_max_m: f64,
     /// Samples flagged SINS_NAVIGATION_INCONSISTENT.
     pub inconsistent_samples: u64,
+    /// Intervals flown since the start or the last reposition: one less than the samples.
+    pub intervals: u64,
 }
 
-interface_struct!(sins_accuracy, "accuracy", 232);
+interface_struct!(sins_accuracy, "accuracy", 240);
 
 impl sins_accuracy {
-    fn new(time_s: f64, figures: &AccuracyFigures, closure: &ClosureFigures) -> Self {
+    fn new(time_s: f64, figures: &AccuracyFigures, closure: &ClosureFigures, intervals: u64) -> Self {
         let rate = figures.radial_error_rate_rms_m_s;
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -77,6 +79,7 @@ impl sins_accuracy {
             inconsistency_enu_m: closure.inconsistency_n.into(),
             inconsistency_max_m: closure.inconsistency_max_m,
             inconsistent_samples: closure.inconsistent_samples,
+            intervals,
         }
     }
 }

@@ -15,7 +15,8 @@ use crate::simulator::Simulator;
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
 /// SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
-/// sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not.
+/// sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
+/// sins_accuracy.intervals counts them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_run(
     sim: *mut sins_sim,

@@ -193,7 +193,7 @@ fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<
             Trace::new(Pen::Record, over_time(run, &time, values, unit)),
             Trace::new(Pen::Computed, means),
         ];
-        panel(format!("{axis} [{}]", unit.name), 90.0, 5, traces)
+        panel(format!("{axis} [{}]", unit.name), 100.0, 5, traces)
     });
     let drawing = Drawing { x_label: time_label(&time), panels: panels.collect(), x: time.axis };
     let stretch = time_text(run.duration_s() / MEANS as f64);

@@ -38,7 +38,7 @@ const STRETCHES: usize = 500;
 const PADDING: usize = 4;
 
 /// Least distance of two ticks of the period [drawing units].
-const TICK_ROOM: f64 = 50.0;
+const TICK_ROOM: f64 = 66.0;
 
 /// An oscillation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,8 +114,11 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
     let unit = fitting(peak, SPEED);
     let top = (peak / unit.si).log10() + 0.3;
     let bottom = top - DECADES;
-    let envelope = |lines: &[Line]| envelope(lines, low, high, bottom, unit.si);
-    let traces = vec![Trace::new(Pen::East, envelope(&east)), Trace::new(Pen::North, envelope(&north))];
+    let mut traces = Vec::new();
+    for (pen, lines) in [(Pen::East, &east), (Pen::North, &north)] {
+        let parts = above(envelope(lines, low, high, unit.si), bottom);
+        traces.extend(parts.into_iter().map(|points| Trace::new(pen, points)));
+    }
     let caption = format!("amplitude of velocity error [{}]", unit.name);
     let mut panel = Panel::new(caption, Axis::decades(bottom, top, 6), 260.0, traces);
 
@@ -178,11 +181,11 @@ fn foucault(latitude_rad: f64) -> Option<(f64, f64, f64)> {
     Some((1.0 / frequency, 1.0 / (1.0 / SCHULER_S + frequency), 1.0 / (1.0 / SCHULER_S - frequency)))
 }
 
-/// Logarithms of period and amplitude between `low` and `high`, the highest of each stretch, cut at `bottom`.
-fn envelope(lines: &[Line], low: f64, high: f64, bottom: f64, unit: f64) -> Points {
+/// Logarithms of period and amplitude between `low` and `high`, the highest of each stretch.
+fn envelope(lines: &[Line], low: f64, high: f64, unit: f64) -> Points {
     let mut points: Vec<(usize, (f64, f64))> = Vec::new();
     for line in lines.iter().rev() {
-        let (x, y) = (line.period_s.log10(), (line.amplitude / unit).log10().max(bottom));
+        let (x, y) = (line.period_s.log10(), (line.amplitude / unit).log10());
         if !(low..=high).contains(&x) {
             continue;
         }
@@ -197,6 +200,20 @@ fn envelope(lines: &[Line], low: f64, high: f64, bottom: f64, unit: f64) -> Poin
         }
     }
     points.into_iter().map(|(_, point)| point).collect()
+}
+
+/// The parts of a line above `bottom`, each with its way down to it.
+fn above(points: Points, bottom: f64) -> Vec<Points> {
+    let mut parts: Vec<Points> = vec![Vec::new()];
+    for (x, y) in points {
+        let point = (x, y.max(bottom));
+        match parts.last_mut() {
+            Some(part) if y > bottom || part.last().is_some_and(|last| last.1 > bottom) => part.push(point),
+            _ => parts.push(vec![point]),
+        }
+    }
+    parts.retain(|part| part.len() > 1);
+    parts
 }
 
 #[cfg(test)]
@@ -230,6 +247,17 @@ mod tests {
         for (k, value) in values.iter().enumerate() {
             assert!((value - (2.0 * k as f64 * step + 1.0)).abs() < 16.0 * f64::EPSILON);
         }
+    }
+
+    #[test]
+    fn a_line_is_cut_at_the_bottom() {
+        let line =
+            [3.0, 1.0, -4.0, -5.0, -6.0, 2.0, 4.0].iter().enumerate().map(|(k, y)| (k as f64, *y)).collect();
+        let parts = above(line, 0.0);
+        assert_eq!(
+            parts,
+            [vec![(0.0, 3.0), (1.0, 1.0), (2.0, 0.0)], vec![(4.0, 0.0), (5.0, 2.0), (6.0, 4.0)]]
+        );
     }
 
     #[test]
