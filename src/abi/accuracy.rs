@@ -93,8 +93,9 @@ pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut si
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(accuracy, "accuracy")? };
         let figures = simulator.accuracy()?;
-        let figures =
-            figures.map(|(time_s, figures, closure)| sins_accuracy::new(time_s, &figures, &closure));
+        let intervals = simulator.intervals();
+        let figures = figures
+            .map(|(time_s, figures, closure)| sins_accuracy::new(time_s, &figures, &closure, intervals));
         Ok(write_or_need(&output, figures))
     })
 }
