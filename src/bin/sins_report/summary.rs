@@ -72,7 +72,7 @@ impl Row {
         let with_unit = |value: String, unit: &str| format!("{value} {unit}").trim_end().to_owned();
         match self.value.parse::<f64>() {
             Ok(value) if self.unit == "s" && value >= 120.0 => {
-                format!("{} s ({})", self.value, units::time_text(value))
+                format!("{} s ({})", (value * 1e3).round() / 1e3, units::time_text(value))
             }
             Ok(value) if value.is_finite() && !self.is_whole() => match units::family(&self.unit) {
                 Some(family) => units::with_unit(value, family),
@@ -115,7 +115,7 @@ mod tests {
         assert_eq!(row("-1.9066e-9", "m"), "-1.907 nm");
         assert_eq!(row("12345.678", "m"), "12.35 km");
         assert_eq!(row("0.0", "m"), "0 m");
-        assert_eq!(row("3600", "s"), "3600 s (60 min)");
+        assert_eq!(row("3122.4500000000003", "s"), "3122.45 s (52 min)");
     }
 
     #[test]
