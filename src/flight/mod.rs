@@ -11,11 +11,11 @@ mod smooth;
 
 pub use manoeuvre::{Channel, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::Quaternion;
 
 use crate::earth::{Earth, Geodetic, GravityModel, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule, check_range};
-use crate::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, hypot, rotate};
+use crate::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, hypot, rotate, rotated_z};
 use crate::truth::FlightSample;
 use path::Path;
 use profile::Segment;
@@ -72,7 +72,7 @@ impl Flight {
         let segment = &self.segments[self.segments.partition_point(|s| s.end_s() < time_s)];
         let motion = segment.at(time_s);
         let (q_ew, height_m) = self.path.at(time_s);
-        let up = rotate(&q_ew, &Vector3::z());
+        let up = rotated_z(&q_ew);
         let place = Geodetic {
             latitude_rad: atan2(up.z, hypot(up.x, up.y)),
             longitude_rad: atan2(up.y, up.x),

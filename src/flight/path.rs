@@ -7,7 +7,7 @@ use super::profile::Segment;
 use super::reserve;
 use crate::earth::{Earth, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};
-use crate::math::{inverse_right_jacobian, rotate_inverse, rotation_quaternion, sin_cos};
+use crate::math::{inverse_right_jacobian, rotated_z, rotation_quaternion, sin_cos};
 
 /// Chebyshev coefficients of a piece.
 const N: usize = 16;
@@ -195,7 +195,7 @@ impl Piece {
 
 /// Rate of the carried axes against the Earth for the velocity `v_w`, both in carried axes: no component up.
 fn transport_rate(earth: &Earth, q_ew: &Quaternion<f64>, height_m: f64, v_w: &Vector3<f64>) -> Vector3<f64> {
-    let axis = rotate_inverse(q_ew, &Vector3::z());
+    let axis = rotated_z(&q_ew.conjugate());
     let (inverse_n, meridian_excess) = earth.curvature_terms(axis.z, height_m);
     let along_meridian = (axis.x * v_w.x + axis.y * v_w.y) * meridian_excess;
     Vector3::new(

@@ -9,8 +9,8 @@ mod transcendental;
 pub use compensated::{Compensated, two_product, two_sum};
 pub use rotation::{
     Euler, RotationSeries, attitude_from_euler, axis_turn_increment, euler_from_attitude,
-    inverse_right_jacobian, relative_rotation, rotate, rotate_inverse, rotation_increment, rotation_matrix,
-    rotation_quaternion, rotation_vector,
+    inverse_right_jacobian, relative_rotation, rotate, rotate_inverse, rotated_z, rotation_increment,
+    rotation_matrix, rotation_quaternion, rotation_vector,
 };
 pub use stencil::end_derivative_weights;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, sin_cos, tan, tanh, wrap_angle};

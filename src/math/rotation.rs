@@ -63,6 +63,13 @@ pub fn rotate_inverse(q: &Quaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     v + q.w * t + t.cross(&u)
 }
 
+/// The z axis rotated by the unit quaternion `q`.
+#[inline]
+pub fn rotated_z(q: &Quaternion<f64>) -> Vector3<f64> {
+    let (w, x, y, z) = (q.w, q.i, q.j, q.k);
+    Vector3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), (w * w + z * z) - (x * x + y * y))
+}
+
 /// Matrix of the unit quaternion `q`: cheaper than [`rotate`] from three vectors on.
 #[inline]
 pub fn rotation_matrix(q: &Quaternion<f64>) -> Matrix3<f64> {
@@ -291,6 +298,7 @@ mod tests {
         for v in [Vector3::x(), Vector3::y(), Vector3::z()] {
             assert!((rotate(&q, &v) - c * v).norm() < 8.0 * f64::EPSILON);
             assert!((rotation_matrix(&q) * v - c * v).norm() < 8.0 * f64::EPSILON);
+            assert!((rotated_z(&q) - c * Vector3::z()).norm() < 8.0 * f64::EPSILON);
             assert!((rotate_inverse(&q, &v) - c.transpose() * v).norm() < 8.0 * f64::EPSILON);
         }
     }

@@ -5,9 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::{BodyMotion, VerticalCorrection, renormalize};
 use crate::earth::{Earth, VerticalTrack};
-use crate::math::{
-    Compensated, axis_turn_increment, rotate, rotate_inverse, rotation_increment, rotation_matrix,
-};
+use crate::math::{Compensated, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix};
 use crate::state::EarthFixedState;
 
 /// Position, velocity and attitude in Earth-fixed axes.
@@ -75,7 +73,7 @@ impl EarthFixed {
         let s1 = rotate(&q, &body.s1);
         let gravity_e = earth.gravity(&self.r_e.value);
         let dv = s1 - earth_cross(0.5 * w * t, &s1) + (gravity_e - earth_cross(2.0 * w, &v)) * t;
-        let rotation = body.rotation - rotate_inverse(&q, &Vector3::new(0.0, 0.0, w * t));
+        let rotation = body.rotation - rotated_z(&q.conjugate()) * (w * t);
         let dq = q * rotation_increment(&rotation);
         self.add(&(v * t), &dv, &dq);
         self.gravity_e = gravity_e;
@@ -103,9 +101,12 @@ impl EarthFixed {
     /// correction stands for takes its Coriolis integral and its share in the turn of the vertical with it.
     pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
         let up = self.up_e;
-        let horizontal = displaced_vertical(earth, &up, &self.v_e.value, correction.displacement_m);
+        let mut dv = up * correction.velocity_up_m_s;
+        if correction.displacement_m != 0.0 {
+            dv -= displaced_vertical(earth, &up, &self.v_e.value, correction.displacement_m);
+        }
         self.r_e.add(&(up * correction.height_m));
-        self.v_e.add(&(up * correction.velocity_up_m_s - horizontal));
+        self.v_e.add(&dv);
     }
 
     /// The state.

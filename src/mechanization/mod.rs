@@ -81,8 +81,9 @@ impl Mechanization {
         let (height, speed2) = match &self.axes {
             Axes::EarthFixed(axes) => {
                 let state = axes.state();
-                let radius = state.r_e.norm_squared().sqrt();
-                (radius - self.earth.equatorial_radius_m, state.v_e.norm_squared())
+                // (r² - a²) / 2a: the height near the Earth, and as far from the limits as it has to be elsewhere.
+                let a = self.earth.equatorial_radius_m;
+                ((state.r_e.norm_squared() - a * a) / (2.0 * a), state.v_e.norm_squared())
             }
             Axes::Geographic(axes) => {
                 let cos = crate::math::sin_cos(axes.latitude_rad()).1;

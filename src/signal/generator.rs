@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::motion::IntervalMotion;
 use crate::math::{
-    end_derivative_weights, relative_rotation, rotate_inverse, rotation_increment, rotation_vector,
+    end_derivative_weights, relative_rotation, rotated_z, rotation_increment, rotation_vector,
 };
 use crate::truth::{Recent, TruthPoint};
 
@@ -102,7 +102,7 @@ impl SignalGenerator {
 
     /// Earth rate in the sensor axes of a sample [rad/s].
     fn earth_rate_at(&self, point: &TruthPoint) -> Vector3<f64> {
-        rotate_inverse(&point.state.q_eb, &Vector3::new(0.0, 0.0, self.earth_rate))
+        rotated_z(&point.state.q_eb.conjugate()) * self.earth_rate
     }
 }
 

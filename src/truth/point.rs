@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::FlightSample;
 use crate::earth::{Earth, Geodetic, Vertical, navigation_axes};
-use crate::math::{attitude_from_euler, rotate};
+use crate::math::{attitude_from_euler, rotate, rotated_z};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Truth at a sample, in Earth-fixed axes.
@@ -41,7 +41,7 @@ impl TruthPoint {
         let latitude_rad = sample.place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
         let sample = FlightSample { place: Geodetic { latitude_rad, ..sample.place }, ..*sample };
         let q_en = navigation_axes(latitude_rad, sample.place.longitude_rad);
-        let up_e = rotate(&q_en, &Vector3::z());
+        let up_e = rotated_z(&q_en);
         let transverse_m = earth.radii(up_e.z).transverse_m;
         let mut r_e = up_e * (transverse_m + sample.place.height_m);
         r_e.z -= earth.eccentricity2 * transverse_m * up_e.z;

@@ -91,9 +91,11 @@ impl EarthFixedForm {
 
     pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
         let up = &truth.up_e;
-        let horizontal = displaced_vertical(earth, up, &truth.state.v_e, correction.displacement_m);
         self.dr += up * correction.height_m;
-        self.dv += up * correction.velocity_up_m_s - horizontal;
+        self.dv += up * correction.velocity_up_m_s;
+        if correction.displacement_m != 0.0 {
+            self.dv -= displaced_vertical(earth, up, &truth.state.v_e, correction.displacement_m);
+        }
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
