@@ -1,0 +1,227 @@
+//! Each stage and the whole chain, by time: `cargo bench --manifest-path benches/Cargo.toml`.
+//!
+//! Figures compare within one run; another run meets another machine's mood.
+
+#[path = "src/scene.rs"]
+mod scene;
+
+use std::hint::black_box;
+use std::ptr::{null, null_mut};
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::Vector3;
+use sins::abi::*;
+use sins::earth::Earth;
+use sins::errors::{ErrorModel, SensorErrors, StartErrors};
+use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid};
+use sins::sensors::{Sensor, StreamKey, Triad, paper_simulation2};
+use sins::signal::{Increment, SignalGenerator};
+use sins::state::BodyAxes;
+use sins::truth::{FlightSample, Intake, Recent, TruthPoint};
+
+const STEPS: usize = 1000;
+
+fn points(samples: &[FlightSample]) -> Vec<TruthPoint> {
+    let mut intake = Intake::new(Earth::default(), BodyAxes::default(), scene::limits());
+    let mut points = Vec::new();
+    for sample in samples {
+        if intake.push(sample).is_ok() {
+            intake.take();
+            points.extend(intake.current().copied());
+        }
+    }
+    points
+}
+
+fn recent(points: &[TruthPoint], k: usize) -> Recent<'_> {
+    Recent { next: &points[k], current: &points[k - 1], before: [Some(&points[k - 2]), Some(&points[k - 3])] }
+}
+
+/// One step of each stage of the chain.
+fn stages(criterion: &mut Criterion) {
+    let earth = Earth::default();
+    let samples = scene::patrol(STEPS + 3);
+    let points = points(&samples);
+    let mut group = criterion.benchmark_group("stage");
+    group.throughput(Throughput::Elements(STEPS as u64));
+
+    group.bench_function("intake", |bencher| {
+        bencher.iter_batched_ref(
+            || Intake::new(earth, BodyAxes::default(), scene::limits()),
+            |intake| {
+                for sample in &samples[..STEPS] {
+                    let _ = intake.push(black_box(sample));
+                    intake.take();
+                }
+            },
+            BatchSize::SmallInput,
+        );
+    });
+
+    let mut increments = [[Increment::ZERO; 2]; STEPS];
+    group.bench_function("signal generator", |bencher| {
+        bencher.iter(|| {
+            let mut generator = SignalGenerator::new(earth.rate_rad_s);
+            for k in 3..STEPS + 3 {
+                generator.advance(&recent(&points, k)).integrate(&mut increments[k - 3]);
+            }
+            black_box(&increments);
+        });
+    });
+
+    let (gyro, accel) = paper_simulation2();
+    let mut noisy = increments;
+    group.bench_function("sensors of simulation 2", |bencher| {
+        let mut triads =
+            [Sensor::Gyro, Sensor::Accelerometer].map(|sensor| Triad::new(StreamKey::default(), sensor));
+        triads[0].set(&gyro);
+        triads[1].set(&accel);
+        bencher.iter(|| {
+            for (noisy, ideal) in noisy.as_flattened_mut().iter_mut().zip(increments.as_flattened()) {
+                noisy.angle = triads[0].sense(&ideal.angle, 0.5 * scene::PERIOD_S);
+                noisy.velocity = triads[1].sense(&ideal.velocity, 0.5 * scene::PERIOD_S);
+            }
+            black_box(&noisy);
+        });
+    });
+
+    for (name, frame, scheme) in [
+        ("mechanization, exact, Earth-fixed", Frame::EarthFixed, Scheme::Exact),
+        ("mechanization, exact, geographic", Frame::Geographic, Scheme::Exact),
+        ("mechanization, paper, geographic", Frame::Geographic, Scheme::Paper),
+    ] {
+        group.bench_function(name, |bencher| {
+            bencher.iter_batched_ref(
+                || Mechanization::new(earth, frame, scheme, &points[2].state),
+                |mechanization| {
+                    for pair in &increments {
+                        mechanization.update(black_box(pair), scene::PERIOD_S);
+                    }
+                },
+                BatchSize::SmallInput,
+            );
+        });
+    }
+
+    group.bench_function("barometric loop", |bencher| {
+        bencher.iter_batched_ref(
+            || Mechanization::new(earth, Frame::EarthFixed, Scheme::Exact, &points[2].state),
+            |mechanization| {
+                for _ in 0..STEPS {
+                    mechanization.aid_vertical(
+                        black_box(&VerticalAid::Barometer { height_m: 8000.0 }),
+                        scene::PERIOD_S,
+                    );
+                }
+            },
+            BatchSize::SmallInput,
+        );
+    });
+
+    for (name, frame) in
+        [("error model, Earth-fixed", Frame::EarthFixed), ("error model, geographic", Frame::Geographic)]
+    {
+        let zero = Vector3::zeros();
+        let start = StartErrors { position_n: zero, velocity_n: zero, misalignment_n: zero };
+        let small = Vector3::repeat(1e-8);
+        let errors =
+            SensorErrors { gyro_b: small, accel_b: small, gyro_change_b: small, accel_change_b: small };
+        let motion = SignalGenerator::new(earth.rate_rad_s).advance(&recent(&points, 3));
+        group.bench_function(name, |bencher| {
+            let mut model = ErrorModel::new(earth, frame, &points[2], &start);
+            bencher.iter(|| {
+                for _ in 0..STEPS {
+                    model.advance(
+                        black_box(&motion),
+                        &points[3],
+                        &errors,
+                        &VerticalAid::Barometer { height_m: 8000.0 },
+                    );
+                }
+            });
+        });
+    }
+    group.finish();
+}
+
+/// A simulator of the C interface, with the errors of simulation 2 where wanted.
+fn simulator(options: &sins_options, noisy: bool) -> *mut sins_sim {
+    let mut sim = null_mut();
+    // SAFETY: structs of their own size.
+    unsafe {
+        assert_eq!(sins_create(options, &mut sim), SINS_OK);
+        if noisy {
+            let mut gyro: sins_gyro_params = core::mem::zeroed();
+            gyro.struct_size = size_of::<sins_gyro_params>() as u32;
+            let mut accel: sins_accel_params = core::mem::zeroed();
+            accel.struct_size = size_of::<sins_accel_params>() as u32;
+            assert_eq!(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &mut gyro), SINS_OK);
+            assert_eq!(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &mut accel), SINS_OK);
+            assert_eq!(sins_set_gyro(sim, &gyro), SINS_OK);
+            assert_eq!(sins_set_accel(sim, &accel), SINS_OK);
+        }
+    }
+    sim
+}
+
+/// The whole chain through the C interface: simulation 2's errors, both error data, and what each of them adds.
+fn chain(criterion: &mut Criterion) {
+    let samples = scene::c_samples(&scene::patrol(STEPS + 1));
+    let full = scene::c_options();
+    let mut group = criterion.benchmark_group("chain");
+    group.throughput(Throughput::Elements(STEPS as u64));
+    let off = SINS_ERROR_MODEL_OFF;
+    for (name, options, noisy) in [
+        ("sins_run, simulation 2, both error data", full, true),
+        ("sins_run, simulation 2, error data 2", sins_options { error_model: off, ..full }, true),
+        ("sins_run, ideal sensors, error data 2", sins_options { error_model: off, ..full }, false),
+        (
+            "sins_run, ideal sensors, free vertical channel",
+            sins_options { error_model: off, vertical: SINS_VERTICAL_FREE, ..full },
+            false,
+        ),
+    ] {
+        let sim = simulator(&options, noisy);
+        group.bench_function(name, |bencher| {
+            // SAFETY: a living handle, and as many samples as are stated.
+            bencher.iter(|| unsafe {
+                sins_reset(sim);
+                sins_run(sim, samples.as_ptr(), samples.len(), 0, null_mut(), 0, null_mut())
+            });
+        });
+        // SAFETY: a living handle.
+        unsafe { sins_destroy(sim) };
+    }
+
+    let sim = simulator(&full, true);
+    group.bench_function("push, step, read navigation and both errors", |bencher| {
+        // SAFETY: a living handle, structs of their own size.
+        bencher.iter(|| unsafe {
+            let mut navigation: sins_navigation = core::mem::zeroed();
+            navigation.struct_size = size_of::<sins_navigation>() as u32;
+            let mut errors: sins_errors = core::mem::zeroed();
+            errors.struct_size = size_of::<sins_errors>() as u32;
+            sins_reset(sim);
+            for sample in &samples {
+                sins_push_sample(sim, sample);
+                sins_step(sim);
+                sins_get_navigation(sim, &mut navigation);
+                sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors);
+                sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors);
+            }
+        });
+    });
+    group.finish();
+
+    // What a call costs beyond its work: a step with no sample to fly.
+    criterion.bench_function("call", |bencher| {
+        // SAFETY: a living handle.
+        bencher.iter(|| unsafe { sins_step(black_box(sim)) });
+    });
+    // SAFETY: a living handle.
+    unsafe { sins_destroy(sim) };
+    let _: *const sins_options = null();
+}
+
+criterion_group!(benches, stages, chain);
+criterion_main!(benches);
