@@ -115,14 +115,15 @@ impl fmt::Display for Number {
 }
 
 /// Checks that `value` is a finite number from `low` to `high`.
+#[inline]
 pub(crate) fn check_range(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
-    if !value.is_finite() {
-        Err(Error::invalid(field, value, Rule::Finite))
-    } else if value < low || value > high {
-        Err(Error::invalid(field, value, Rule::Between(low, high)))
-    } else {
-        Ok(())
-    }
+    if (low..=high).contains(&value) { Ok(()) } else { Err(out_of_range(field, value, low, high)) }
+}
+
+#[cold]
+fn out_of_range(field: &'static str, value: f64, low: f64, high: f64) -> Error {
+    let rule = if value.is_finite() { Rule::Between(low, high) } else { Rule::Finite };
+    Error::invalid(field, value, rule)
 }
 
 /// Checks each element of `values` as [`check_range`] does.

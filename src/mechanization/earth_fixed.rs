@@ -49,13 +49,14 @@ impl EarthFixed {
         let to_earth = rotation_matrix(&q);
         let (s1, s2, s3) = (to_earth * body.s1, to_earth * body.s2, to_earth * body.s3);
 
-        let dv_gravity_free = s1 - earth_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) / 6.0;
+        let dv_gravity_free =
+            s1 - earth_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) * (1.0 / 6.0);
         let acceleration_t = s1 + (self.gravity_e - earth_cross(2.0 * w, &v)) * t;
-        let to_mean_position = (v * 0.5 + acceleration_t / 6.0) * t;
+        let to_mean_position = (v * 0.5 + acceleration_t * (1.0 / 6.0)) * t;
         let gravity_e = earth.gravity(&(self.r_e.value + to_mean_position));
         let gravity_change = gravity_e - self.gravity_e;
 
-        let dr = (v + s2 - earth_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change / 12.0) * t
+        let dr = (v + s2 - earth_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change * (1.0 / 12.0)) * t
             - earth_cross(2.0 * w, &to_mean_position))
             * t;
         let dv = dv_gravity_free + gravity_e * t - earth_cross(2.0 * w, &dr);

@@ -1,4 +1,4 @@
-//! Three sensors and the plan of their active effects.
+//! Three sensors and the effects that are active in them.
 
 use nalgebra::Vector3;
 
@@ -9,16 +9,14 @@ use super::parameters::{Sensor, TriadParameters};
 use super::random_walk::RandomWalk;
 use super::stream::StreamKey;
 
-/// The effects, in the order in which they act on the signal.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Effect {
-    Linear,
-    Bias,
-    GaussMarkov,
-    RandomWalk,
+/// The effects that a parameter calls for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Active {
+    linear: bool,
+    bias: bool,
+    gauss_markov: bool,
+    random_walk: bool,
 }
-
-const EFFECTS: usize = 4;
 
 /// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,9 +25,7 @@ pub struct Triad {
     bias: Bias,
     gauss_markov: GaussMarkov,
     random_walk: RandomWalk,
-    /// The effects that a parameter calls for, `active` of them.
-    plan: [Effect; EFFECTS],
-    active: usize,
+    active: Active,
     /// Length of the increments for which the units are made [s]; 0: for none yet.
     dt: f64,
 }
@@ -42,8 +38,7 @@ impl Triad {
             bias: Bias::new(key, sensor),
             gauss_markov: GaussMarkov::new(key, sensor),
             random_walk: RandomWalk::new(key, sensor),
-            plan: [Effect::Linear; EFFECTS],
-            active: 0,
+            active: Active::default(),
             dt: 0.0,
         }
     }
@@ -51,26 +46,21 @@ impl Triad {
     /// Takes validated parameters and decides what is to be done for each increment from now on. Processes that were
     /// active go on from where they are.
     pub fn set(&mut self, parameters: &TriadParameters) {
-        let called_for = [
-            (Effect::Linear, self.linear.set(parameters)),
-            (Effect::Bias, self.bias.set(parameters)),
-            (Effect::GaussMarkov, self.gauss_markov.set(parameters)),
-            (Effect::RandomWalk, self.random_walk.set(parameters)),
-        ];
-        self.active = 0;
-        for (effect, _) in called_for.into_iter().filter(|&(_, on)| on) {
-            self.plan[self.active] = effect;
-            self.active += 1;
-        }
+        self.active = Active {
+            linear: self.linear.set(parameters),
+            bias: self.bias.set(parameters),
+            gauss_markov: self.gauss_markov.set(parameters),
+            random_walk: self.random_walk.set(parameters),
+        };
         self.dt = 0.0;
     }
 
     /// Whether no effect is active.
     pub fn is_ideal(&self) -> bool {
-        self.active == 0
+        self.active == Active::default()
     }
 
-    /// What the triad makes of the ideal increment over `dt` [s].
+    /// What the triad makes of the ideal increment over `dt` [s]: the effects act in this order.
     #[inline]
     pub fn sense(&mut self, ideal: &Vector3<f64>, dt: f64) -> Vector3<f64> {
         // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
@@ -78,26 +68,25 @@ impl Triad {
             self.set_interval(dt);
         }
         let mut measured = *ideal;
-        for effect in &self.plan[..self.active] {
-            match effect {
-                Effect::Linear => self.linear.apply(ideal, &mut measured),
-                Effect::Bias => self.bias.apply(dt, &mut measured),
-                Effect::GaussMarkov => self.gauss_markov.apply(&mut measured),
-                Effect::RandomWalk => self.random_walk.apply(&mut measured),
-            }
+        if self.active.linear {
+            self.linear.apply(ideal, &mut measured);
+        }
+        if self.active.bias {
+            self.bias.apply(dt, &mut measured);
+        }
+        if self.active.gauss_markov {
+            self.gauss_markov.apply(&mut measured);
+        }
+        if self.active.random_walk {
+            self.random_walk.apply(&mut measured);
         }
         measured
     }
 
     fn set_interval(&mut self, dt: f64) {
         self.dt = dt;
-        for effect in &self.plan[..self.active] {
-            match effect {
-                Effect::Linear | Effect::Bias => {}
-                Effect::GaussMarkov => self.gauss_markov.set_interval(dt),
-                Effect::RandomWalk => self.random_walk.set_interval(dt),
-            }
-        }
+        self.gauss_markov.set_interval(dt);
+        self.random_walk.set_interval(dt);
     }
 
     /// The error [u] that an alignment at this moment would see while the ideal signal is `ideal` [u]: all but the white
@@ -146,7 +135,7 @@ mod tests {
             let sum = both.sense(&zero, dt);
             let mut parts = markov.sense(&zero, dt);
             if step < 50 {
-                // The sum is formed in the order of the plan: Markov first.
+                // The sum is formed in the order of the effects: Markov first.
                 let noise = walk.sense(&zero, dt);
                 parts += noise;
             }

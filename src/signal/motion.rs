@@ -148,20 +148,20 @@ impl<'a> IntervalMotion<'a> {
     /// Displacement over the interval by its velocity, Earth-fixed axes [m].
     pub fn displacement(&self) -> Vector3<f64> {
         let [v0, v1, v2, v3] = &self.velocity;
-        (v0 + v1 / 2.0 + v2 / 3.0 + v3 / 4.0) * self.interval_s
+        (v0 + v1 * 0.5 + v2 * (1.0 / 3.0) + v3 * 0.25) * self.interval_s
     }
 
     /// Truth at the start.
     #[inline]
     pub fn start(&self) -> MotionNode {
-        MotionNode { state: self.start.state, f_e: self.force[0] / self.interval_s }
+        MotionNode { state: self.start.state, f_e: self.force[0] * (1.0 / self.interval_s) }
     }
 
     /// Truth at the end.
     #[inline]
     pub fn end(&self) -> MotionNode {
         let [f0, f1, f2, f3] = &self.force;
-        MotionNode { state: self.end.state, f_e: (f0 + f1 + f2 + f3) / self.interval_s }
+        MotionNode { state: self.end.state, f_e: (f0 + f1 + f2 + f3) * (1.0 / self.interval_s) }
     }
 
     /// Truth in the middle.
@@ -174,11 +174,12 @@ impl<'a> IntervalMotion<'a> {
         let q_eb = self.start.state.q_eb * rotation_quaternion(&(0.5 * c1 + 0.25 * c2 + 0.125 * c3));
         MotionNode {
             state: EarthFixedState {
-                r_e: self.start.state.r_e + (v0 / 2.0 + v1 / 8.0 + v2 / 24.0 + v3 / 64.0) * t,
-                v_e: v0 + v1 / 2.0 + v2 / 4.0 + v3 / 8.0,
+                r_e: self.start.state.r_e
+                    + (v0 * 0.5 + v1 * 0.125 + v2 * (1.0 / 24.0) + v3 * (1.0 / 64.0)) * t,
+                v_e: v0 + v1 * 0.5 + v2 * 0.25 + v3 * 0.125,
                 q_eb: q_eb + axis_turn_increment(&q_eb, -0.5 * self.earth_rate * t),
             },
-            f_e: (f0 + f1 / 2.0 + f2 / 4.0 + f3 / 8.0) / t,
+            f_e: (f0 + f1 * 0.5 + f2 * 0.25 + f3 * 0.125) * (1.0 / t),
         }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::geometry::LocalGeometry;
+use super::runge_kutta::LinearEquations;
 use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
 use crate::math::rotate;
@@ -20,17 +21,31 @@ pub(super) struct EarthFixedForm {
     dr: Vector3<f64>,
 }
 
-/// What drives the equations at an instant.
-struct Drive {
+/// What drives the equations at an instant: Earth rate [rad/s], gravity gradient in the middle of the interval [1/s²],
+/// specific force [m/s²], gyro [rad/s] and accelerometer error [m/s²].
+pub(super) struct Coefficients {
+    earth_rate: f64,
+    gradient: Matrix3<f64>,
     f_e: Vector3<f64>,
     gyro_e: Vector3<f64>,
     accel_e: Vector3<f64>,
 }
 
-impl Drive {
-    fn at(node: &MotionNode, (gyro_b, accel_b): (Vector3<f64>, Vector3<f64>)) -> Self {
+impl Coefficients {
+    fn at(
+        earth_rate: f64,
+        gradient: Matrix3<f64>,
+        node: &MotionNode,
+        (gyro_b, accel_b): (Vector3<f64>, Vector3<f64>),
+    ) -> Self {
         let q_eb = &node.state.q_eb;
-        Self { f_e: node.f_e, gyro_e: rotate(q_eb, &gyro_b), accel_e: rotate(q_eb, &accel_b) }
+        Self {
+            earth_rate,
+            gradient,
+            f_e: node.f_e,
+            gyro_e: rotate(q_eb, &gyro_b),
+            accel_e: rotate(q_eb, &accel_b),
+        }
     }
 }
 
@@ -46,36 +61,12 @@ impl EarthFixedForm {
     }
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let t = motion.interval_s;
-        let (start, middle, end) = (motion.start(), motion.middle(), motion.end());
+        let middle = motion.middle();
         let gradient = earth.gravity_gradient(&middle.state.r_e);
-        let w = earth.rate_rad_s;
-        let d0 = Drive::at(&start, errors.at(0.0));
-        let d1 = Drive::at(&middle, errors.at(0.5));
-        let d2 = Drive::at(&end, errors.at(1.0));
-        let k1 = self.rate(w, &gradient, &d0);
-        let k2 = self.plus(&k1, 0.5 * t).rate(w, &gradient, &d1);
-        let k3 = self.plus(&k2, 0.5 * t).rate(w, &gradient, &d1);
-        let k4 = self.plus(&k3, t).rate(w, &gradient, &d2);
-        let k = k1.plus(&k2.plus(&k3, 1.0), 2.0).plus(&k4, 1.0);
-        *self = self.plus(&k, t / 6.0);
-    }
-
-    #[inline]
-    fn rate(&self, w: f64, gradient: &Matrix3<f64>, drive: &Drive) -> Self {
-        Self {
-            psi: Vector3::new(w * self.psi.y, -w * self.psi.x, 0.0) - drive.gyro_e,
-            dv: drive.f_e.cross(&self.psi)
-                + drive.accel_e
-                + Vector3::new(2.0 * w * self.dv.y, -2.0 * w * self.dv.x, 0.0)
-                + gradient * self.dr,
-            dr: self.dv,
-        }
-    }
-
-    #[inline]
-    fn plus(&self, rate: &Self, t: f64) -> Self {
-        Self { psi: self.psi + rate.psi * t, dv: self.dv + rate.dv * t, dr: self.dr + rate.dr * t }
+        let [e0, e1, e2] = errors.nodes();
+        let coefficients = [(motion.start(), e0), (middle, e1), (motion.end(), e2)]
+            .map(|(node, errors)| Coefficients::at(earth.rate_rad_s, gradient, &node, errors));
+        *self = self.after(&coefficients, motion.interval_s);
     }
 
     /// Error of the height [m].
@@ -108,5 +99,27 @@ impl EarthFixedForm {
             velocity_n: local.to_local(&self.dv) - axes.cross(&v_n),
             misalignment_n: local.to_local(&self.psi) + axes,
         }
+    }
+}
+
+impl LinearEquations for EarthFixedForm {
+    type Coefficients = Coefficients;
+
+    #[inline]
+    fn rate(&self, at: &Coefficients) -> Self {
+        let w = at.earth_rate;
+        Self {
+            psi: Vector3::new(w * self.psi.y, -w * self.psi.x, 0.0) - at.gyro_e,
+            dv: at.f_e.cross(&self.psi)
+                + at.accel_e
+                + Vector3::new(2.0 * w * self.dv.y, -2.0 * w * self.dv.x, 0.0)
+                + at.gradient * self.dr,
+            dr: self.dv,
+        }
+    }
+
+    #[inline]
+    fn plus(&self, rate: &Self, t: f64) -> Self {
+        Self { psi: self.psi + rate.psi * t, dv: self.dv + rate.dv * t, dr: self.dr + rate.dr * t }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::geometry::LocalGeometry;
+use super::runge_kutta::LinearEquations;
 use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
 use crate::math::rotate;
@@ -22,7 +23,7 @@ pub(super) struct GeographicForm {
 }
 
 /// The coefficients at an instant.
-struct Coefficients {
+pub(super) struct Coefficients {
     local: LocalGeometry,
     /// Tangent and squared secant of latitude.
     tan: f64,
@@ -95,17 +96,47 @@ impl GeographicForm {
     }
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let t = motion.interval_s;
-        let c0 = Coefficients::at(earth, &motion.start(), errors.at(0.0));
-        let c1 = Coefficients::at(earth, &motion.middle(), errors.at(0.5));
-        let c2 = Coefficients::at(earth, &motion.end(), errors.at(1.0));
-        let k1 = self.rate(&c0);
-        let k2 = self.plus(&k1, 0.5 * t).rate(&c1);
-        let k3 = self.plus(&k2, 0.5 * t).rate(&c1);
-        let k4 = self.plus(&k3, t).rate(&c2);
-        let k = k1.plus(&k2.plus(&k3, 1.0), 2.0).plus(&k4, 1.0);
-        *self = self.plus(&k, t / 6.0);
+        let [e0, e1, e2] = errors.nodes();
+        let coefficients = [
+            Coefficients::at(earth, &motion.start(), e0),
+            Coefficients::at(earth, &motion.middle(), e1),
+            Coefficients::at(earth, &motion.end(), e2),
+        ];
+        *self = self.after(&coefficients, motion.interval_s);
     }
+    /// Error of the height [m].
+    pub fn height_error(&self) -> f64 {
+        self.d_place.z
+    }
+
+    /// Error of the velocity up [m/s].
+    pub fn velocity_up_error(&self) -> f64 {
+        self.dv.z
+    }
+
+    pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
+        let local = LocalGeometry::new(earth, &truth.vertical());
+        let v = local.to_local(&truth.state.v_e);
+        let east = v.x / local.n;
+        let omega = Vector3::new(
+            -v.y / local.m,
+            2.0 * earth.rate_rad_s * local.cos + east,
+            2.0 * earth.rate_rad_s * local.sin + east * local.sin / local.cos,
+        );
+        self.d_place.z += correction.height_m;
+        self.dv.z += correction.velocity_up_m_s;
+        self.dv -= omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
+    }
+
+    pub fn errors(&self, local: &LocalGeometry) -> StartErrors {
+        let position_n =
+            Vector3::new(self.d_place.y * local.n * local.cos, self.d_place.x * local.m, self.d_place.z);
+        StartErrors { position_n, velocity_n: self.dv, misalignment_n: self.phi }
+    }
+}
+
+impl LinearEquations for GeographicForm {
+    type Coefficients = Coefficients;
 
     /// The system matrix, row by row.
     fn rate(&self, k: &Coefficients) -> Self {
@@ -159,35 +190,5 @@ impl GeographicForm {
             dv: self.dv + rate.dv * t,
             d_place: self.d_place + rate.d_place * t,
         }
-    }
-
-    /// Error of the height [m].
-    pub fn height_error(&self) -> f64 {
-        self.d_place.z
-    }
-
-    /// Error of the velocity up [m/s].
-    pub fn velocity_up_error(&self) -> f64 {
-        self.dv.z
-    }
-
-    pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
-        let local = LocalGeometry::new(earth, &truth.vertical());
-        let v = local.to_local(&truth.state.v_e);
-        let east = v.x / local.n;
-        let omega = Vector3::new(
-            -v.y / local.m,
-            2.0 * earth.rate_rad_s * local.cos + east,
-            2.0 * earth.rate_rad_s * local.sin + east * local.sin / local.cos,
-        );
-        self.d_place.z += correction.height_m;
-        self.dv.z += correction.velocity_up_m_s;
-        self.dv -= omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
-    }
-
-    pub fn errors(&self, local: &LocalGeometry) -> StartErrors {
-        let position_n =
-            Vector3::new(self.d_place.y * local.n * local.cos, self.d_place.x * local.m, self.d_place.z);
-        StartErrors { position_n, velocity_n: self.dv, misalignment_n: self.phi }
     }
 }

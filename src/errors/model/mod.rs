@@ -6,6 +6,7 @@
 mod earth_fixed;
 mod geographic;
 mod geometry;
+mod runge_kutta;
 
 use nalgebra::Vector3;
 
@@ -43,7 +44,7 @@ pub struct SensorErrors {
 impl SensorErrors {
     /// From the increments of an interval of length `t` [s], in parts of equal length.
     pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
-        let part = 1.0 / ideal.len() as f64;
+        let (part, rate) = (1.0 / ideal.len() as f64, 1.0 / t);
         let (mut sum, mut moment) = (Increment::ZERO, Increment::ZERO);
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
             let (angle, velocity) = (measured.angle - ideal.angle, measured.velocity - ideal.velocity);
@@ -55,16 +56,22 @@ impl SensorErrors {
         }
         // The first moment of a line about the middle is a twelfth of its change.
         Self {
-            gyro_b: sum.angle / t,
-            accel_b: sum.velocity / t,
-            gyro_change_b: moment.angle * (12.0 / t),
-            accel_change_b: moment.velocity * (12.0 / t),
+            gyro_b: sum.angle * rate,
+            accel_b: sum.velocity * rate,
+            gyro_change_b: moment.angle * (12.0 * rate),
+            accel_change_b: moment.velocity * (12.0 * rate),
         }
     }
 
-    /// Gyro and accelerometer errors at `u`.
-    fn at(&self, u: f64) -> (Vector3<f64>, Vector3<f64>) {
-        (self.gyro_b + self.gyro_change_b * (u - 0.5), self.accel_b + self.accel_change_b * (u - 0.5))
+    /// Gyro and accelerometer errors at the start, in the middle and at the end.
+    #[inline]
+    fn nodes(&self) -> [(Vector3<f64>, Vector3<f64>); 3] {
+        let (gyro, accel) = (self.gyro_change_b * 0.5, self.accel_change_b * 0.5);
+        [
+            (self.gyro_b - gyro, self.accel_b - accel),
+            (self.gyro_b, self.accel_b),
+            (self.gyro_b + gyro, self.accel_b + accel),
+        ]
     }
 }
 
