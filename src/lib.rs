@@ -1,5 +1,13 @@
 //! sins
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
+#![cfg_attr(
+    not(test),
+    deny(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)
+)]
+#![allow(
+    rustdoc::broken_intra_doc_links,
+    reason = "units stand in square brackets; rustdoc takes [rad] for a link"
+)]
 
 pub mod abi;
 #[forbid(unsafe_code)]

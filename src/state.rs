@@ -89,13 +89,15 @@ impl Navigation {
 
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::FRAC_PI_2;
+
     use super::*;
     use crate::math::attitude_from_euler;
 
     #[test]
     fn geographic_and_earth_fixed_views_are_inverse() {
         let earth = Earth::default();
-        for latitude_rad in [-1.570_796, -0.3, 0.0, 0.9, 1.570_796_326_794_8] {
+        for latitude_rad in [3e-7 - FRAC_PI_2, -0.3, 0.0, 0.9, FRAC_PI_2 - 1e-13] {
             let place = Geodetic { latitude_rad, longitude_rad: -2.9, height_m: 1234.5 };
             let q_nb = attitude_from_euler(&Euler { roll: 0.2, pitch: 1.2, heading: 4.0 });
             let navigation =

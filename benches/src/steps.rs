@@ -9,7 +9,9 @@ use sins::abi::*;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
-    let (Some(what), Some(Ok(count))) = (arguments.get(1), arguments.get(2).map(|count| count.parse::<usize>())) else {
+    let (Some(what), Some(Ok(count))) =
+        (arguments.get(1), arguments.get(2).map(|count| count.parse::<usize>()))
+    else {
         eprintln!("usage: steps simulation2|ideal|free COUNT");
         std::process::exit(2);
     };

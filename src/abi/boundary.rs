@@ -58,7 +58,8 @@ pub(super) fn last_failure() -> Option<Failure> {
 /// shared library that is the library's own copy, and nobody else's.
 fn silence_panics() {
     static ONCE: Once = Once::new();
-    static PREVIOUS: OnceLock<Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>> = OnceLock::new();
+    type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;
+    static PREVIOUS: OnceLock<Hook> = OnceLock::new();
     ONCE.call_once(|| {
         let _ = PREVIOUS.set(take_hook());
         set_hook(Box::new(|info| {

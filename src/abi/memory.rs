@@ -34,7 +34,7 @@ pub(super) use interface_struct;
 
 /// Checks a struct size that a host states.
 fn check_size<T: Struct>(size: usize) -> Result<usize, Failure> {
-    if size < T::FIRST_SIZE || size > MAX_STRUCT_SIZE || size % 8 != 0 {
+    if size < T::FIRST_SIZE || size > MAX_STRUCT_SIZE || !size.is_multiple_of(8) {
         let rule = Rule::WordsAnd("must be sizeof the struct; in this release", size_of::<T>() as f64);
         return Err(Failure::struct_size(T::NAME, size, rule));
     }

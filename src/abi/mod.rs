@@ -2,8 +2,15 @@
 //! `registry`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header.
+//!
+//! # Safety
+//!
+//! Of every function here: a pointer is null or points to what its type says, an array to as many elements as the call
+//! states, a string to a terminated one, for the duration of the call; null where nothing allows it, a stale or foreign
+//! handle and a wrong `struct_size` are answered with a status.
 
-#![allow(non_camel_case_types)]
+#![allow(non_camel_case_types, reason = "the names are C's")]
+#![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]
 
 mod accuracy;
 mod boundary;

@@ -84,11 +84,13 @@ fn fly(
     done: &mut usize,
 ) -> Result<sins_status, Failure> {
     let status = step(simulator)?;
-    if status == SINS_OK && every > 0 && simulator.intervals() % every as u64 == 0 {
-        if let Some(record) = sins_record::now(simulator)? {
-            records.write(*done, &record)?;
-            *done += 1;
-        }
+    if status == SINS_OK
+        && every > 0
+        && simulator.intervals().is_multiple_of(every as u64)
+        && let Some(record) = sins_record::now(simulator)?
+    {
+        records.write(*done, &record)?;
+        *done += 1;
     }
     Ok(status)
 }

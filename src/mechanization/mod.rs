@@ -105,10 +105,12 @@ impl Mechanization {
         };
         let diverged = |field, value, rule| Err(Error::of(ErrorKind::Diverged, field, value, rule));
         // The comparisons are false for NaN too.
-        if !(height > MIN_HEIGHT_M && height < MAX_HEIGHT_M) {
+        let (height_is_sane, speed_is_sane) =
+            (height > MIN_HEIGHT_M && height < MAX_HEIGHT_M, speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S);
+        if !height_is_sane {
             return diverged("navigated height_m", height, Rule::Between(MIN_HEIGHT_M, MAX_HEIGHT_M));
         }
-        if !(speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S) {
+        if !speed_is_sane {
             return diverged("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S));
         }
         Ok(())

@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn every_part_of_the_key_gives_another_stream() {
         let key = StreamKey { seed: 1, run: 0 };
-        let mut first = vec![
+        let mut first = [
             Stream::new(key, Source::Gyro, 0, Purpose::GaussMarkov),
             Stream::new(key, Source::Gyro, 1, Purpose::GaussMarkov),
             Stream::new(key, Source::Accelerometer, 0, Purpose::GaussMarkov),

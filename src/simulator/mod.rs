@@ -59,6 +59,10 @@ const NEAR_POLE_M: f64 = 20e3;
 
 /// What the simulator is doing.
 #[derive(Debug, Clone)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one in a simulator, which lives on the heap; nothing is allocated in flight"
+)]
 enum Mode {
     /// Before the first step.
     Waiting,

@@ -45,8 +45,8 @@ impl Navigator {
             check_ranges("imu.velocity_m_s", increment.velocity.as_slice(), -1e4, 1e4).map_err(at)?;
         }
         let sum = Increment::sum(increments);
-        if !(sum.angle.norm_squared() < core::f64::consts::PI * core::f64::consts::PI) {
-            let angle = sum.angle.norm_squared().sqrt();
+        let angle = sum.angle.norm_squared().sqrt();
+        if angle >= core::f64::consts::PI {
             let rule = Rule::Words("the rotation of an interval must stay below half a turn");
             return Err(Error::invalid("imu.angle_rad", angle, rule));
         }

@@ -52,11 +52,11 @@ impl Coefficients {
 impl EarthFixedForm {
     pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StartErrors) -> Self {
         let axes = local.rotation_of_axes(&start.position_n);
-        let v_n = local.to_local(v_e);
+        let v_n = local.in_local_axes(v_e);
         Self {
-            psi: local.to_earth(&(start.misalignment_n - axes)),
-            dv: local.to_earth(&(start.velocity_n + axes.cross(&v_n))),
-            dr: local.to_earth(&start.position_n),
+            psi: local.in_earth_axes(&(start.misalignment_n - axes)),
+            dv: local.in_earth_axes(&(start.velocity_n + axes.cross(&v_n))),
+            dr: local.in_earth_axes(&start.position_n),
         }
     }
 
@@ -91,13 +91,13 @@ impl EarthFixedForm {
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
     pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StartErrors {
-        let position_n = local.to_local(&self.dr);
+        let position_n = local.in_local_axes(&self.dr);
         let axes = local.rotation_of_axes(&position_n);
-        let v_n = local.to_local(v_e);
+        let v_n = local.in_local_axes(v_e);
         StartErrors {
             position_n,
-            velocity_n: local.to_local(&self.dv) - axes.cross(&v_n),
-            misalignment_n: local.to_local(&self.psi) + axes,
+            velocity_n: local.in_local_axes(&self.dv) - axes.cross(&v_n),
+            misalignment_n: local.in_local_axes(&self.psi) + axes,
         }
     }
 }

@@ -53,7 +53,7 @@ impl Coefficients {
         let local = LocalGeometry::new(earth, &earth.vertical(&state.r_e));
         let (s, c) = (local.sin, local.cos);
         let (tan, sec) = (s / c, 1.0 / c);
-        let v = local.to_local(&state.v_e);
+        let v = local.in_local_axes(&state.v_e);
         let (rate_north, rate_up) = (earth.rate_rad_s * c, earth.rate_rad_s * s);
         let omega_in =
             Vector3::new(-v.y / local.m, rate_north + v.x / local.n, rate_up + v.x * tan / local.n);
@@ -68,9 +68,9 @@ impl Coefficients {
             tan,
             sec,
             v,
-            f: local.to_local(f_e),
-            eps: local.to_local(&rotate(&state.q_eb, &gyro_b)),
-            nabla: local.to_local(&rotate(&state.q_eb, &accel_b)),
+            f: local.in_local_axes(f_e),
+            eps: local.in_local_axes(&rotate(&state.q_eb, &gyro_b)),
+            nabla: local.in_local_axes(&rotate(&state.q_eb, &accel_b)),
             rate_north,
             rate_up,
             omega_in,
@@ -116,7 +116,7 @@ impl GeographicForm {
 
     pub fn shift_vertical(&mut self, earth: &Earth, truth: &TruthPoint, correction: &VerticalCorrection) {
         let local = LocalGeometry::new(earth, &truth.vertical());
-        let v = local.to_local(&truth.state.v_e);
+        let v = local.in_local_axes(&truth.state.v_e);
         let east = v.x / local.n;
         let omega = Vector3::new(
             -v.y / local.m,

@@ -38,12 +38,12 @@ impl LocalGeometry {
     }
 
     /// Earth-fixed to local components.
-    pub fn to_local(&self, v: &Vector3<f64>) -> Vector3<f64> {
+    pub fn in_local_axes(&self, v: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(self.east.dot(v), self.north.dot(v), self.up.dot(v))
     }
 
     /// Local to Earth-fixed components.
-    pub fn to_earth(&self, v: &Vector3<f64>) -> Vector3<f64> {
+    pub fn in_earth_axes(&self, v: &Vector3<f64>) -> Vector3<f64> {
         self.east * v.x + self.north * v.y + self.up * v.z
     }
 
