@@ -6,7 +6,7 @@
 mod scene;
 
 use std::hint::black_box;
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
@@ -17,12 +17,16 @@ use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid};
 use sins::sensors::{Sensor, StreamKey, Triad, paper_simulation2};
 use sins::signal::{Increment, SignalGenerator};
 use sins::state::BodyAxes;
-use sins::truth::{FlightSample, Intake, Recent, TruthPoint};
+use sins::truth::{FlightSample, Intake, IntakeLimits, Recent, TruthPoint};
 
 const STEPS: usize = 1000;
 
+fn limits() -> IntakeLimits {
+    IntakeLimits { period_s: Some(scene::PERIOD_S), ..Default::default() }
+}
+
 fn points(samples: &[FlightSample]) -> Vec<TruthPoint> {
-    let mut intake = Intake::new(Earth::default(), BodyAxes::default(), scene::limits());
+    let mut intake = Intake::new(Earth::default(), BodyAxes::default(), limits());
     let mut points = Vec::new();
     for sample in samples {
         if intake.push(sample).is_ok() {
@@ -47,7 +51,7 @@ fn stages(criterion: &mut Criterion) {
 
     group.bench_function("intake", |bencher| {
         bencher.iter_batched_ref(
-            || Intake::new(earth, BodyAxes::default(), scene::limits()),
+            || Intake::new(earth, BodyAxes::default(), limits()),
             |intake| {
                 for sample in &samples[..STEPS] {
                     let _ = intake.push(black_box(sample));
@@ -220,7 +224,6 @@ fn chain(criterion: &mut Criterion) {
     });
     // SAFETY: a living handle.
     unsafe { sins_destroy(sim) };
-    let _: *const sins_options = null();
 }
 
 criterion_group!(benches, stages, chain);

@@ -1,4 +1,107 @@
-//! sins
+//! A strapdown inertial navigation system (SINS) in simulation: true motion in, the navigation of an INS with the sensor
+//! errors that were set out, and its errors twice.
+//!
+//! C and C++ hosts link the shared library and read `include/sins.h`; what they call is in [`abi`]. Rust hosts use
+//! [`Simulator`].
+//!
+//! # Data flow
+//!
+//! In brackets the paper's names and equations ("Design of Airborne SINS Digital Simulator", 2014).
+//!
+//! ```text
+//!  flight simulator            FlightSample   time, position, velocity, attitude   [flight control data]
+//!        |
+//!        v
+//!     truth                    TruthPoint     checked, on the time base, Earth-fixed
+//!        |
+//!        v
+//!     signal                   Increment      what perfect sensors give            [inverse navigation]
+//!        |
+//!        v
+//!     sensors                  Increment      with their errors                    [IMU model, (1)-(3)]
+//!        |        \
+//!        v         \ the same errors
+//!     mechanization \          Navigation     attitude, velocity, position         [SINS algorithm, (7)-(24)]
+//!        |           \
+//!        v            v
+//!     errors::difference   errors::model
+//!     [error data 2]       [error data 1, (4)-(6)]
+//! ```
+//!
+//! Each block is a module, each arrow a type; [`earth`] (ellipsoid, gravity) and [`math`] serve them all, [`flight`] makes
+//! samples from manoeuvres, `simulator` puts the blocks together.
+//!
+//! # Notation
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | `_n` | navigation axes: east, north, up |
+//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`state::BodyAxes`]) |
+//! | `_e` | Earth-fixed axes: x to latitude 0, longitude 0; y to longitude 90° east; z to the north pole |
+//! | `_i` | inertial axes |
+//! | `q_nb` | quaternion that turns a vector from body to navigation axes; C in the paper is its matrix |
+//! | `omega_ib_b` | angular rate of b against i, components along b \[rad/s\] |
+//! | `f_b` | specific force: acceleration less gravitation, +g up at rest \[m/s²\] |
+//! | φ | misalignment: computed C = (I - \[φ×\]) C \[rad\] |
+//! | ψ | misalignment against the true, not the computed place: φ = ψ + δθ \[rad\] |
+//! | eps, nabla | error of angular rate \[rad/s\] and of specific force \[m/s²\], measured less true |
+//! | δ | computed less true |
+//! | W, g, RM, RN | Earth rate, gravity, radii of the meridian and of the prime vertical |
+//!
+//! SI units and radians throughout, spelled in the names of plain numbers (`height_m`); latitude is geodetic, height above
+//! the ellipsoid. Roll right wing down, pitch nose up, heading clockwise from north; from the axes of north, the sequence
+//! is heading, pitch, roll.
+//!
+//! # Claims and their proofs
+//!
+//! | claim | test |
+//! |---|---|
+//! | increments are the integrals of rate and force | `tests/reference_signals.rs` |
+//! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/real_flights.rs` |
+//! | error data 1 and 2 agree to second order, and with the closed form | `tests/simulation2.rs` |
+//! | every term of the error equations is that of the mechanization | `tests/error_equations.rs` |
+//! | each scheme has its order | `tests/convergence.rs` |
+//! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/invariants.rs`, `tests/samples.rs` |
+//! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
+//! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
+//! | conversions hold a nanometre | `tests/earth.rs` |
+//! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
+//!
+//! # Example
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use sins::earth::Geodetic;
+//! use sins::math::Euler;
+//! use sins::sensors::TriadParameters;
+//! use sins::truth::FlightSample;
+//! use sins::{ErrorSource, Options, Simulator};
+//!
+//! // An hour at rest at 40° north with an east gyro that drifts by 0.01 °/h.
+//! let mut simulator = Simulator::new(&Options::default())?;
+//! let drift = Vector3::new(0.01f64.to_radians() / 3600.0, 0.0, 0.0);
+//! simulator.set_gyro(&TriadParameters { bias: drift, ..Default::default() })?;
+//! let place = Geodetic { latitude_rad: 0.7, longitude_rad: 2.0, height_m: 50.0 };
+//! for second in 0..=3600 {
+//!     simulator.push_sample(&FlightSample::at_rest(f64::from(second), place, Euler::default()))?;
+//!     simulator.step()?;
+//! }
+//! let (time_s, errors) = simulator.errors(ErrorSource::Navigation)?.expect("an hour was flown");
+//! assert_eq!(time_s, 3600.0);
+//! // A level gyro drift tilts the platform: the Schuler-tuned INS is a kilometre north or south within the hour.
+//! assert!(errors.position_n.y.abs() > 500.0 && errors.position_n.y.abs() < 2000.0);
+//! # Ok::<(), sins::Error>(())
+//! ```
+//!
+//! # References
+//!
+//! - Titterton and Weston, *Strapdown Inertial Navigation Technology*, 2nd ed., 2004
+//! - Savage, "Strapdown Inertial Navigation Integration Algorithm Design", J. Guid. Control Dyn. 21, 1998
+//! - Miller, "A New Strapdown Attitude Algorithm", J. Guid. Control Dyn. 6, 1983; Ignagni, "Efficient Class of Optimized
+//!   Coning Compensation Algorithms", J. Guid. Control Dyn. 19, 1996
+//! - Kayton and Fried, *Avionics Navigation Systems*, 2nd ed., 1997 (vertical channel)
+//! - Heiskanen and Moritz, *Physical Geodesy*, 1967 (normal gravity); NIMA TR8350.2, 3rd ed., 2000 (WGS 84)
+//! - IEEE Std 952-1997, IEEE Std 1293-2018 (terms of gyro and accelerometer models)
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 #![cfg_attr(
     not(test),

@@ -95,7 +95,7 @@ fn digest(simulator: &mut Simulator, samples: &[FlightSample]) -> u64 {
     digest.0
 }
 
-const PINNED: [&str; 4] = ["e8140b1b55ccea76", "249c1e132adbc698", "9f7922e1594e8c0e", "bcceb38143cddab1"];
+const PINNED: [&str; 4] = ["e8140b1b55ccea76", "63458f70a0b0acce", "9f7922e1594e8c0e", "bcceb38143cddab1"];
 
 /// The digests of a minute of patrol with every effect on. They may change with the algorithms, then by a commit that says
 /// so; never with the machine.

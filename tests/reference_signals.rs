@@ -130,8 +130,8 @@ fn navigation_error(name: &str, frame: Frame) -> (f64, f64) {
     (position.xy().norm(), velocity.xy().norm())
 }
 
-/// The bars are twice what a prototype in wander azimuth axes leaves; the figure-eight is far below it, as Earth-fixed axes
-/// turn steadily.
+/// The bars are twice what a prototype in wander azimuth axes leaves. The figure-eight is far below: the change of the
+/// transport rate within an update, which the prototype drops, does not arise in Earth-fixed axes.
 #[test]
 fn exact_scheme_navigates_exact_increments_back_to_the_truth() {
     for (name, bar_m) in

@@ -71,7 +71,7 @@ fn columns(name: &str) -> Result<Columns, Box<dyn Error>> {
                 values[i] += values[i - 1];
             }
         }
-        let scale = 10f64.powi(i32::from(decimals));
+        let scale = 10_u128.checked_pow(u32::from(decimals)).ok_or("too many decimals")? as f64;
         columns.insert(name, values.into_iter().map(|value| value as f64 / scale).collect());
     }
     Ok(columns)

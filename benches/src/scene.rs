@@ -1,9 +1,8 @@
 //! The scene of the benchmarks: the patrol of the paper's simulations at 100 Hz.
 
 use sins::abi::{sins_flight_sample, sins_options};
-use sins::earth::Geodetic;
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
-use sins::truth::{FlightSample, IntakeLimits};
+use sins::truth::FlightSample;
 
 pub const PERIOD_S: f64 = 0.01;
 
@@ -65,13 +64,4 @@ pub fn c_options() -> sins_options {
     options.error_model = sins::abi::SINS_ERROR_MODEL_RK4;
     options.sample_period_s = PERIOD_S;
     options
-}
-
-pub fn limits() -> IntakeLimits {
-    IntakeLimits { period_s: Some(PERIOD_S), ..Default::default() }
-}
-
-/// A place, for stages that need one.
-pub fn place() -> Geodetic {
-    Geodetic { latitude_rad: 0.7, longitude_rad: 2.0, height_m: 8000.0 }
 }

@@ -77,10 +77,12 @@ impl Geographic {
 
     /// One update of length `t` [s], predicted and corrected once, Earth terms of the middle of the update:
     /// ```text
-    /// Δv = C S1 - T w_in×C(S1 - S2) + T²/6 w_in×(w_in×C S1) + T (g - (2 w_ie + w_en)×v̄)
+    /// Δv = C S1 - T w_in×C(S1 - S2) + T²/6 w_in×(w_in×C S1) + T (g - (2 w_ie + w_en)×v̄) - T/12 Δw_en×(Δv - C S1)
     /// Δr = T v + T C S2 - T² w_in×C S3 + T²/2 (g - (2 w_ie + w_en)×v̄)
     /// q  ← q(-ζ) q q(Φ), ζ = ∫ w_in dt
     /// ```
+    /// The last term of Δv is what the change Δw_en of the transport rate within the update does to Coriolis and turn of
+    /// the axes: without it two minutes of figure-eights leave 5e-9 m/s instead of 4e-10 m/s.
     pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
         let (q, v, place) = (self.q(), self.v_n.value, self.place.value);
         let s1 = rotate(&q, &body.s1);
@@ -100,6 +102,7 @@ impl Geographic {
             dv = s1 - omega_in_t.cross(&(s1 - s2)) + omega_in_t.cross(&omega_in_t.cross(&s1)) / 6.0 + steady;
             dr = (v + s2 - omega_in_t.cross(&s3) + steady * 0.5) * t;
         }
+        dv -= local.transport(&dv).cross(&(dv - s1)) * (t / 12.0);
         let zeta = local.omega_ie * t + local.transport(&dr);
         let turned = q * rotation_increment(&body.rotation);
         let dq = turned + rotation_increment(&-zeta) * (q + turned);

@@ -1,7 +1,7 @@
 //! The sensor models: what imperfect gyros and accelerometers make of the ideal signals (the paper's equations (1)-(3)),
 //! and the barometric altimeter.
 //!
-//! Each error term is one unit with its own random streams; a triad keeps a plan of those that a parameter calls for and
+//! Each error term is one unit with its own random streams; a triad knows which of them a parameter calls for and
 //! does no work for the others.
 
 mod altimeter;
