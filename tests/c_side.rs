@@ -82,18 +82,40 @@ fn examples_compile_without_a_warning_as_c99_and_as_cpp11() {
     }
 }
 
+/// What a program prints, compiled as C99 and as C++11 alike.
+fn prints_as_both(name: &str, sources: &[&str], arguments: &[&str]) -> String {
+    let folder = library_folder(name);
+    let as_c = link(c_compiler(), &["-std=c99"], sources, &folder, name);
+    let as_cpp = link(cpp_compiler(), &["-x", "c++", "-std=c++11"], sources, &folder, &format!("{name}_cpp"));
+    let [text, other] = [as_c, as_cpp].map(|program| {
+        let output = succeed(Command::new(program).args(arguments).current_dir(&folder));
+        String::from_utf8(output.stdout).unwrap()
+    });
+    assert_eq!(text, other);
+    text
+}
+
 #[test]
 fn the_small_examples_run() {
-    let folder = library_folder("examples");
-    let minimal = link(c_compiler(), &["-std=c99"], &["c_examples/minimal.c"], &folder, "minimal");
-    let output = succeed(&mut Command::new(minimal));
+    let text = prints_as_both("minimal", &["c_examples/minimal.c"], &[]);
     // Schuler's loop holds a drift of 0.01 deg/h for an hour to about a mile.
-    let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains(" m east, -1") && text.ends_with(" m north\n"), "{text}");
 
+    let folder = library_folder("cpp_host");
     let cpp_host = link(cpp_compiler(), &["-std=c++11"], &["c_examples/cpp_host.cpp"], &folder, "cpp_host");
     let text = String::from_utf8(succeed(&mut Command::new(cpp_host)).stdout).unwrap();
     assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
+}
+
+#[test]
+fn the_example_of_the_readme_prints_what_it_says() {
+    let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
+    let (_, rest) = readme.split_once("```c\n").unwrap();
+    let (program, _) = rest.split_once("```").unwrap();
+    let source = library_folder("readme").join("readme.c");
+    std::fs::write(&source, program).unwrap();
+    let text = prints_as_both("readme", &[source.to_str().unwrap()], &[]);
+    assert!(program.contains(&format!("/* {} */", text.trim_end())), "{text}");
 }
 
 #[test]
@@ -152,4 +174,43 @@ fn the_harness_flies_and_refuses() {
         assert_eq!(code, Some(2), "{arguments:?}");
         assert!(errors.contains(arguments.last().unwrap()), "{errors}");
     }
+}
+
+#[test]
+fn the_harness_is_cpp_too() {
+    let sources = harness_sources();
+    let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
+    let text = prints_as_both("harness_as_both", &sources, &["embedded", "list"]);
+    assert!(text.contains("over_the_pole"), "{text}");
+}
+
+#[test]
+fn an_interrupt_leaves_whole_files() {
+    let folder = library_folder("interrupt");
+    let sources = harness_sources();
+    let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
+    let harness = link(c_compiler(), &["-std=c99", "-O1"], &sources, &folder, "sins_harness");
+    let out = folder.join("out");
+    let _ = std::fs::remove_dir_all(&out);
+    let mut flight = Command::new(harness)
+        .args(["simulation1", "--every", "10", "--quiet", "--out", "out"])
+        .current_dir(&folder)
+        .spawn()
+        .unwrap();
+    // 48 h take many seconds; a first piece of a file is there long before.
+    let begun = || std::fs::read_dir(&out).ok()?.next()?.ok()?.metadata().ok().filter(|file| file.len() > 0);
+    while begun().is_none() {
+        assert!(flight.try_wait().unwrap().is_none(), "ended by itself");
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    succeed(Command::new("kill").args(["-INT", &flight.id().to_string()]));
+    assert!(!flight.wait().unwrap().success());
+    let csv = std::fs::read_to_string(out.join("simulation1_patrol.csv")).unwrap();
+    let columns = |line: &str| line.split(',').count();
+    assert!(
+        csv.ends_with('\n') && csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap()))
+    );
+    let summary = std::fs::read_to_string(out.join("simulation1_patrol_summary.csv")).unwrap();
+    assert!(summary.contains("interrupted,1,"), "{summary}");
+    assert!(summary.contains(&format!("records,{},", csv.lines().count() - 1)), "{summary}");
 }
