@@ -1,6 +1,6 @@
 //! The paper's simulation 1: no sensor errors. The paper reached 0.05 m/s in 48 h.
 //!
-//! 4 h here; 48 h with `cargo test --release --features long-tests --test simulation1`.
+//! 4 h here; 48 h with `cargo test --release --features long-tests --test simulation1 -- --nocapture`, which shows the figures.
 
 mod support;
 
@@ -27,7 +27,9 @@ fn patrolling() -> impl Iterator<Item = FlightSample> {
 }
 
 fn worst(options: Options, samples: impl Iterator<Item = FlightSample>) -> Worst {
-    fly(&mut Simulator::new(&options).unwrap(), samples, 1000)
+    let worst = fly(&mut Simulator::new(&options).unwrap(), samples, 1000);
+    println!("{:?} {:?} {:?}, {HOURS} h: {worst:?}", options.scheme, options.frame, options.vertical);
+    worst
 }
 
 #[test]

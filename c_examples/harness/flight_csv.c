@@ -51,6 +51,17 @@ static int bad(const struct flight_csv *csv, int column, const char *found, cons
     return -1;
 }
 
+/* The comment that a log may begin with, in plain letters. */
+static void keep_title(struct flight_csv *csv)
+{
+    const char *text = csv->text + strspn(csv->text, "# \t");
+    size_t i;
+
+    for (i = 0; i + 1 < sizeof csv->title && text[i] != '\0'; i++) {
+        csv->title[i] = text[i] >= ' ' && text[i] <= '~' ? text[i] : '?';
+    }
+}
+
 /* Reads the next line that is neither empty nor a comment. 1, 0 at the end, -1 reported. */
 static int next_line(struct flight_csv *csv)
 {
@@ -63,6 +74,9 @@ static int next_line(struct flight_csv *csv)
         }
         length = strcspn(csv->text, "\r\n");
         csv->text[length] = '\0';
+        if (csv->line == 1 && csv->text[0] == '#') {
+            keep_title(csv);
+        }
         if (csv->text[0] != '#' && csv->text[strspn(csv->text, " \t")] != '\0') {
             return 1;
         }

@@ -8,7 +8,7 @@
 #include "sins.h"
 
 /* time, latitude, longitude, height, 3 of velocity, roll, pitch, heading, 3 of angular rate, 3 of specific force */
-enum { FLIGHT_CSV_QUANTITIES = 16, FLIGHT_CSV_LINE = 65536 };
+enum { FLIGHT_CSV_QUANTITIES = 16, FLIGHT_CSV_LINE = 65536, FLIGHT_CSV_TITLE = 160 };
 
 struct flight_csv {
     FILE *stream;
@@ -17,6 +17,7 @@ struct flight_csv {
     int column[FLIGHT_CSV_QUANTITIES];  /* from 1; 0: not in this log */
     double unit[FLIGHT_CSV_QUANTITIES]; /* SI per unit of the column */
     uint32_t flags;                     /* SINS_SAMPLE_... of every sample */
+    char title[FLIGHT_CSV_TITLE];       /* a comment in the first line; empty */
     char text[FLIGHT_CSV_LINE];
 };
 

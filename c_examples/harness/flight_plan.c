@@ -157,6 +157,18 @@ void flight_plan_print_names(void)
     }
 }
 
+const char *flight_plan_line(const char *name)
+{
+    int i;
+
+    for (i = 0; i < NAMED_PLANS; i++) {
+        if (strcmp(named_plans[i].name, name) == 0) {
+            return named_plans[i].line;
+        }
+    }
+    return "";
+}
+
 int flight_plan_named(struct flight_plan *plan, const char *name, double duration_s)
 {
     int i;

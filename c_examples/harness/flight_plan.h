@@ -20,6 +20,9 @@ int flight_plan_named(struct flight_plan *plan, const char *name, double duratio
 void flight_plan_rest(struct flight_plan *plan, double duration_s);
 void flight_plan_patrol(struct flight_plan *plan, double duration_s);
 
+/* What a flight is, in a line; empty for a name that is none. */
+const char *flight_plan_line(const char *name);
+
 /* The names with a line each, on standard output. */
 void flight_plan_print_names(void);
 

@@ -2,8 +2,27 @@
 
 #include <string.h>
 
+#include "flight_plan.h"
 #include "option_table.h"
 #include "report.h"
+
+/* The scene in words. */
+static void describe_scene(struct summary *sum)
+{
+    const struct settings *set = sum->set;
+    char *text = sum->scene_text;
+    size_t capacity = sizeof sum->scene_text;
+
+    if (set->kind == SCENE_FLIGHT) {
+        const char *title = sum->scene->log.title;
+        snprintf(text, capacity, "%s", title[0] != '\0' ? title : "recorded flight");
+    } else if (set->kind == SCENE_EMBEDDED) {
+        snprintf(text, capacity, "Built-in flight: %s", flight_plan_line(set->operand));
+    } else {
+        snprintf(text, capacity, "Simulation %d of the paper: %s", set->kind == SCENE_SIMULATION1 ? 1 : 2,
+                 flight_plan_line(set->motion_name));
+    }
+}
 
 int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *set, const struct scene *scene,
                    const struct flown *flown)
@@ -21,6 +40,7 @@ int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *se
     sum->rate_hz = scene->period_s > 0 ? 1 / scene->period_s : 0;
     sum->every_s = (double)flown->every * scene->period_s;
     sum->ns_per_step = flown->steps > 0 ? 1e9 * flown->library_s / (double)flown->steps : 0;
+    describe_scene(sum);
     option_word(set, "--scheme", sum->scheme, sizeof sum->scheme);
     option_word(set, "--frame", sum->frame, sizeof sum->frame);
     option_word(set, "--vertical", sum->vertical, sizeof sum->vertical);
@@ -82,21 +102,22 @@ static void rows_of_setting(const struct summary *sum, struct whole_file *file)
     text_row(file, "name", set->name, "name");
     text_row(file, "scene", set->scene, "scene");
     text_row(file, "motion", set->motion_name, "motion");
+    text_row(file, "scene_text", sum->scene_text, "scene in words");
     text_row(file, "scheme", sum->scheme, "mechanization scheme");
     text_row(file, "frame", sum->frame, "navigation frame");
     text_row(file, "earth", sum->earth, "ellipsoid");
-    text_row(file, "gravity", sum->gravity, "gravity");
+    text_row(file, "gravity", sum->gravity, "gravity model");
     text_row(file, "axes", sum->axes, "sensor axes");
     text_row(file, "vertical", sum->vertical, "vertical channel");
-    whole_row(file, "subsamples", (uint64_t)sum->subsamples, "sub-increments of an update");
-    whole_row(file, "updates", (uint64_t)sum->updates, "updates in a sample interval");
-    row(file, "rate_hz", sum->rate_hz, "Hz", "sample rate, of a log the mean");
-    whole_row(file, "seed", set->options.seed, "seed of all random streams");
-    whole_row(file, "run", set->options.run, "number of the run in an ensemble");
+    whole_row(file, "subsamples", (uint64_t)sum->subsamples, "subsamples of an update");
+    whole_row(file, "updates", (uint64_t)sum->updates, "updates in each sample interval");
+    row(file, "rate_hz", sum->rate_hz, "Hz", "sample rate (mean over the flight)");
+    whole_row(file, "seed", set->options.seed, "random seed");
+    whole_row(file, "run", set->options.run, "Monte Carlo run number");
     text_row(file, "gyro_text", sum->gyro, "gyro errors");
     text_row(file, "accel_text", sum->accel, "accelerometer errors");
     text_row(file, "altimeter_text", sum->altimeter, "altimeter errors");
-    text_row(file, "start_text", sum->start, "errors at the start");
+    text_row(file, "start_text", sum->start, "initial errors");
 }
 
 static void rows_of_flight(const struct summary *sum, struct whole_file *file)
@@ -105,28 +126,34 @@ static void rows_of_flight(const struct summary *sum, struct whole_file *file)
     const struct flown *flown = sum->flown;
 
     row(file, "duration_s", figures->duration_s, "s", "simulated time");
-    whole_row(file, "steps", flown->steps, "sample intervals");
-    row(file, "ns_per_step", sum->ns_per_step, "ns", "wall time in the library / steps");
-    whole_row(file, "interrupted", (uint64_t)flown->interrupted, "1: ended before its time");
-    whole_row(file, "records", flown->records, "records");
+    whole_row(file, "steps", flown->steps, "navigation steps (sample intervals)");
+    row(file, "ns_per_step", sum->ns_per_step, "ns", "computing time of a step (wall clock)");
+    whole_row(file, "interrupted", (uint64_t)flown->interrupted,
+        "stopped before the end of the flight (0: no, 1: yes)");
+    whole_row(file, "records", flown->records, "records written");
     row(file, "closure_position_east_m", figures->closure_position_enu_m[0], "m",
-        "closure east: navigation - truth at the end");
+        "final position error east (closure)");
     row(file, "closure_position_north_m", figures->closure_position_enu_m[1], "m",
-        "closure north: navigation - truth at the end");
-    row(file, "closure_position_up_m", figures->closure_position_enu_m[2], "m",
-        "closure up: navigation - truth at the end");
-    row(file, "closure_velocity_east_m_s", figures->closure_velocity_enu_m_s[0], "m/s", "velocity closure east");
-    row(file, "closure_velocity_north_m_s", figures->closure_velocity_enu_m_s[1], "m/s", "velocity closure north");
-    row(file, "closure_velocity_up_m_s", figures->closure_velocity_enu_m_s[2], "m/s", "velocity closure up");
+        "final position error north (closure)");
+    row(file, "closure_position_up_m", figures->closure_position_enu_m[2], "m", "final position error up (closure)");
+    row(file, "closure_velocity_east_m_s", figures->closure_velocity_enu_m_s[0], "m/s",
+        "final velocity error east (closure)");
+    row(file, "closure_velocity_north_m_s", figures->closure_velocity_enu_m_s[1], "m/s",
+        "final velocity error north (closure)");
+    row(file, "closure_velocity_up_m_s", figures->closure_velocity_enu_m_s[2], "m/s",
+        "final velocity error up (closure)");
     row(file, "host_position_east_m", figures->host_position_enu_m[0], "m",
-        "share of the truth's own inconsistency, east");
+        "part of the final position error due to inconsistent flight data, east");
     row(file, "host_position_north_m", figures->host_position_enu_m[1], "m",
-        "share of the truth's own inconsistency, north");
-    row(file, "host_velocity_east_m_s", figures->host_velocity_enu_m_s[0], "m/s", "the same of the velocity, east");
-    row(file, "host_velocity_north_m_s", figures->host_velocity_enu_m_s[1], "m/s", "the same of the velocity, north");
+        "part of the final position error due to inconsistent flight data, north");
+    row(file, "host_velocity_east_m_s", figures->host_velocity_enu_m_s[0], "m/s",
+        "part of the final velocity error due to inconsistent flight data, east");
+    row(file, "host_velocity_north_m_s", figures->host_velocity_enu_m_s[1], "m/s",
+        "part of the final velocity error due to inconsistent flight data, north");
     row(file, "inconsistency_max_m", figures->inconsistency_max_m, "m",
-        "largest displacement by velocity - displacement by position in one interval");
-    whole_row(file, "inconsistent_samples", figures->inconsistent_samples, "samples that contradict their velocity");
+        "inconsistency of the flight data: largest displacement by velocity - by position in a step");
+    whole_row(file, "inconsistent_samples", figures->inconsistent_samples,
+        "flight samples whose position contradicts their velocity");
 }
 
 static void rows_of_accuracy(const struct summary *sum, struct whole_file *file)
@@ -135,22 +162,23 @@ static void rows_of_accuracy(const struct summary *sum, struct whole_file *file)
     const struct flown *flown = sum->flown;
 
     row(file, "rer_rms_nmi_h", figures->radial_error_rate_rms_m_s / SINS_NMI_PER_HOUR, "nmi/h",
-        "rms of RER = sqrt(mean RER^2), RER = horizontal position error / time since the start");
-    row(file, "r50_nmi_h", figures->cep_rate_m_s / SINS_NMI_PER_HOUR, "nmi/h", "R50 = 0.8326 sqrt(mean RER^2)");
-    row(file, "r95_nmi_h", figures->radial_95_rate_m_s / SINS_NMI_PER_HOUR, "nmi/h", "R95 = 1.7308 sqrt(mean RER^2)");
+        "rms radial error rate RER (horizontal position error / time)");
+    row(file, "r50_nmi_h", figures->cep_rate_m_s / SINS_NMI_PER_HOUR, "nmi/h", "R50 = 0.8326 rms(RER), the CEP rate");
+    row(file, "r95_nmi_h", figures->radial_95_rate_m_s / SINS_NMI_PER_HOUR, "nmi/h", "R95 = 1.7308 rms(RER)");
     row(file, "slope_nmi_h", figures->radial_error_slope_m_s / SINS_NMI_PER_HOUR, "nmi/h",
-        "slope of the least-squares line through the horizontal position error");
-    row(file, "window_start_s", figures->window_start_s, "s", "these four count from here on");
+        "growth of the horizontal position error (slope of the least-squares line)");
+    row(file, "window_start_s", figures->window_start_s, "s",
+        "error rates and growth are evaluated from this time on");
     row(file, "velocity_rms_east_m_s", figures->velocity_rms_enu_m_s[0], "m/s", "rms velocity error east");
     row(file, "velocity_rms_north_m_s", figures->velocity_rms_enu_m_s[1], "m/s", "rms velocity error north");
     row(file, "velocity_rms_up_m_s", figures->velocity_rms_enu_m_s[2], "m/s", "rms velocity error up");
-    row(file, "max_position_m", flown->max_position_m, "m", "largest |position error| of the records");
-    row(file, "max_velocity_m_s", flown->max_velocity_m_s, "m/s", "largest |velocity error| of the records");
-    row(file, "max_misalignment_rad", flown->max_misalignment_rad, "rad", "largest |misalignment| of the records");
+    row(file, "max_position_m", flown->max_position_m, "m", "largest position error");
+    row(file, "max_velocity_m_s", flown->max_velocity_m_s, "m/s", "largest velocity error");
+    row(file, "max_misalignment_rad", flown->max_misalignment_rad, "rad", "largest misalignment");
     row(file, "max_model_difference_position_m", flown->max_model_position_m, "m",
-        "largest |error data 1 - error data 2| of the records, position; 0 without the model");
+        "largest position difference of error data 1 and 2 (0: no error model)");
     row(file, "max_model_difference_velocity_m_s", flown->max_model_velocity_m_s, "m/s",
-        "largest |error data 1 - error data 2| of the records, velocity; 0 without the model");
+        "largest velocity difference of error data 1 and 2 (0: no error model)");
 }
 
 void summary_write(const struct summary *sum, struct whole_file *file)
@@ -159,5 +187,5 @@ void summary_write(const struct summary *sum, struct whole_file *file)
     rows_of_setting(sum, file);
     rows_of_flight(sum, file);
     rows_of_accuracy(sum, file);
-    text_row(file, "library_version", sum->version, "release of the library");
+    text_row(file, "library_version", sum->version, "library version");
 }

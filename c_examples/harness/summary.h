@@ -14,6 +14,7 @@ struct summary {
     char scheme[16], frame[16], vertical[16], earth[16], gravity[16], axes[16];
     int subsamples, updates;
     double rate_hz, every_s, ns_per_step;
+    char scene_text[256];
     char gyro[512], accel[512], altimeter[256], start[256];
 };
 

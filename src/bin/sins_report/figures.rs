@@ -1,19 +1,23 @@
-//! The figures of a run over time: errors, radial error, sensor errors.
+//! The figures of a run in their order, and those of radial error and sensor errors.
 
 use crate::axis::{Axis, TimeAxis};
+use crate::errors::{self, ATTITUDE, POSITION, VELOCITY};
 use crate::failure::Failure;
 use crate::pen::Pen;
 use crate::plot::{Drawing, Panel, Trace};
-use crate::run::{EAST_NORTH_UP, Errors, Run, SENSOR_AXES};
-use crate::series::{Points, block_means, bounds, difference, magnitude, straight_line, thinned};
+use crate::run::{Run, SENSOR_AXES};
+use crate::series::{Points, block_means, bounds, magnitude, mean, straight_line, thinned};
 use crate::spectrum;
 use crate::trajectory;
 use crate::units::{self, Unit, fitting, significant, time_text, with_unit};
 
+/// Pens and what they draw.
+pub type Legend = Vec<(Pen, String)>;
+
 /// Drawings and the words around them.
 pub struct Figure {
     pub title: String,
-    pub legend: Vec<(Pen, String)>,
+    pub legend: Legend,
     /// As SVG elements.
     pub drawings: Vec<String>,
     /// Below the drawings: what it says in numbers.
@@ -35,27 +39,9 @@ const MEANS: usize = 100;
 /// All figures of `run`, in reading order; without the ones that would be empty.
 pub fn figures(run: &Run) -> Result<Vec<Figure>, Failure> {
     let mut figures = vec![trajectory::figure(run)?];
-    figures.push(errors(
-        run,
-        "Attitude errors (figure 3 of the paper)",
-        "misalignment",
-        units::ANGLE,
-        |errors| &errors.misalignment_rad,
-    )?);
-    figures.push(errors(
-        run,
-        "Velocity errors (figure 4 of the paper)",
-        "velocity",
-        units::SPEED,
-        |errors| &errors.velocity_m_s,
-    )?);
-    figures.push(errors(
-        run,
-        "Position errors (figure 5 of the paper)",
-        "position",
-        units::LENGTH,
-        |errors| &errors.position_m,
-    )?);
+    for quantity in [&ATTITUDE, &VELOCITY, &POSITION] {
+        figures.push(errors::figure(run, quantity)?);
+    }
     figures.push(radial(run)?);
     figures.extend(spectrum::figure(run)?);
     figures.extend(sensor(run, "Gyro errors", &run.gyro_error_rad_s, units::DEG_PER_HOUR)?);
@@ -73,72 +59,13 @@ fn scaled(points: Points, time: &TimeAxis, unit: Unit) -> Points {
 }
 
 /// A panel whose y axis covers its traces and zero.
-fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> Panel {
+pub fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> Panel {
     let (low, high) = bounds(traces.iter().map(|trace| &trace.points));
     Panel::new(caption, Axis::around(low.min(0.0), high.max(0.0), 0.0, ticks), height, traces)
 }
 
 pub fn time_label(time: &TimeAxis) -> String {
     format!("time since the start [{}]", time.unit)
-}
-
-/// Error data 2 over error data 1, a panel for each of east, north and up, and their difference below.
-fn errors(
-    run: &Run,
-    title: &str,
-    what: &str,
-    family: &[Unit],
-    of: impl Fn(&Errors) -> &[Vec<f64>; 3],
-) -> Result<Figure, Failure> {
-    let time = Axis::time(run.duration_s(), TIME_TICKS);
-    let computed = of(&run.errors);
-    let model = run.model.as_ref().map(of);
-    let sizes: [f64; 3] = std::array::from_fn(|axis| {
-        magnitude(&computed[axis]).max(model.map_or(0.0, |model| magnitude(&model[axis])))
-    });
-    let largest = sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
-    let mut panels = Vec::new();
-    for (axis, name) in EAST_NORTH_UP.iter().enumerate() {
-        // One unit for all three, unless one is so small that its ticks would be fractions.
-        let size = if sizes[axis] < 0.05 * largest { sizes[axis] } else { largest };
-        let unit = fitting(size, family);
-        let mut traces = Vec::new();
-        if let Some(model) = model {
-            traces.push(Trace::new(Pen::Reference, over_time(run, &time, &model[axis], unit)));
-        }
-        traces.push(Trace::new(Pen::Computed, over_time(run, &time, &computed[axis], unit)));
-        panels.push(panel(format!("{what} {name} [{}]", unit.name), 110.0, 5, traces));
-    }
-    let in_words = |values: &[f64; 3]| {
-        let parts: Vec<String> = EAST_NORTH_UP
-            .iter()
-            .zip(values)
-            .map(|(name, value)| format!("{name} {}", with_unit(*value, family)))
-            .collect();
-        parts.join(", ")
-    };
-    let mut note = format!("Largest: {}.", in_words(&std::array::from_fn(|axis| magnitude(&computed[axis]))));
-    let mut legend = vec![(Pen::Computed, "error data 2: navigation minus truth".to_owned())];
-    if let Some(model) = model {
-        let differences: [Vec<f64>; 3] =
-            std::array::from_fn(|axis| difference(&computed[axis], &model[axis]));
-        let sizes = differences.each_ref().map(|values| magnitude(values));
-        let unit = fitting(sizes.iter().fold(0.0, |most: f64, size| most.max(*size)), family);
-        let traces = [Pen::East, Pen::North, Pen::Up]
-            .into_iter()
-            .zip(&differences)
-            .map(|(pen, values)| Trace::new(pen, over_time(run, &time, values, unit)))
-            .collect();
-        panels.push(panel(format!("data 2 minus data 1 [{}]", unit.name), 80.0, 4, traces));
-        note += &format!(" Largest difference of data 2 and 1: {}.", in_words(&sizes));
-        legend.push((Pen::Reference, "error data 1: error differential equations".to_owned()));
-        for (pen, name) in [Pen::East, Pen::North, Pen::Up].into_iter().zip(EAST_NORTH_UP) {
-            legend.push((pen, format!("difference, {name}")));
-        }
-    }
-    let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
-    let svg = drawing.svg(&format!("{title} over time. {note}"))?;
-    Ok(Figure { title: title.to_owned(), legend, drawings: vec![svg], note })
 }
 
 /// Horizontal position error with its straight line and that of 1 nmi/h.
@@ -187,10 +114,12 @@ fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<
         return Ok(None);
     }
     let time = Axis::time(run.duration_s(), TIME_TICKS);
+    // Each record has the mean since the one before, the first none.
+    let (time_s, values) = (&run.time_s[1..], values.each_ref().map(|values| &values[1..]));
     let panels = SENSOR_AXES.iter().zip(values).map(|(axis, values)| {
-        let means = scaled(block_means(&run.time_s, values, MEANS), &time, unit);
+        let means = scaled(block_means(time_s, values, MEANS), &time, unit);
         let traces = vec![
-            Trace::new(Pen::Record, over_time(run, &time, values, unit)),
+            Trace::new(Pen::Record, scaled(thinned(time_s, values), &time, unit)),
             Trace::new(Pen::Computed, means),
         ];
         panel(format!("{axis} [{}]", unit.name), 100.0, 5, traces)
@@ -201,8 +130,7 @@ fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<
         (Pen::Record, "measured minus ideal, each record".to_owned()),
         (Pen::Computed, format!("mean over {stretch}")),
     ];
-    let mean = |values: &Vec<f64>| significant(crate::series::mean(values) / unit.si);
-    let [x, y, z] = values.each_ref().map(mean);
+    let [x, y, z] = values.map(|values| significant(mean(values) / unit.si));
     let note = format!("Mean over the run: x {x}, y {y}, z {z} {}.", unit.name);
     let svg = drawing.svg(&format!("{title} over time. {note}"))?;
     Ok(Some(Figure { title: title.to_owned(), legend, drawings: vec![svg], note }))

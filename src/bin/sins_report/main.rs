@@ -6,10 +6,14 @@
 #![forbid(unsafe_code)]
 
 mod axis;
+mod comparison;
+mod errors;
 mod failure;
 mod figures;
+mod overview;
 mod page;
 mod pen;
+mod picture;
 mod plot;
 mod run;
 mod series;
@@ -27,19 +31,20 @@ use failure::Failure;
 use run::Run;
 
 const USAGE: &str = "\
-Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html
+Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html [--picture PICTURE.svg]
 
 Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
 _summary.csv is passed over, so that *.csv means all runs of a folder.
 
   -o, --output FILE   where to write
+  --picture FILE      also velocity and position errors of the first run, as an SVG file
   -h, --help          this text";
 
 /// What the command line asks for.
 #[derive(Debug, PartialEq)]
 enum Command {
     Help,
-    Report { runs: Vec<PathBuf>, output: PathBuf },
+    Report { runs: Vec<PathBuf>, output: PathBuf, picture: Option<PathBuf> },
 }
 
 fn main() -> ExitCode {
@@ -52,8 +57,8 @@ fn main() -> ExitCode {
     };
     match command {
         Command::Help => println!("{USAGE}"),
-        Command::Report { runs, output } => {
-            if let Err(failure) = report(&runs, &output) {
+        Command::Report { runs, output, picture } => {
+            if let Err(failure) = report(&runs, &output, picture.as_deref()) {
                 eprintln!("sins_report: {failure}");
                 return ExitCode::FAILURE;
             }
@@ -63,22 +68,29 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn report(paths: &[PathBuf], output: &Path) -> Result<(), Failure> {
+fn report(paths: &[PathBuf], output: &Path, picture: Option<&Path>) -> Result<(), Failure> {
     let runs = paths.iter().map(|path| Run::read(path)).collect::<Result<Vec<_>, _>>()?;
-    let html = page::page(&runs)?;
-    std::fs::write(output, html)
-        .map_err(|error| Failure::of_file(output, &format!("cannot be written: {error}")))
+    write(output, &page::page(&runs)?)?;
+    match (picture, runs.first()) {
+        (Some(path), Some(run)) => write(path, &picture::picture(run)?),
+        _ => Ok(()),
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    std::fs::write(path, text).map_err(|error| Failure::of_file(path, &format!("cannot be written: {error}")))
 }
 
 fn command(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {
     use lexopt::prelude::*;
     let mut parser = lexopt::Parser::from_args(arguments);
     let mut runs = Vec::new();
-    let mut output = None;
+    let (mut output, mut picture) = (None, None);
     while let Some(argument) = parser.next()? {
         match argument {
             Short('h') | Long("help") => return Ok(Command::Help),
             Short('o') | Long("output") => output = Some(PathBuf::from(parser.value()?)),
+            Long("picture") => picture = Some(PathBuf::from(parser.value()?)),
             Value(path) => runs.push(PathBuf::from(path)),
             _ => return Err(argument.unexpected().into()),
         }
@@ -88,7 +100,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, Fai
     if runs.is_empty() {
         return Err(Failure::new("expected at least one RUN.csv"));
     }
-    Ok(Command::Report { runs, output })
+    Ok(Command::Report { runs, output, picture })
 }
 
 #[cfg(test)]
@@ -101,8 +113,12 @@ mod tests {
 
     #[test]
     fn the_command_line() {
-        let report = Command::Report { runs: vec!["a.csv".into(), "b.csv".into()], output: "r.html".into() };
-        assert_eq!(parsed(&["a.csv", "a_summary.csv", "b.csv", "-o", "r.html"]), Ok(report));
+        let report = |picture: Option<&str>| {
+            let runs = vec!["a.csv".into(), "b.csv".into()];
+            Ok(Command::Report { runs, output: "r.html".into(), picture: picture.map(PathBuf::from) })
+        };
+        assert_eq!(parsed(&["a.csv", "a_summary.csv", "b.csv", "-o", "r.html"]), report(None));
+        assert_eq!(parsed(&["--picture", "p.svg", "a.csv", "b.csv", "-o", "r.html"]), report(Some("p.svg")));
         assert_eq!(parsed(&["-h"]), Ok(Command::Help));
         assert!(parsed(&["a.csv"]).unwrap_err().contains("-o"));
         assert!(parsed(&["-o", "r.html"]).unwrap_err().contains("RUN.csv"));

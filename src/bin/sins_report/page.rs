@@ -2,18 +2,18 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::comparison::{comparison, list};
 use crate::failure::Failure;
 use crate::figures::{self, Figure};
+use crate::overview;
 use crate::pen::Pen;
 use crate::run::Run;
-use crate::summary::Row;
-use crate::units::{significant, time_text};
+use crate::units::time_text;
 
-const STYLE: &str = include_str!("page.css");
+const STYLE: &str = concat!(include_str!("plot.css"), include_str!("page.css"));
 
 /// The whole page.
 pub fn page(runs: &[Run]) -> Result<String, Failure> {
-    let names = runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>().join(", ");
     let title = match runs {
         [run] => format!("Inertial navigation: {}", run.name),
         _ => format!("Inertial navigation: {} runs", runs.len()),
@@ -31,10 +31,14 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
                 style { (PreEscaped(STYLE)) }
             }
             body {
-                header { h1 { "Inertial navigation runs" } p { (names) } }
+                header {
+                    h1 { (title) }
+                    p { "How far a simulated strapdown inertial navigation system strays from the truth it flies along." }
+                }
                 main {
-                    @if runs.len() > 1 { (contents(runs)) (comparison(runs)) }
+                    (overview::overview(runs))
                     @for section in &sections { (section) }
+                    @if runs.len() > 1 { (comparison(runs)) }
                 }
                 footer { p { "Written by sins_report " (env!("CARGO_PKG_VERSION")) "." } }
             }
@@ -43,103 +47,43 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
     Ok(markup.into_string())
 }
 
-fn contents(runs: &[Run]) -> Markup {
-    html! {
-        nav aria-label="Contents" {
-            h2 { "Contents" }
-            ol {
-                li { a href="#comparison" { "The runs compared" } }
-                @for (place, run) in runs.iter().enumerate() {
-                    li { a href={ "#run-" (place + 1) } { (run.name) } }
-                }
-            }
-        }
-    }
-}
-
-/// Every row in which the runs differ, a column for each run; then those that are the same in all.
-fn comparison(runs: &[Run]) -> Markup {
-    let mut rows: Vec<&Row> = Vec::new();
-    for row in runs.iter().flat_map(|run| &run.summary.rows) {
-        if row.key != "name" && !rows.iter().any(|known| known.key == row.key) {
-            rows.push(row);
-        }
-    }
-    let (same, different): (Vec<_>, Vec<_>) = rows
-        .into_iter()
-        .partition(|row| runs.iter().all(|run| run.summary.value(&row.key) == Some(row.value.as_str())));
-    html! {
-        section id="comparison" {
-            h2 { "The runs compared" }
-            div.table tabindex="0" {
-                table.comparison {
-                    thead {
-                        tr { th scope="col" { "Quantity" } @for run in runs { th scope="col" { (run.name) } } }
-                    }
-                    tbody {
-                        @for row in different {
-                            tr {
-                                th scope="row" { (row.title()) }
-                                @for run in runs { (cell(run.summary.row(&row.key))) }
-                            }
-                        }
-                    }
-                }
-            }
-            @if !same.is_empty() {
-                h3 { "The same in all runs" }
-                (list(&same))
-            }
-        }
-    }
-}
-
-fn cell(row: Option<&Row>) -> Markup {
-    match row {
-        Some(row) if row.value.parse::<f64>().is_ok() => {
-            html! { td.number title=(row.value) { (row.text()) } }
-        }
-        Some(row) => html! { td { (row.text()) } },
-        None => html! { td { "–" } },
-    }
-}
-
-/// Label and value of each row.
-fn list(rows: &[&Row]) -> Markup {
-    html! {
-        table.list {
-            tbody {
-                @for row in rows {
-                    tr { th scope="row" { (row.title()) } (cell(Some(row))) }
-                }
-            }
-        }
-    }
-}
-
 fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
     let figures = figures::figures(run)?;
     let rows: Vec<_> = run.summary.rows.iter().collect();
     let (flown, measured) = rows.split_at(rows.iter().position(|row| row.is_error()).unwrap_or(rows.len()));
     Ok(html! {
         section.run id={ "run-" (place + 1) } {
-            h2 { (run.name) }
-            p.source {
-                "From " code { (run.file) } ", " (run.time_s.len()) " records over " (time_text(run.duration_s()))
-                ", one each " (significant(run.spacing_s())) " s."
+            div.intro {
+                h2 { (run.name) }
+                p { (scene(run)) }
+                p.source {
+                    "From " code { (run.file) } ", " (run.time_s.len()) " records over "
+                    (time_text(run.duration_s())) ", one each " ((run.spacing_s() * 1e4).round() / 1e4) " s."
+                }
+                @for remark in remarks(run) { p.remark { (remark) } }
             }
-            div.tables {
-                div { h3 { "Flight, sensors, settings" } (list(flown)) }
-                div { h3 { "Errors and accuracy" } (list(measured)) }
-            }
-            @for remark in remarks(run, &figures) { p.remark { (remark) } }
             div.figures { @for figure in &figures { (self::figure(figure)) } }
+            details {
+                summary { "Settings and all figures of this run" }
+                div.tables {
+                    div { h3 { "Flight, sensors, settings" } (list(flown)) }
+                    div { h3 { "Errors and accuracy" } (list(measured)) }
+                }
+            }
         }
     })
 }
 
+/// The flight and the sensors in one line.
+fn scene(run: &Run) -> String {
+    let flight = run.summary.value("scene_text").or(run.summary.value("motion")).map(str::to_owned);
+    let sensors = overview::sensors(run).map(|text| format!("Sensor errors: {text}"));
+    let sentences = [flight, sensors].into_iter().flatten();
+    sentences.map(|text| text.trim_end_matches('.').to_owned() + ". ").collect()
+}
+
 /// What a reader of the figures has to know.
-fn remarks(run: &Run, figures: &[Figure]) -> Vec<String> {
+fn remarks(run: &Run) -> Vec<String> {
     let mut remarks = Vec::new();
     let span = |(from, to): (f64, f64)| format!("between {} and {}", time_text(from), time_text(to));
     if run.model.is_none() {
@@ -157,11 +101,6 @@ fn remarks(run: &Run, figures: &[Figure]) -> Vec<String> {
             span(times)
         ));
     }
-    for (sensor, errors) in [("gyros", "Gyro errors"), ("accelerometers", "Accelerometer errors")] {
-        if !figures.iter().any(|figure| figure.title == errors) {
-            remarks.push(format!("The {sensor} had no errors: all records are zero."));
-        }
-    }
     remarks
 }
 
@@ -178,7 +117,8 @@ fn figure(figure: &Figure) -> Markup {
     }
 }
 
-fn swatch(pen: Pen) -> Markup {
+/// A piece of the line that `pen` draws.
+pub fn swatch(pen: Pen) -> Markup {
     html! {
         svg.swatch aria-hidden="true" viewBox="0 0 340 140" {
             @if pen == Pen::Start {
@@ -214,8 +154,19 @@ mod tests {
     }
 
     #[test]
-    fn one_run_has_no_contents() {
+    fn one_run_has_no_comparison() {
         let html = page(&[made(3, |_, _| 0.0)]).unwrap();
-        assert!(!html.contains("<nav") && !html.contains("id=\"comparison\"") && html.contains("1.234 km"));
+        assert!(
+            !html.contains("#comparison") && !html.contains("id=\"comparison\"") && html.contains("1.234 km")
+        );
+    }
+
+    #[test]
+    fn the_runs_come_first_and_the_figures_before_the_settings() {
+        let html = page(&[made(3, |_, _| 0.0), made(3, |_, _| 0.0)]).unwrap();
+        let order = ["<h1>", "class=\"runs\"", "id=\"run-1\"", "<figure>", "<details>", "id=\"comparison\""];
+        let places = order.map(|what| html.find(what).unwrap());
+        assert!(places.is_sorted(), "{places:?}");
+        assert_eq!(html.matches("<details>").count(), 3);
     }
 }

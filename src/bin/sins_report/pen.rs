@@ -24,10 +24,12 @@ pub enum Pen {
     Foucault,
     Day,
     Start,
+    /// What was computed at the end of a long track.
+    Late,
 }
 
 impl Pen {
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -43,6 +45,7 @@ impl Pen {
         Self::Foucault,
         Self::Day,
         Self::Start,
+        Self::Late,
     ];
 
     /// Its class in the style sheet.
@@ -63,6 +66,7 @@ impl Pen {
             Self::Foucault => "foucault",
             Self::Day => "day",
             Self::Start => "start",
+            Self::Late => "late",
         }
     }
 
@@ -78,7 +82,7 @@ mod tests {
 
     #[test]
     fn every_pen_has_a_rule_in_the_style_sheet() {
-        let css = include_str!("page.css");
+        let css = include_str!("plot.css");
         for pen in Pen::ALL {
             assert!(
                 css.contains(&format!(".{} ", pen.class())) || css.contains(&format!(".{},", pen.class()))

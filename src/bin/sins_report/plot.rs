@@ -16,7 +16,7 @@ use crate::pen::Pen;
 use crate::series::Points;
 
 /// Pixels of `plotters` in a drawing unit.
-const FINE: f64 = 10.0;
+pub const FINE: f64 = 10.0;
 
 /// Width of a drawing [drawing units]; a phone shows it at two thirds.
 pub const WIDTH: f64 = 520.0;
@@ -87,9 +87,14 @@ impl Panel {
 }
 
 impl Drawing {
+    /// Height of all [drawing units].
+    pub fn height(&self) -> f64 {
+        self.panels.iter().map(|panel| panel.above() + panel.height + GAP).sum::<f64>() + X_AXIS
+    }
+
     /// The drawing as an SVG element that fills the width it is given; `alt` says it in words.
     pub fn svg(&self, alt: &str) -> Result<String, Failure> {
-        let height = self.panels.iter().map(|panel| panel.above() + panel.height + GAP).sum::<f64>() + X_AXIS;
+        let height = self.height();
         let mut text = String::new();
         let root = SVGBackend::with_string(&mut text, (size(WIDTH), size(height))).into_drawing_area();
         let mut top = 0.0;

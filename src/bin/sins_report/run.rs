@@ -101,6 +101,11 @@ impl Run {
         self.duration_s() / (self.time_s.len() - 1) as f64
     }
 
+    /// Whether the height is taken from the truth, so that up position and velocity have no errors of their own.
+    pub fn follows_height(&self) -> bool {
+        self.summary.value("vertical") == Some("follow")
+    }
+
     /// First and last time at which navigation or truth was near a pole [s].
     pub fn near_pole_s(&self) -> Option<(f64, f64)> {
         self.flagged_s(&self.errors, NEAR_POLE)

@@ -4,10 +4,10 @@
 pub type Points = Vec<(f64, f64)>;
 
 /// Most points of a plotted line.
-pub const MOST_POINTS: usize = 1400;
+pub const MOST_POINTS: usize = 1000;
 
 /// Most corners of a plotted track; laps one over another need more than a line over time.
-pub const MOST_CORNERS: usize = 3000;
+pub const MOST_CORNERS: usize = 2000;
 
 /// At most about [`MOST_POINTS`] of the records (`x`, `y`): first, last, and the smallest and largest `y` of each
 /// stretch.

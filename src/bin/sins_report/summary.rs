@@ -50,6 +50,11 @@ impl Summary {
         self.row(key).map(|row| row.value.as_str())
     }
 
+    /// The number in the row `key`.
+    pub fn number(&self, key: &str) -> Option<f64> {
+        self.value(key)?.parse().ok().filter(|value: &f64| value.is_finite())
+    }
+
     /// The row `key`.
     pub fn row(&self, key: &str) -> Option<&Row> {
         self.rows.iter().find(|row| row.key == key)

@@ -18,29 +18,36 @@ pub const METRE: Unit = unit("m", 1.0);
 /// See [`METRE`].
 pub const KILOMETRE: Unit = unit("km", 1e3);
 
-/// Units of length [m], each family from small to large.
-pub const LENGTH: &[Unit] =
-    &[unit("pm", 1e-12), unit("nm", 1e-9), unit("µm", 1e-6), unit("mm", 1e-3), METRE, KILOMETRE];
+/// Units of one quantity, from small to large.
+#[derive(Debug, PartialEq)]
+pub struct Family {
+    /// For zero, and in texts for what is far below all others.
+    pub si: Unit,
+    /// For axes of what rounding alone leaves.
+    pub tiny: &'static [Unit],
+    pub usual: &'static [Unit],
+}
 
-/// Units of speed [m/s].
-pub const SPEED: &[Unit] = &[
-    unit("pm/s", 1e-12),
-    unit("nm/s", 1e-9),
-    unit("µm/s", 1e-6),
-    unit("mm/s", 1e-3),
-    unit("m/s", 1.0),
-    unit("km/s", 1e3),
-];
+/// Units of length.
+pub const LENGTH: &Family = &Family {
+    si: METRE,
+    tiny: &[unit("10⁻¹² m", 1e-12)],
+    usual: &[unit("nm", 1e-9), unit("µm", 1e-6), unit("mm", 1e-3), METRE, KILOMETRE],
+};
 
-/// Units of angle [rad].
-pub const ANGLE: &[Unit] = &[
-    unit("prad", 1e-12),
-    unit("nrad", 1e-9),
-    unit("µrad", 1e-6),
-    unit("arcsec", PI / 648_000.0),
-    unit("arcmin", PI / 10_800.0),
-    unit("deg", PI / 180.0),
-];
+/// Units of speed.
+pub const SPEED: &Family = &Family {
+    si: unit("m/s", 1.0),
+    tiny: &[unit("10⁻¹⁵ m/s", 1e-15), unit("10⁻¹² m/s", 1e-12)],
+    usual: &[unit("nm/s", 1e-9), unit("µm/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0)],
+};
+
+/// Units of angle: those of attitude errors.
+pub const ANGLE: &Family = &Family {
+    si: unit("rad", 1.0),
+    tiny: &[unit("10⁻¹⁵ rad", 1e-15), unit("10⁻¹² rad", 1e-12)],
+    usual: &[unit("nrad", 1e-9), unit("arcsec", PI / 648_000.0), unit("deg", PI / 180.0)],
+};
 
 /// Degree an hour [rad/s].
 pub const DEG_PER_HOUR: Unit = unit("deg/h", PI / 648_000.0);
@@ -51,30 +58,33 @@ pub const MICRO_G: Unit = unit("µg", 9.80665e-6);
 /// Nautical mile an hour [m/s].
 pub const NMI_PER_HOUR: Unit = unit("nmi/h", 1852.0 / 3600.0);
 
-/// The family that an SI unit heads.
-pub fn family(si_name: &str) -> Option<&'static [Unit]> {
-    match si_name {
-        "m" => Some(LENGTH),
-        "m/s" => Some(SPEED),
-        "rad" => Some(ANGLE),
-        _ => None,
-    }
+/// The family of an SI unit.
+pub fn family(si_name: &str) -> Option<&'static Family> {
+    [LENGTH, SPEED, ANGLE].into_iter().find(|family| family.si.name == si_name)
 }
 
-/// The largest unit of which `size` [SI] is at least one; the SI unit itself for zero (a degree for angles).
-pub fn fitting(size: f64, family: &[Unit]) -> Unit {
-    let zero = if family == ANGLE { 5 } else { 4 };
-    let fits = |unit: &&Unit| if size == 0.0 { **unit == family[zero] } else { size.abs() >= unit.si };
-    family.iter().rev().find(fits).copied().unwrap_or(family[0])
+/// The largest unit of which `size` [SI] is at least one, or else the smallest; the SI unit itself for zero.
+pub fn fitting(size: f64, family: &Family) -> Unit {
+    let mut units = family.tiny.iter().chain(family.usual);
+    let smallest = if size == 0.0 { None } else { units.clone().next() };
+    units.rfind(|unit| size.abs() >= unit.si).or(smallest).copied().unwrap_or(family.si)
 }
 
-/// `value` [SI] in the unit that fits it, "12.35 km"; in the large one with a power of ten where none does.
-pub fn with_unit(value: f64, family: &[Unit]) -> String {
-    let mut unit = fitting(value, family);
-    if value.abs() < 1e-3 * unit.si {
-        unit = fitting(0.0, family);
-    }
+/// `value` [SI] in the usual unit that fits it, "12.35 km"; in the SI unit with a power of ten where none does.
+pub fn with_unit(value: f64, family: &Family) -> String {
+    in_unit(value, usual(value, family))
+}
+
+/// Four digits of `value` [SI] in `unit`.
+pub fn in_unit(value: f64, unit: Unit) -> String {
     format!("{} {}", significant(value / unit.si), unit.name)
+}
+
+/// The largest usual unit of which `value` [SI] is at least one, of the smallest of them a thousandth; or the SI unit.
+pub fn usual(value: f64, family: &Family) -> Unit {
+    let fits =
+        |(place, unit): &(usize, &Unit)| value.abs() >= if *place == 0 { 1e-3 * unit.si } else { unit.si };
+    family.usual.iter().enumerate().rfind(fits).map_or(family.si, |(_, unit)| *unit)
 }
 
 /// Four significant digits; powers of ten where plain digits would be long.
@@ -125,22 +135,30 @@ mod tests {
     fn units_follow_the_size() {
         for (size, family, name) in [
             (1.2e-8, LENGTH, "nm"),
-            (1e-14, LENGTH, "pm"),
+            (1e-14, LENGTH, "10⁻¹² m"),
             (0.4, LENGTH, "mm"),
             (-850.0, LENGTH, "m"),
             (1852.0, LENGTH, "km"),
             (0.0, LENGTH, "m"),
             (2e-6, SPEED, "µm/s"),
             (0.5, SPEED, "mm/s"),
-            (1e-15, ANGLE, "prad"),
-            (3e-6, ANGLE, "µrad"),
-            (5e-5, ANGLE, "arcsec"),
-            (5e-4, ANGLE, "arcmin"),
+            (2e-15, ANGLE, "10⁻¹⁵ rad"),
+            (3e-6, ANGLE, "nrad"),
+            (5e-4, ANGLE, "arcsec"),
             (0.02, ANGLE, "deg"),
-            (0.0, ANGLE, "deg"),
+            (0.0, ANGLE, "rad"),
         ] {
             assert_eq!(fitting(size, family).name, name, "{size}");
         }
+    }
+
+    #[test]
+    fn what_rounding_leaves_is_a_power_of_ten_of_the_si_unit() {
+        assert_eq!(with_unit(0.002_16, ANGLE), "445.5 arcsec");
+        assert_eq!(with_unit(2.5e-12, ANGLE), "0.002500 nrad");
+        assert_eq!(with_unit(2.5e-15, ANGLE), "2.500×10⁻¹⁵ rad");
+        assert_eq!(with_unit(2.22e-27, SPEED), "2.220×10⁻²⁷ m/s");
+        assert_eq!(with_unit(0.0, SPEED), "0 m/s");
     }
 
     #[test]
