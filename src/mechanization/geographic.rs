@@ -136,9 +136,9 @@ impl Geographic {
         Quaternion::from(self.q_nb.value)
     }
 
-    /// Latitude [rad].
-    pub fn latitude_rad(&self) -> f64 {
-        self.place.value.x
+    /// Cosine of the latitude; negative beyond a pole.
+    pub fn cos_latitude(&self) -> f64 {
+        sin_cos(self.place.value.x).1
     }
 
     /// Speed squared [m²/s²].

@@ -41,13 +41,23 @@ pub enum Scheme {
     Paper,
 }
 
-/// Heights [m] beyond which the solution counts as diverged: far outside of what a sample may be, far inside of what
-/// the equations can represent.
-const MIN_HEIGHT_M: f64 = -500e3;
-const MAX_HEIGHT_M: f64 = 20_000e3;
+/// What a solution has to stay within.
+struct Bounds {
+    /// Height above the ellipsoid [m].
+    heights_m: (f64, f64),
+    speed_m_s: f64,
+    /// Cosine of the latitude, in geographic axes.
+    cos_latitude: f64,
+}
 
-/// Speed [m/s] beyond which the solution counts as diverged.
-const MAX_SPEED_M_S: f64 = 100e3;
+/// Beyond these the solution counts as diverged, or singular: far outside of what a sample may be, far inside of what the
+/// equations can represent.
+const LIMITS: Bounds =
+    Bounds { heights_m: (-500e3, 20_000e3), speed_m_s: 100e3, cos_latitude: Mechanization::MIN_COS_LATITUDE };
+
+/// From within these an interval of at most [`Mechanization::TAME_CHANGE_M_S`] and [`Mechanization::TAME_INTERVAL_S`] does
+/// not lead beyond the limits.
+const SAFE: Bounds = Bounds { heights_m: (-100e3, 2100e3), speed_m_s: 40e3, cos_latitude: 0.06 };
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Axes {
@@ -68,6 +78,11 @@ impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
     pub const MIN_COS_LATITUDE: f64 = 1e-3;
 
+    /// Change of velocity [m/s] and length [s] of an interval that leads from a safe solution to a good one.
+    pub const TAME_CHANGE_M_S: f64 = 50e3;
+    /// See [`Self::TAME_CHANGE_M_S`].
+    pub const TAME_INTERVAL_S: f64 = 2.5;
+
     /// Starts from `state`.
     pub fn new(earth: Earth, frame: Frame, scheme: Scheme, state: &EarthFixedState) -> Self {
         let axes = match frame {
@@ -77,8 +92,17 @@ impl Mechanization {
         Self { earth, scheme, axes, vertical: VerticalLoop::new() }
     }
 
-    /// Whether another update can be made from here; the state itself is good either way.
+    /// Whether the solution is within its limits.
     pub fn check(&self) -> Result<(), Error> {
+        self.check_within(&LIMITS)
+    }
+
+    /// Whether the solution is so far within them that no tame interval leads beyond.
+    pub fn is_safe(&self) -> bool {
+        self.check_within(&SAFE).is_ok()
+    }
+
+    fn check_within(&self, bounds: &Bounds) -> Result<(), Error> {
         let (height, speed2) = match &self.axes {
             Axes::EarthFixed(axes) => {
                 let state = axes.state();
@@ -87,12 +111,10 @@ impl Mechanization {
                 ((state.r_e.norm_squared() - a * a) / (2.0 * a), state.v_e.norm_squared())
             }
             Axes::Geographic(axes) => {
-                let cos = crate::math::sin_cos(axes.latitude_rad()).1;
-                if cos < Self::MIN_COS_LATITUDE {
-                    let rule = Rule::WordsAnd(
-                        "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least",
-                        Self::MIN_COS_LATITUDE,
-                    );
+                let cos = axes.cos_latitude();
+                if cos < bounds.cos_latitude {
+                    let words = "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least";
+                    let rule = Rule::WordsAnd(words, bounds.cos_latitude);
                     return Err(Error::of(
                         ErrorKind::Singular,
                         "cosine of the navigated latitude",
@@ -100,19 +122,19 @@ impl Mechanization {
                         rule,
                     ));
                 }
-                let navigation = axes.observe_vertical();
-                (navigation.0, axes.speed2())
+                (axes.observe_vertical().0, axes.speed2())
             }
         };
         let diverged = |field, value, rule| Err(Error::of(ErrorKind::Diverged, field, value, rule));
         // The comparisons are false for NaN too.
-        let (height_is_sane, speed_is_sane) =
-            (height > MIN_HEIGHT_M && height < MAX_HEIGHT_M, speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S);
-        if !height_is_sane {
-            return diverged("navigated height_m", height, Rule::Between(MIN_HEIGHT_M, MAX_HEIGHT_M));
+        let (low, high) = bounds.heights_m;
+        let (height_is_good, speed_is_good) =
+            (height > low && height < high, speed2 < bounds.speed_m_s * bounds.speed_m_s);
+        if !height_is_good {
+            return diverged("navigated height_m", height, Rule::Between(low, high));
         }
-        if !speed_is_sane {
-            return diverged("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S));
+        if !speed_is_good {
+            return diverged("navigated speed_m_s", speed2.sqrt(), Rule::Below(bounds.speed_m_s));
         }
         Ok(())
     }
@@ -166,9 +188,10 @@ impl Mechanization {
     }
 }
 
-/// Puts what the norm of a quaternion lacks to 1 into the carry, so that it is never rounded away.
+/// Adds what the norm of a quaternion lacks to 1, at once: along the quaternion of the next update, which can be turned by
+/// any angle from this one, it would be no correction.
 #[inline]
 fn renormalize(q: &mut Compensated<4>) {
     let correction = 0.5 * (1.0 - q.value.norm_squared());
-    q.carry += q.value * correction;
+    q.add(&(q.value * correction));
 }

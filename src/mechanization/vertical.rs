@@ -1,6 +1,8 @@
 //! The vertical channel: by itself it is unstable (e-fold 569 s), so it is damped by a barometric height or held to the
 //! truth.
 
+use crate::math::exp_m1;
+
 /// How the vertical channel is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VerticalMode {
@@ -34,10 +36,16 @@ pub enum VerticalAid {
 
 /// Third-order barometric loop (Kayton and Fried 1997, §7.5): with e = height - barometric height,
 /// h' = v - c1 e, v' = a - c2 e - d, d' = c3 e; c1 = 3/τ, c2 = 3/τ² + 2 g/R, c3 = 1/τ³: all three poles at -1/τ.
+///
+/// In steps of t with the gains whose poles are those of the continuous loop, exp(-t/τ), so that no interval is too long:
+/// with q = 1 - exp(-t/τ), c1 t = q (3 - 3 q + q²), c2 t = 3/2 q² (2 - q)/t + 2 g/R t, c3 t = q³/t².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalLoop {
     /// d, the estimate of the vertical channel's constant error [m/s²].
     bias_m_s2: f64,
+    /// Length of the interval [s] that the gains c1 t [1], c2 t [1/s], c3 t [1/s²] are for; 0: for none yet.
+    t: f64,
+    gains: [f64; 3],
 }
 
 /// Corrections of the vertical channel over one interval.
@@ -71,23 +79,35 @@ impl VerticalLoop {
 
     /// A loop that has found no error yet.
     pub fn new() -> Self {
-        Self { bias_m_s2: 0.0 }
+        Self { bias_m_s2: 0.0, t: 0.0, gains: [0.0; 3] }
     }
 
     /// Corrections for a residual `residual_m` = height - barometric height over an interval `t` [s].
     #[inline]
     pub fn correct(&mut self, residual_m: f64, t: f64) -> VerticalCorrection {
-        const RATE: f64 = 1.0 / VerticalLoop::TIME_CONSTANT_S;
-        let c1 = 3.0 * RATE;
-        let c2 = 3.0 * RATE * RATE + Self::GRAVITY_GRADIENT;
-        let c3 = RATE * RATE * RATE;
+        // Time stamps differ in their last digits.
+        if (t - self.t).abs() > 1e-7 * t {
+            self.set_interval(t);
+        }
+        let [c1, c2, c3] = self.gains;
         let correction = VerticalCorrection {
-            height_m: -c1 * residual_m * t,
-            velocity_up_m_s: -(c2 * residual_m + self.bias_m_s2) * t,
+            height_m: -c1 * residual_m,
+            velocity_up_m_s: -(c2 * residual_m + self.bias_m_s2 * t),
             displacement_m: 0.0,
         };
-        self.bias_m_s2 += c3 * residual_m * t;
+        self.bias_m_s2 += c3 * residual_m;
         correction
+    }
+
+    #[cold]
+    fn set_interval(&mut self, t: f64) {
+        let q = -exp_m1(-t / Self::TIME_CONSTANT_S);
+        self.t = t;
+        self.gains = [
+            q * (3.0 - q * (3.0 - q)),
+            1.5 * q * q * (2.0 - q) / t + Self::GRAVITY_GRADIENT * t,
+            q * q * q / (t * t),
+        ];
     }
 }
 

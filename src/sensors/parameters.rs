@@ -92,6 +92,13 @@ impl Sensor {
 }
 
 impl TriadParameters {
+    /// Whether ten standard deviations of all terms stay below 2000 u and 100 u √s: what a step has to expect of
+    /// accelerometers.
+    pub fn is_tame(&self) -> bool {
+        let largest = self.bias.abs() + (self.bias_sigma + self.markov_sigma) * 10.0;
+        largest.amax() <= 2000.0 && self.random_walk.amax() <= 100.0
+    }
+
     /// Checks every field. The limits keep a wild host from overflowing the navigator, no more.
     pub fn validate(&self, sensor: Sensor) -> Result<(), Error> {
         let (names, limit) = match sensor {

@@ -52,7 +52,9 @@ impl Triad {
             gauss_markov: self.gauss_markov.set(parameters),
             random_walk: self.random_walk.set(parameters),
         };
-        self.dt = 0.0;
+        if self.dt > 0.0 {
+            self.set_interval(self.dt);
+        }
     }
 
     /// Whether no effect is active.

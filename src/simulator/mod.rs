@@ -147,16 +147,18 @@ impl Simulator {
             if self.intake.waiting() < 2 {
                 return Ok(Step::NeedSample);
             }
-            let chain = self.chain_from_first_sample()?;
+            let mut chain = self.chain_from_first_sample()?;
+            let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
+            self.sensors.altimeter.reposition(first.current.sample.place.height_m);
+            chain.advance(&first, &mut self.sensors)?;
             self.intake.take();
-            let height_m = self.intake.current().map_or(0.0, |first| first.sample.place.height_m);
-            self.sensors.altimeter.reposition(height_m);
+            self.intake.take();
             self.mode = Mode::Flying(chain);
+            return Ok(Step::Done);
         }
         let Mode::Flying(chain) = &mut self.mode else { return Ok(Step::NeedSample) };
         let Some(recent) = self.intake.recent() else { return Ok(Step::NeedSample) };
-        chain.check(recent.next)?;
-        chain.advance(&recent, &mut self.sensors);
+        chain.advance(&recent, &mut self.sensors)?;
         self.intake.take();
         Ok(Step::Done)
     }

@@ -45,13 +45,15 @@ impl Navigator {
             check_ranges("imu.velocity_m_s", increment.velocity.as_slice(), -1e4, 1e4).map_err(at)?;
         }
         let sum = Increment::sum(increments);
-        let angle = sum.angle.norm_squared().sqrt();
-        if angle >= core::f64::consts::PI {
-            let rule = Rule::Words("the rotation of an interval must stay below half a turn");
-            return Err(Error::invalid("imu.angle_rad", angle, rule));
+        let largest =
+            increments.iter().chain([&sum]).map(|part| part.angle.norm_squared()).fold(0.0, f64::max);
+        if largest >= core::f64::consts::PI * core::f64::consts::PI {
+            let rule =
+                Rule::Words("the rotation of an increment and of an interval must stay below half a turn");
+            return Err(Error::invalid("imu.angle_rad", largest.sqrt(), rule));
         }
-        self.check()?;
 
+        let before = (self.mechanization, sensors.clone());
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         for (measured, ideal) in measured.iter_mut().zip(increments) {
@@ -59,6 +61,10 @@ impl Navigator {
         }
         let measured = &measured[..increments.len()];
         self.mechanization.update(measured, interval_s);
+        if let Err(error) = self.mechanization.check() {
+            (self.mechanization, *sensors) = before;
+            return Err(error);
+        }
         let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);
         self.time_s = time_s;
         self.time_carry_s = lost;

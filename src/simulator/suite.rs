@@ -15,6 +15,7 @@ pub(super) struct SensorSuite {
     pub initial: InitialErrorParameters,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
+    is_tame: bool,
     altimeter_parameters: AltimeterParameters,
 }
 
@@ -27,6 +28,7 @@ impl SensorSuite {
             initial: InitialErrorParameters::default(),
             gyro_parameters: TriadParameters::default(),
             accel_parameters: TriadParameters::default(),
+            is_tame: true,
             altimeter_parameters: AltimeterParameters::default(),
         }
     }
@@ -48,6 +50,7 @@ impl SensorSuite {
 
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
+        self.is_tame = parameters.is_tame();
         self.accel.set(parameters);
     }
 
@@ -63,6 +66,11 @@ impl SensorSuite {
             angle: self.gyro.sense(&ideal.angle, dt),
             velocity: self.accel.sense(&ideal.velocity, dt),
         }
+    }
+
+    /// Whether the accelerometers cannot throw a solution out of its range in one interval.
+    pub fn are_tame(&self) -> bool {
+        self.is_tame
     }
 
     pub fn are_ideal(&self) -> bool {

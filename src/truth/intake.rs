@@ -16,6 +16,9 @@ const POSITION_SLACK_M: f64 = 10.0;
 /// Shortest interval between samples [s].
 const MIN_INTERVAL_S: f64 = 5e-5;
 
+/// What the difference of two time stamps may miss an interval by: four units in their last place.
+const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// |q0·q1| of two attitudes 170° apart.
 const HALF_TURN_COSINE: f64 = 0.087_155_742_747_658_17;
 
@@ -75,6 +78,11 @@ impl Intake {
         Some(Recent { next, current, before: [self.ring.taken(1), self.ring.taken(2)] })
     }
 
+    /// The interval between the two oldest points that wait, before any was taken.
+    pub fn first_interval(&self) -> Option<Recent<'_>> {
+        Some(Recent { next: self.ring.second()?, current: self.ring.front()?, before: [None, None] })
+    }
+
     /// Makes the oldest point that waits the current one.
     pub fn take(&mut self) {
         self.ring.take();
@@ -128,13 +136,14 @@ impl Intake {
                 (time_s, (ticks - self.ticks) * period, ticks)
             }
         };
-        if interval_s < MIN_INTERVAL_S {
+        let rounding = STAMP_ROUNDING * stamp_s.abs();
+        if interval_s < MIN_INTERVAL_S - rounding || interval_s <= 0.0 {
             return order(Rule::WordsAnd(
                 "must be at least 5e-5 s after the previous sample, at",
                 last.time_s,
             ));
         }
-        if interval_s > self.limits.max_gap_s {
+        if interval_s > self.limits.max_gap_s + rounding {
             let rule = Rule::WordsAnd(
                 "the gap after the previous sample must be at most max_gap_s =",
                 self.limits.max_gap_s,

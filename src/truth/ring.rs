@@ -62,6 +62,11 @@ impl Ring {
         if self.waiting() > 0 { self.at(self.taken) } else { None }
     }
 
+    /// The point that waits behind the oldest.
+    pub fn second(&self) -> Option<&TruthPoint> {
+        if self.waiting() > 1 { self.at(self.taken + 1) } else { None }
+    }
+
     /// The point taken `back` before the last.
     pub fn taken(&self, back: usize) -> Option<&TruthPoint> {
         self.at(self.taken.checked_sub(back + 1)?)

@@ -26,7 +26,7 @@ pub struct FlightSample {
 impl FlightSample {
     /// Checks each field by itself.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("sample.time_s", self.time_s, -1e9, 1e9)?;
+        check_range("sample.time_s", self.time_s, -1e10, 1e10)?;
         // A quarter turn that the host rounded up in degrees is still a pole.
         let quarter = core::f64::consts::FRAC_PI_2 + 1e-9;
         check_range("sample.latitude_rad", self.place.latitude_rad, -quarter, quarter)?;
