@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 15] = [
     "version",
     "failure",
     "options",
@@ -24,6 +24,7 @@ const SOURCES: [&str; 14] = [
     "record",
     "navigator",
     "preset",
+    "manoeuvre",
     "flight",
 ];
 

@@ -14,8 +14,8 @@
  *   }
  *   sins_destroy(sim);
  *
- * Zero is off. Every struct begins with struct_size, to be set to its sizeof, and a second 32-bit integer that is 0 unless
- *   told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
+ * Zero is off. Every struct (but the parts of a sins_record) begins with struct_size, to be set to its sizeof, and a second
+ *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
  *   that warn of the fields left out. Output structs want their struct_size set too. Structs grow at their end only: old
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
@@ -24,10 +24,11 @@
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn. SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
+ *   output, no random number drawn (sins_run() keeps what it flew before). SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
  *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
+ *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
@@ -295,12 +296,15 @@ typedef struct sins_options {
     double closed_loop_time_s;
     /*
      * Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-     * each within 0.4 of a period. 0: the samples' own time stamps.
+     * each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
      */
     double sample_period_s;
-    /* Longest interval between samples [s]; 0: 2.5 s. */
+    /* Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. */
     double max_gap_s;
-    /* Mean acceleration between two samples beyond which truth has jumped [m/s2]; 0: 2000 m/s2. */
+    /*
+     * Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
+     * 0: 2000 m/s2.
+     */
     double max_acceleration_m_s2;
 } sins_options;
 
@@ -314,7 +318,10 @@ typedef struct sins_flight_sample {
     uint32_t struct_size;
     /* SINS_SAMPLE_... flags, or'ed. */
     uint32_t flags;
-    /* Time stamp [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. */
+    /*
+     * Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
+     * (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+     */
     double time_s;
     /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
     double latitude_rad;
@@ -326,19 +333,25 @@ typedef struct sins_flight_sample {
     double velocity_enu_m_s[3];
     /* Roll, right wing down positive, any number of turns up to 10000 rad [rad]. */
     double roll_rad;
-    /* Pitch, nose up positive, may go beyond 90 degrees [rad]. */
+    /*
+     * Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
+     * From one sample to the next the attitude turns by less than 170 degrees.
+     */
     double pitch_rad;
     /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
     double heading_rad;
-    /* With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant [rad/s]. */
+    /*
+     * With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
+     * 1000 rad/s [rad/s].
+     */
     double angular_rate_rad_s[3];
-    /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant [m/s2]. */
+    /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2]. */
     double specific_force_m_s2[3];
 } sins_flight_sample;
 
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+ * Biases, standard deviations and random walks up to 100 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -383,7 +396,7 @@ typedef struct sins_gyro_params {
 
 /*
  * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+ * Biases, standard deviations and random walks up to 1e4 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -434,23 +447,24 @@ typedef struct sins_altimeter_params {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [m]. */
+    /* Constant bias, up to 1e5 m [m]. */
     double bias_m;
-    /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on [m]. */
+    /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m]. */
     double markov_sigma_m;
     /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
     double markov_time_s;
-    /* Standard deviation of the independent error of each sample [m]. */
+    /* Standard deviation of the independent error of each sample, up to 1e5 m [m]. */
     double noise_m;
     /* Scale factor error of the height, -1 to 1. */
     double scale_factor;
-    /* Time constant of the first-order lag of the static pressure [s]. */
+    /* Time constant of the first-order lag of the static pressure, up to 1e6 s [s]. */
     double lag_s;
 } sins_altimeter_params;
 
 /*
  * Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
- * Where the vertical channel follows the truth, its errors start at 0.
+ * Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
+ * standard deviations up to 1e5 m and 1e3 m/s.
  */
 typedef struct sins_initial_errors {
     /* sizeof(sins_initial_errors) */
@@ -697,9 +711,12 @@ typedef struct sins_imu_increment {
     int32_t count;
     /* Must be 0. */
     uint32_t reserved2;
-    /* Integral of the angular rate against inertial space over each part: x, y, z of the first, of the second, ... [rad]. */
+    /*
+     * Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
+     * first, of the second, ... [rad].
+     */
     double angle_rad[15];
-    /* Integral of the specific force over each part, likewise [m/s]. */
+    /* Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s]. */
     double velocity_m_s[15];
 } sins_imu_increment;
 
@@ -747,15 +764,18 @@ typedef struct sins_manoeuvre {
     double speed_change_m_s;
     /* Change of height; the climb angle must stay below 64 degrees [m]. */
     double height_change_m;
-    /* Change of heading, or amplitude of the swings of an S-turn [rad]. */
+    /* Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad]. */
     double heading_change_rad;
     /* Bank of a turn, 1e-3 to 1.5 [rad]. */
     double bank_rad;
-    /* Whole rolls or loops, or swings of an S-turn. */
+    /* Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6. */
     double turns;
     /* SINS_CHANNEL_... of each sinusoid. */
     int32_t channel[6];
-    /* Amplitude of each sinusoid [rad] or [m/s]. */
+    /*
+     * Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
+     * [m/s].
+     */
     double amplitude[6];
     /* Frequency of each sinusoid, 0 to 1000 [Hz]. */
     double frequency_hz[6];
@@ -819,8 +839,9 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
  * further one one more. No allocation, no system call.
  *
- * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on from
- * where it is; it stays readable, and sins_reposition() or sins_reset() start anew.
+ * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
+ * 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
+ * solution before it stays readable, and sins_reposition() or sins_reset() start anew.
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
@@ -870,20 +891,22 @@ SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const stru
  * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
  * flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
  *
- * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0.
- * every 0: no records. written (may be NULL) gets the number of records, also on an error.
+ * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
+ * those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
  * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
- * sins_accuracy.intervals counts them.
+ * sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
+ * sins_step(); sins_reposition() and sins_reset() empty it.
  */
 SINS_API sins_status SINS_CALL sins_run(
     sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
     size_t capacity, size_t *written);
 
 /*
- * Reads the truth at the end of the last interval; before the first step, that of the first sample.
+ * Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
+ * velocity, that of the first is 0 until the second is pushed.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
  */
@@ -892,7 +915,8 @@ SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, struct sins_navigat
 /*
  * Reads the navigated solution for the same instant as sins_get_truth().
  *
- * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
+ * first sample with these options and initial errors.
  */
 SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, struct sins_navigation *navigation);
 
@@ -907,7 +931,7 @@ SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu)
  * Reads the errors of the navigated solution; source is SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
- * off, or navigating on increments.
+ * off, or navigating on increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, struct sins_errors *errors);
 
@@ -927,10 +951,12 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record
 
 /*
  * Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
- * read) of navigation, on increments that sins_push_imu() gives. There is no truth then: the vertical channel is free and
+ * read) of navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion
+ * is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and
  * flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed already.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
+ * started already; sins_reset() first. SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
  */
 SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
 
@@ -939,7 +965,7 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
  * SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
- * turn in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on; it stays readable.
+ * turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step().
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 

@@ -6,10 +6,10 @@ use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::Euler;
-use sins::mechanization::{Frame, VerticalMode};
+use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, TriadParameters};
 use sins::state::BodyAxes;
-use sins::truth::FlightSample;
+use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 use support::{DEG, DEG_PER_HOUR, G, Reference, options_at, patrol, resting_sample};
 
@@ -354,4 +354,88 @@ fn navigation_alone_and_flight_do_not_mix() {
     assert_eq!(simulator.push_sample(&resting_sample(0.0)).unwrap_err().kind, ErrorKind::BadState);
     assert_eq!(simulator.errors(ErrorSource::Navigation).unwrap_err().kind, ErrorKind::BadState);
     assert!(simulator.navigation().unwrap().unwrap().vertical_unaided);
+}
+
+/// A gyro that is wrong by more than half a turn an update: the attitude is nonsense, but remains one.
+#[test]
+fn turns_beyond_half_a_turn_an_update_keep_the_norm() {
+    for (scheme, frame) in [
+        (Scheme::Exact, Frame::EarthFixed),
+        (Scheme::Exact, Frame::Geographic),
+        (Scheme::Paper, Frame::EarthFixed),
+    ] {
+        let mut simulator = Simulator::new(&Options { scheme, frame, ..Default::default() }).unwrap();
+        let bias = Vector3::new(50.0, 0.0, 0.0);
+        simulator.set_gyro(&TriadParameters { bias, ..Default::default() }).unwrap();
+        fly(&mut simulator, resting(10.0, 60.0));
+        let q = simulator.navigation().unwrap().unwrap().navigation.q_nb;
+        assert!((q.norm() - 1.0).abs() < 1e-15, "{scheme:?} {frame:?}: {}", q.norm());
+    }
+}
+
+/// A step beyond the limits is refused before anything has changed: the solution, and the draws of its noise.
+#[test]
+fn a_step_out_of_range_is_not_made() {
+    let wild = TriadParameters {
+        bias: Vector3::new(0.0, 0.0, 1e4),
+        random_walk: Vector3::repeat(1.0),
+        ..Default::default()
+    };
+    let mut simulator =
+        Simulator::new(&Options { vertical: VerticalMode::Free, ..Default::default() }).unwrap();
+    simulator.set_accel(&wild).unwrap();
+    let mut samples = resting(1.0, 1000.0);
+    let error = loop {
+        simulator.push_sample(&samples.next().unwrap()).unwrap();
+        if let Err(error) = simulator.step() {
+            break error;
+        }
+    };
+    assert_eq!(error.kind, ErrorKind::Diverged, "{error}");
+    let before = (simulator.navigation().unwrap(), simulator.imu(), simulator.accuracy().unwrap());
+    assert!(before.0.unwrap().navigation.v_n.norm() < 100e3);
+    assert_eq!(simulator.step(), Err(error), "and again");
+    assert_eq!((simulator.navigation().unwrap(), simulator.imu(), simulator.accuracy().unwrap()), before);
+
+    // The refused steps drew nothing: another simulator that never tried has the same noise from here on.
+    let mut other = Simulator::new(simulator.options()).unwrap();
+    other.set_accel(&wild).unwrap();
+    fly(&mut other, resting(1.0, simulator.intervals() as f64));
+    assert_eq!(other.intervals(), simulator.intervals());
+    for simulator in [&mut simulator, &mut other] {
+        simulator.reposition(&resting(1.0, 1.0).next().unwrap()).unwrap();
+        fly(simulator, resting(1.0, 3.0).skip(1));
+    }
+    assert_eq!(simulator.imu(), other.imu());
+}
+
+/// A first step that cannot be made leaves the simulator before its first step.
+#[test]
+fn a_refused_first_step_leaves_the_start_open() {
+    let options = Options { frame: Frame::Geographic, ..Default::default() };
+    let mut simulator = Simulator::new(&options).unwrap();
+    let near_pole = |time_s: f64, latitude_rad: f64| FlightSample {
+        place: Geodetic { latitude_rad, longitude_rad: 0.0, height_m: 0.0 },
+        ..resting(1.0, 1.0).next().map(|sample| FlightSample { time_s, ..sample }).unwrap()
+    };
+    let limit = core::f64::consts::FRAC_PI_2 - 1e-3;
+    simulator.push_sample(&near_pole(0.0, limit - 1e-6)).unwrap();
+    simulator.push_sample(&near_pole(1.0, limit + 1e-6)).unwrap();
+    assert_eq!(simulator.step().unwrap_err().kind, ErrorKind::Singular);
+    assert!(!simulator.has_started());
+    simulator.set_initial_errors(&InitialErrorParameters::default()).unwrap();
+}
+
+/// The loop's gains are those of its poles in steps of any length.
+#[test]
+fn the_damped_channel_is_stable_at_any_interval() {
+    for interval_s in [1.0, 20.0, 60.0, 300.0] {
+        let intake = IntakeLimits { max_gap_s: interval_s, ..Default::default() };
+        let mut simulator = Simulator::new(&Options { intake, ..Default::default() }).unwrap();
+        let position_n = Vector3::new(0.0, 0.0, 10.0);
+        simulator.set_initial_errors(&InitialErrorParameters { position_n, ..Default::default() }).unwrap();
+        fly(&mut simulator, resting(1.0 / interval_s, 100.0 * interval_s.max(100.0)));
+        let height = errors(&simulator).position_n.z;
+        assert!(height.abs() < 1e-3, "{interval_s} s: {height} m");
+    }
 }

@@ -5,7 +5,7 @@ mod support;
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::math::Euler;
-use sins::truth::FlightSample;
+use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorKind, Options, Simulator};
 use support::{DEG, options_at, patrol, resting_sample};
 
@@ -194,5 +194,21 @@ fn coarse_positions_are_flown() {
         assert!(closure.position_n.xy().norm() < 1.0, "{}", closure.position_n);
         // Gravity's direction is off by as much over the Earth's radius, in 300 s 1e-4 m/s at the worst.
         assert!(closure.velocity_n.norm() < 2e-4, "{}", closure.velocity_n);
+    }
+}
+
+/// A host that states its own period as the longest gap, with time stamps that it multiplies or adds up.
+#[test]
+fn a_gap_of_exactly_the_limit_passes_whatever_its_rounding() {
+    for period_s in [0.1, 1.0 / 60.0, 0.02, 5e-5] {
+        let intake = IntakeLimits { max_gap_s: period_s, ..Default::default() };
+        let mut simulator = Simulator::new(&Options { intake, ..Default::default() }).unwrap();
+        let mut sum_s = 100.0;
+        for k in 0..1000 {
+            let time_s = if k < 500 { 100.0 + f64::from(k) * period_s } else { sum_s };
+            simulator.push_sample(&resting_sample(time_s)).unwrap();
+            simulator.step().unwrap();
+            sum_s = time_s + period_s;
+        }
     }
 }

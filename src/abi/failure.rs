@@ -65,6 +65,10 @@ impl Failure {
         Self::words(SINS_ERROR_NULL_POINTER, name, "must not be null")
     }
 
+    pub fn bad_handle(name: &'static str) -> Self {
+        Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of the other kind")
+    }
+
     pub fn out_of_memory() -> Self {
         Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "out of memory, or of handles")
     }

@@ -1,46 +1,14 @@
 //! `sins_flight`: embedded flights.
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, read};
-use super::options::{check_reserved, one_of, sins_options};
+use super::options::{check_reserved, sins_options};
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
-use crate::error::{Error, Rule, check_range};
-use crate::flight::{Channel, Flight, FlightStart, MAX_MANOEUVRES, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
-
-/// At rest for duration_s; the speed must be 0.
-pub const SINS_MANOEUVRE_REST: i32 = 0;
-/// Along a geodesic at constant speed and height for duration_s.
-pub const SINS_MANOEUVRE_STRAIGHT: i32 = 1;
-/// By speed_change_m_s in duration_s.
-pub const SINS_MANOEUVRE_ACCELERATE: i32 = 2;
-/// By height_change_m in duration_s, ramp_s.
-pub const SINS_MANOEUVRE_CLIMB: i32 = 3;
-/// Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
-/// follows.
-pub const SINS_MANOEUVRE_TURN: i32 = 4;
-/// turns whole rolls (right positive) in duration_s along a straight path.
-pub const SINS_MANOEUVRE_ROLL: i32 = 5;
-/// turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
-pub const SINS_MANOEUVRE_LOOP: i32 = 6;
-/// Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
-pub const SINS_MANOEUVRE_S_TURN: i32 = 7;
-/// Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
-pub const SINS_MANOEUVRE_SINUSOIDS: i32 = 8;
-
-/// The sinusoid moves the course [rad], with the bank of a coordinated turn.
-pub const SINS_CHANNEL_COURSE: i32 = 0;
-/// The sinusoid moves the climb angle [rad].
-pub const SINS_CHANNEL_CLIMB: i32 = 1;
-/// The sinusoid moves the speed [m/s].
-pub const SINS_CHANNEL_SPEED: i32 = 2;
-/// The sinusoid moves roll alone [rad].
-pub const SINS_CHANNEL_ROLL: i32 = 3;
-/// The sinusoid moves pitch alone [rad].
-pub const SINS_CHANNEL_PITCH: i32 = 4;
-/// The sinusoid moves heading alone [rad].
-pub const SINS_CHANNEL_HEADING: i32 = 5;
+use crate::error::check_range;
+use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES};
 
 /// An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -78,44 +46,6 @@ pub struct sins_flight_start {
 
 interface_struct!(sins_flight_start, "start", 72);
 
-/// One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct sins_manoeuvre {
-    /// sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others.
-    pub struct_size: u32,
-    /// Must be 0.
-    pub reserved: u32,
-    /// SINS_MANOEUVRE_...
-    pub kind: i32,
-    /// Sinusoids, 1 to 6.
-    pub sinusoid_count: i32,
-    /// Duration, 1e-3 to 1e8 [s].
-    pub duration_s: f64,
-    /// Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
-    pub ramp_s: f64,
-    /// Change of speed [m/s].
-    pub speed_change_m_s: f64,
-    /// Change of height; the climb angle must stay below 64 degrees [m].
-    pub height_change_m: f64,
-    /// Change of heading, or amplitude of the swings of an S-turn [rad].
-    pub heading_change_rad: f64,
-    /// Bank of a turn, 1e-3 to 1.5 [rad].
-    pub bank_rad: f64,
-    /// Whole rolls or loops, or swings of an S-turn.
-    pub turns: f64,
-    /// SINS_CHANNEL_... of each sinusoid.
-    pub channel: [i32; 6],
-    /// Amplitude of each sinusoid [rad] or [m/s].
-    pub amplitude: [f64; 6],
-    /// Frequency of each sinusoid, 0 to 1000 [Hz].
-    pub frequency_hz: [f64; 6],
-    /// Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
-    pub phase_rad: [f64; 6],
-}
-
-interface_struct!(sins_manoeuvre, "manoeuvre", 240);
-
 static FLIGHTS: Registry<Flight> = Registry::new(2);
 
 /// Runs `body` on the flight of a handle, as the inside of an exported function.
@@ -123,99 +53,17 @@ fn with_flight(
     flight: *const sins_flight,
     body: impl FnOnce(&mut Flight) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
+    enter(|| {
+        told(FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
+    })
 }
 
-/// Ramp where the host gives none [s].
-const DEFAULT_RAMP_S: f64 = 5.0;
-
-impl sins_manoeuvre {
-    fn to_manoeuvre(self) -> Result<Manoeuvre, Failure> {
-        check_reserved("manoeuvre.reserved", self.reserved)?;
-        let ramp_s = if self.ramp_s == 0.0 { DEFAULT_RAMP_S } else { self.ramp_s };
-        let Self {
-            duration_s, speed_change_m_s, height_change_m, heading_change_rad, bank_rad, turns, ..
-        } = self;
-        // Kind, manoeuvre, and which of duration, ramp, speed, height, heading, bank, turns, sinusoids it uses.
-        let (manoeuvre, uses) = match self.kind {
-            SINS_MANOEUVRE_REST => (Manoeuvre::Rest { duration_s }, 0b1000_0000),
-            SINS_MANOEUVRE_STRAIGHT => (Manoeuvre::Straight { duration_s }, 0b1000_0000),
-            SINS_MANOEUVRE_ACCELERATE => {
-                (Manoeuvre::Accelerate { duration_s, speed_change_m_s }, 0b1010_0000)
-            }
-            SINS_MANOEUVRE_CLIMB => (Manoeuvre::Climb { duration_s, height_change_m, ramp_s }, 0b1101_0000),
-            SINS_MANOEUVRE_TURN => (Manoeuvre::Turn { heading_change_rad, bank_rad, ramp_s }, 0b0100_1100),
-            SINS_MANOEUVRE_ROLL => (Manoeuvre::Roll { duration_s, turns }, 0b1000_0010),
-            SINS_MANOEUVRE_LOOP => (Manoeuvre::Loop { duration_s, turns, ramp_s }, 0b1100_0010),
-            SINS_MANOEUVRE_S_TURN => {
-                let heading_amplitude_rad = heading_change_rad;
-                (Manoeuvre::STurn { duration_s, heading_amplitude_rad, cycles: turns, ramp_s }, 0b1100_1010)
-            }
-            SINS_MANOEUVRE_SINUSOIDS => {
-                check_range(
-                    "manoeuvre.sinusoid_count",
-                    f64::from(self.sinusoid_count),
-                    1.0,
-                    MAX_SINUSOIDS as f64,
-                )?;
-                let count = self.sinusoid_count as usize;
-                let terms = self.sinusoids(count)?;
-                (Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count }, 0b1100_0001)
-            }
-            kind => {
-                let rule = Rule::Words("must be a SINS_MANOEUVRE_ constant, 0 to 8");
-                return Err(Error::invalid("manoeuvre.kind", f64::from(kind), rule).into());
-            }
-        };
-        let fields = [
-            ("manoeuvre.duration_s", duration_s),
-            ("manoeuvre.ramp_s", self.ramp_s),
-            ("manoeuvre.speed_change_m_s", speed_change_m_s),
-            ("manoeuvre.height_change_m", height_change_m),
-            ("manoeuvre.heading_change_rad", heading_change_rad),
-            ("manoeuvre.bank_rad", bank_rad),
-            ("manoeuvre.turns", turns),
-            ("manoeuvre.sinusoid_count", f64::from(self.sinusoid_count)),
-        ];
-        for (bit, (field, value)) in fields.into_iter().enumerate() {
-            if value != 0.0 && uses & (0b1000_0000 >> bit) == 0 {
-                return Err(Error::invalid(
-                    field,
-                    value,
-                    Rule::Words("must be 0: this kind does not use it"),
-                )
-                .into());
-            }
-        }
-        Ok(manoeuvre)
+/// Leaves a sentence of a bad handle, which has no failure of its own.
+fn told(status: sins_status) -> sins_status {
+    if status == SINS_ERROR_BAD_HANDLE {
+        remember(Failure::bad_handle("flight"));
     }
-
-    fn sinusoids(&self, count: usize) -> Result<[Sinusoid; MAX_SINUSOIDS], Failure> {
-        const CHANNELS: [(i32, Channel); 6] = [
-            (SINS_CHANNEL_COURSE, Channel::Course),
-            (SINS_CHANNEL_CLIMB, Channel::Climb),
-            (SINS_CHANNEL_SPEED, Channel::Speed),
-            (SINS_CHANNEL_ROLL, Channel::Roll),
-            (SINS_CHANNEL_PITCH, Channel::Pitch),
-            (SINS_CHANNEL_HEADING, Channel::Heading),
-        ];
-        let none = Sinusoid { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
-        let mut terms = [none; MAX_SINUSOIDS];
-        for (i, term) in terms.iter_mut().enumerate().take(count) {
-            *term = Sinusoid {
-                channel: one_of(
-                    "manoeuvre.channel",
-                    self.channel[i],
-                    &CHANNELS,
-                    "must be a SINS_CHANNEL_ constant, 0 to 5",
-                )?,
-                amplitude: self.amplitude[i],
-                frequency_hz: self.frequency_hz[i],
-                phase_rad: self.phase_rad[i],
-            };
-        }
-        Ok(terms)
-    }
+    status
 }
 
 /// Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
@@ -298,5 +146,5 @@ pub unsafe extern "C" fn sins_flight_sample_at(
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_destroy(flight: *mut sins_flight) -> sins_status {
-    enter(|| FLIGHTS.remove(flight.addr()))
+    enter(|| told(FLIGHTS.remove(flight.addr())))
 }

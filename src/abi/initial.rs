@@ -14,7 +14,8 @@ pub const SINS_ALIGNMENT_GIVEN: i32 = 0;
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: i32 = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
-/// Where the vertical channel follows the truth, its errors start at 0.
+/// Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
+/// standard deviations up to 1e5 m and 1e3 m/s.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_initial_errors {

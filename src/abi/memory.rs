@@ -134,27 +134,28 @@ impl<T: Struct> Array<T> {
         self.count
     }
 
-    /// Element `index`; its own struct_size is that of the first, or 0.
     fn element(&self, index: usize) -> Result<*mut T, Failure> {
-        debug_assert!(index < self.count);
+        if index >= self.count {
+            return Err(Failure::buffer(T::NAME, self.count, index + 1));
+        }
         // SAFETY: within the array that `new` was promised.
-        let (pointer, size) = unsafe {
-            let pointer = self.first.cast::<u8>().add(index * self.stride);
-            (pointer.cast::<T>(), pointer.cast::<u32>().read_unaligned() as usize)
-        };
+        Ok(unsafe { self.first.cast::<u8>().add(index * self.stride) }.cast::<T>())
+    }
+
+    /// Element `index`; its own struct_size is that of the first, or 0.
+    pub fn read(&self, index: usize) -> Result<T, Failure> {
+        let pointer = self.element(index)?;
+        // SAFETY: the head of an element.
+        let size = unsafe { pointer.cast::<u32>().read_unaligned() } as usize;
         if size != self.stride && size != 0 {
             let rule = Rule::WordsAnd("must be that of the first element, or 0; that is", self.stride as f64);
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
-        Ok(pointer)
-    }
-
-    pub fn read(&self, index: usize) -> Result<T, Failure> {
-        let pointer = self.element(index)?;
         // SAFETY: an element has `stride` readable bytes.
         unsafe { read_sized(pointer.cast_const(), self.stride) }
     }
 
+    /// Element `index`, whose own struct_size is that of the first from then on.
     pub fn write(&self, index: usize, value: &T) -> Result<(), Failure> {
         let pointer = self.element(index)?;
         Output { pointer, size: self.stride }.write(value);

@@ -27,19 +27,22 @@ pub struct sins_imu_increment {
     pub count: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// Integral of the angular rate against inertial space over each part: x, y, z of the first, of the second, ... [rad].
+    /// Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
+    /// first, of the second, ... [rad].
     pub angle_rad: [f64; 15],
-    /// Integral of the specific force over each part, likewise [m/s].
+    /// Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     pub velocity_m_s: [f64; 15],
 }
 
 interface_struct!(sins_imu_increment, "imu", 264);
 
 /// Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
-/// read) of navigation, on increments that sins_push_imu() gives. There is no truth then: the vertical channel is free and
+/// read) of navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion
+/// is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and
 /// flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed already.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
+/// started already; sins_reset() first. SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_start_navigation(
     sim: *mut sins_sim,
@@ -50,7 +53,8 @@ pub unsafe extern "C" fn sins_start_navigation(
         let start = unsafe { read(navigation, "navigation")? };
         check_reserved("navigation.reserved", start.reserved)?;
         let quarter = core::f64::consts::FRAC_PI_2;
-        check_range("navigation.time_s", start.time_s, -1e9, 1e9)?;
+        check_reserved("navigation.reserved2", start.reserved2)?;
+        check_range("navigation.time_s", start.time_s, -1e10, 1e10)?;
         check_range("navigation.latitude_rad", start.latitude_rad, -quarter, quarter)?;
         check_range("navigation.longitude_rad", start.longitude_rad, -100.0, 100.0)?;
         check_range("navigation.height_m", start.height_m, -20e3, 2000e3)?;
@@ -79,7 +83,7 @@ pub unsafe extern "C" fn sins_start_navigation(
 /// sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
 ///
 /// SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
-/// turn in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on; it stays readable.
+/// turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_push_imu(
     sim: *mut sins_sim,

@@ -92,11 +92,12 @@ pub struct sins_options {
     /// Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release.
     pub closed_loop_time_s: f64,
     /// Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-    /// each within 0.4 of a period. 0: the samples' own time stamps.
+    /// each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
     pub sample_period_s: f64,
-    /// Longest interval between samples [s]; 0: 2.5 s.
+    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s.
     pub max_gap_s: f64,
-    /// Mean acceleration between two samples beyond which truth has jumped [m/s2]; 0: 2000 m/s2.
+    /// Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
+    /// 0: 2000 m/s2.
     pub max_acceleration_m_s2: f64,
 }
 

@@ -14,8 +14,8 @@
  *   }
  *   sins_destroy(sim);
  *
- * Zero is off. Every struct begins with struct_size, to be set to its sizeof, and a second 32-bit integer that is 0 unless
- *   told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
+ * Zero is off. Every struct (but the parts of a sins_record) begins with struct_size, to be set to its sizeof, and a second
+ *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
  *   that warn of the fields left out. Output structs want their struct_size set too. Structs grow at their end only: old
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
@@ -24,10 +24,11 @@
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn. SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
+ *   output, no random number drawn (sins_run() keeps what it flew before). SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
  *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
+ *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call

@@ -10,13 +10,14 @@ use crate::simulator::Simulator;
 /// Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
 /// flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
 ///
-/// samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0.
-/// every 0: no records. written (may be NULL) gets the number of records, also on an error.
+/// samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
+/// those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
 /// SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
 /// sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
-/// sins_accuracy.intervals counts them.
+/// sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
+/// sins_step(); sins_reposition() and sins_reset() empty it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_run(
     sim: *mut sins_sim,
@@ -28,16 +29,18 @@ pub unsafe extern "C" fn sins_run(
     written: *mut usize,
 ) -> sins_status {
     with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise; samples are only read.
-        let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
-        let wanted = records_of(simulator, count, every);
-        if wanted > capacity {
-            return Err(Failure::buffer("capacity", capacity, wanted));
-        }
-        // SAFETY: the host's promise.
-        let records = unsafe { Array::new(records, wanted, "records")? };
         let mut done = 0;
-        let result = run(simulator, &samples, every, &records, &mut done);
+        // SAFETY: the host's promise; samples are only read.
+        let result = unsafe { Array::new(samples.cast_mut(), count, "samples") }.and_then(|samples| {
+            simulator.refuse_while_navigating()?;
+            let wanted = records_of(simulator, count, every);
+            if wanted > capacity {
+                return Err(Failure::buffer("capacity", capacity, wanted));
+            }
+            // SAFETY: the host's promise.
+            let records = unsafe { Array::new(records, wanted, "records")? };
+            run(simulator, &samples, every, &records, &mut done)
+        });
         if !written.is_null() {
             // SAFETY: the host's promise.
             unsafe { put(written, done, "written")? };
@@ -53,9 +56,9 @@ fn records_of(simulator: &Simulator, count: usize, every: usize) -> usize {
     }
     let flown = simulator.intervals();
     // The first sample of a flight begins an interval, it does not end one.
-    let waiting = simulator.waiting_samples() + count;
+    let waiting = simulator.waiting_samples().saturating_add(count);
     let to_fly = if simulator.has_started() { waiting } else { waiting.saturating_sub(1) };
-    ((flown + to_fly as u64) / every as u64 - flown / every as u64) as usize
+    (flown.saturating_add(to_fly as u64) / every as u64 - flown / every as u64) as usize
 }
 
 fn run(
@@ -65,11 +68,11 @@ fn run(
     records: &Array<sins_record>,
     done: &mut usize,
 ) -> Result<sins_status, Failure> {
+    // What waited in the queue before the call goes first.
+    while fly(simulator, every, records, done)? == SINS_OK {}
     for index in 0..samples.count() {
         let sample =
             samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
-        // What waited in the queue before the call goes first.
-        while simulator.queue_is_full() && fly(simulator, every, records, done)? == SINS_OK {}
         simulator.push_sample(&sample).map_err(|error| Failure::from(error).of_sample(index))?;
         while fly(simulator, every, records, done).map_err(|f| f.of_sample(index))? != SINS_NEED_SAMPLE {}
     }

@@ -28,7 +28,8 @@ pub struct sins_flight_sample {
     pub struct_size: u32,
     /// SINS_SAMPLE_... flags, or'ed.
     pub flags: u32,
-    /// Time stamp [s], later than the sample before by 5e-5 s to sins_options.max_gap_s.
+    /// Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
+    /// (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
     pub time_s: f64,
     /// Geodetic latitude, -pi/2 to pi/2 [rad].
     pub latitude_rad: f64,
@@ -40,13 +41,15 @@ pub struct sins_flight_sample {
     pub velocity_enu_m_s: [f64; 3],
     /// Roll, right wing down positive, any number of turns up to 10000 rad [rad].
     pub roll_rad: f64,
-    /// Pitch, nose up positive, may go beyond 90 degrees [rad].
+    /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
+    /// From one sample to the next the attitude turns by less than 170 degrees.
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     pub heading_rad: f64,
-    /// With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant [rad/s].
+    /// With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
+    /// 1000 rad/s [rad/s].
     pub angular_rate_rad_s: [f64; 3],
-    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant [m/s2].
+    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
     pub specific_force_m_s2: [f64; 3],
 }
 

@@ -10,7 +10,7 @@ use crate::abi::SINS_OK;
 use crate::sensors::{AltimeterParameters, TriadParameters};
 
 /// Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+/// Biases, standard deviations and random walks up to 100 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_gyro_params {
@@ -57,7 +57,7 @@ pub struct sins_gyro_params {
 interface_struct!(sins_gyro_params, "gyro", 512);
 
 /// Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+/// Biases, standard deviations and random walks up to 1e4 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accel_params {
@@ -113,17 +113,17 @@ pub struct sins_altimeter_params {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Constant bias [m].
+    /// Constant bias, up to 1e5 m [m].
     pub bias_m: f64,
-    /// Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on [m].
+    /// Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
     pub markov_sigma_m: f64,
     /// Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
     pub markov_time_s: f64,
-    /// Standard deviation of the independent error of each sample [m].
+    /// Standard deviation of the independent error of each sample, up to 1e5 m [m].
     pub noise_m: f64,
     /// Scale factor error of the height, -1 to 1.
     pub scale_factor: f64,
-    /// Time constant of the first-order lag of the static pressure [s].
+    /// Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
     pub lag_s: f64,
 }
 

@@ -109,8 +109,9 @@ pub unsafe extern "C" fn sins_push_sample(
 /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
 /// further one one more. No allocation, no system call.
 ///
-/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the solution cannot go on from
-/// where it is; it stays readable, and sins_reposition() or sins_reset() start anew.
+/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
+/// 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
+/// solution before it stays readable, and sins_reposition() or sins_reset() start anew.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))

@@ -219,11 +219,9 @@ impl From<&ImuInterval> for sins_imu {
 
 /// The errors of `source`, or `None` before the first sample.
 pub(super) fn errors_of(simulator: &Simulator, source: ErrorSource) -> Result<Option<sins_errors>, Failure> {
-    let near_pole = match simulator.truth()? {
-        Some(truth) => truth.near_pole,
-        None => return Ok(None),
-    };
-    Ok(simulator.errors(source)?.map(|(time_s, errors)| sins_errors::new(time_s, &errors, near_pole)))
+    let errors = simulator.errors(source)?;
+    let near_pole = simulator.truth()?.is_some_and(|truth| truth.near_pole);
+    Ok(errors.map(|(time_s, errors)| sins_errors::new(time_s, &errors, near_pole)))
 }
 
 /// Writes `value`, or answers that there is none yet.
@@ -237,7 +235,8 @@ pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value:
     }
 }
 
-/// Reads the truth at the end of the last interval; before the first step, that of the first sample.
+/// Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
+/// velocity, that of the first is 0 until the second is pushed.
 ///
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
 #[unsafe(no_mangle)]
@@ -252,7 +251,8 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
 
 /// Reads the navigated solution for the same instant as sins_get_truth().
 ///
-/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
+/// first sample with these options and initial errors.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_navigation(
     sim: *mut sins_sim,
@@ -281,7 +281,7 @@ pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) ->
 /// Reads the errors of the navigated solution; source is SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL.
 ///
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
-/// off, or navigating on increments.
+/// off, or navigating on increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_errors(
     sim: *mut sins_sim,

@@ -218,6 +218,9 @@ impl Manoeuvre {
                 for term in &terms[..count] {
                     term.validate(speed_m_s)?;
                 }
+                let speeds = terms[..count].iter().filter(|term| matches!(term.channel, Channel::Speed));
+                let together = speeds.map(|term| term.amplitude.abs()).sum();
+                check_range("manoeuvre.amplitude, those of the speed together", together, 0.0, speed_m_s)?;
                 ramp(ramp_s)?;
                 duration(duration_s)
             }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::closure::{Closure, ClosureFigures};
-use super::{ErrorSource, NEAR_POLE_M, Options, SensorSuite, Solution, singular};
+use super::{ErrorSource, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
@@ -172,22 +172,17 @@ impl Chain {
         self.intervals
     }
 
-    fn solution(&self, time_s: f64, navigation: Navigation) -> Solution {
-        let near_pole = navigation.distance_from_axis(&self.earth) < NEAR_POLE_M;
-        Solution { time_s, navigation, near_pole, vertical_unaided: false, inconsistent: false }
-    }
-
     /// The solution of the truth, which is at `truth`.
     pub fn truth(&self, truth: &TruthPoint) -> Solution {
-        let navigation = truth.navigation(&self.earth, self.options.axes);
-        Solution { inconsistent: self.closure.last_flagged(), ..self.solution(truth.time_s, navigation) }
+        let inconsistent = self.closure.last_flagged();
+        Solution { inconsistent, ..Solution::of_truth(&self.options, &self.earth, truth) }
     }
 
     /// The navigated solution while the truth is at `truth`.
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
         let navigation = self.mechanization.navigation(self.options.axes);
         let vertical_unaided = self.options.vertical == VerticalMode::Free;
-        Solution { vertical_unaided, ..self.solution(truth.time_s, navigation) }
+        Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, navigation) }
     }
 
     pub fn ideal_increments(&self) -> &[Increment] {

@@ -4,11 +4,13 @@ mod chain;
 mod closure;
 mod navigator;
 mod options;
+mod solution;
 mod suite;
 
 pub use chain::ImuInterval;
 pub use closure::ClosureFigures;
 pub use options::{MAX_UPDATES, Options};
+pub use solution::Solution;
 
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
@@ -38,24 +40,6 @@ pub enum Step {
     /// There is no complete interval yet.
     NeedSample,
 }
-
-/// A solution and what is to be known of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Solution {
-    /// Time [s].
-    pub time_s: f64,
-    /// Position, velocity, attitude.
-    pub navigation: Navigation,
-    /// Within 20 km of the Earth's axis: longitude and heading turn fast, at the pole they are undefined.
-    pub near_pole: bool,
-    /// Nothing aids the vertical channel; its error grows by e every 569 s.
-    pub vertical_unaided: bool,
-    /// Truth: the displacement since the sample before contradicts the velocities.
-    pub inconsistent: bool,
-}
-
-/// Distance from the Earth's axis [m] below which a solution is flagged.
-const NEAR_POLE_M: f64 = 20e3;
 
 /// What the simulator is doing.
 #[derive(Debug, Clone)]
@@ -225,7 +209,11 @@ impl Simulator {
     /// The truth; `None` before the first sample.
     pub fn truth(&self) -> Result<Option<Solution>, Error> {
         self.refuse_while_navigating()?;
-        self.read(Chain::truth)
+        Ok(match (&self.mode, self.intake.current(), self.intake.front()) {
+            (Mode::Flying(chain), Some(current), _) => Some(chain.truth(current)),
+            (_, _, Some(first)) => Some(Solution::of_truth(&self.options, &self.earth, first)),
+            _ => None,
+        })
     }
 
     /// The navigated solution; `None` before the first sample.
@@ -286,7 +274,8 @@ impl Simulator {
         }
     }
 
-    fn refuse_while_navigating(&self) -> Result<(), Error> {
+    /// Whether samples can be flown: not while navigating on increments.
+    pub(crate) fn refuse_while_navigating(&self) -> Result<(), Error> {
         match self.mode {
             Mode::Navigating(_) => Err(Error::bad_state(
                 "navigating on increments: there is no truth; reset before samples are pushed",

@@ -1,6 +1,6 @@
 //! Navigation alone, on recorded or foreign increments.
 
-use super::{ImuInterval, NEAR_POLE_M, Options, SensorSuite, Solution};
+use super::{ImuInterval, Options, SensorSuite, Solution};
 use crate::earth::Earth;
 use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::two_sum;
@@ -74,13 +74,7 @@ impl Navigator {
 
     pub fn solution(&self) -> Solution {
         let navigation = self.mechanization.navigation(self.axes);
-        Solution {
-            time_s: self.time_s,
-            navigation,
-            near_pole: navigation.distance_from_axis(&self.earth) < NEAR_POLE_M,
-            vertical_unaided: true,
-            inconsistent: false,
-        }
+        Solution { vertical_unaided: true, ..Solution::new(&self.earth, self.time_s, navigation) }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {

@@ -109,7 +109,12 @@ static void refusals(void)
     found[0].struct_size = sizeof found[0];
     CHECK(sins_run(sim, samples, COUNT, EVERY, found, RECORDS - 1, &written) == SINS_ERROR_BUFFER_TOO_SMALL);
     CHECK(sins_get_navigation(sim, &navigation) == SINS_NEED_SAMPLE); /* nothing was flown */
-    CHECK(written == 99);
+    CHECK(written == 0);
+
+    /* A count that wraps with what waits. */
+    CHECK(sins_push_sample(sim, &samples[0]) == SINS_OK && sins_push_sample(sim, &samples[1]) == SINS_OK);
+    CHECK(sins_run(sim, &samples[2], (size_t)-1, 1, NULL, 0, &written) == SINS_ERROR_BUFFER_TOO_SMALL);
+    CHECK(sins_reset(sim) == SINS_OK);
 
     /* An error stops the run where it is, and says where. */
     samples[500].height_m = 1e9;
@@ -119,9 +124,15 @@ static void refusals(void)
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
     CHECK(strstr(text, "sample.height_m = 1e9") == text && strstr(text, "(samples[500])") != NULL);
     /* And the rest goes on from there to the same records. */
+    memset(&found[written], 0xa5, (RECORDS - written) * sizeof found[0]); /* an array fresh from malloc */
     found[written].struct_size = sizeof found[0];
     CHECK(sins_run(sim, &samples[500], COUNT - 500, EVERY, &found[written], RECORDS - written, NULL) == SINS_OK);
     CHECK(memcmp(expected, found, sizeof expected) == 0);
+
+    /* There is nothing to run while navigating on increments. */
+    CHECK(sins_get_navigation(sim, &navigation) == SINS_OK && sins_reset(sim) == SINS_OK);
+    CHECK(sins_start_navigation(sim, &navigation) == SINS_OK);
+    CHECK(sins_run(sim, NULL, 0, 0, NULL, 0, NULL) == SINS_ERROR_BAD_STATE);
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 

@@ -1,0 +1,179 @@
+//! `sins_manoeuvre`, of which embedded flights are made.
+
+use super::failure::Failure;
+use super::memory::interface_struct;
+use super::options::{check_reserved, one_of};
+use crate::error::{Error, Rule, check_range};
+use crate::flight::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
+
+/// At rest for duration_s; the speed must be 0.
+pub const SINS_MANOEUVRE_REST: i32 = 0;
+/// Along a geodesic at constant speed and height for duration_s.
+pub const SINS_MANOEUVRE_STRAIGHT: i32 = 1;
+/// By speed_change_m_s in duration_s.
+pub const SINS_MANOEUVRE_ACCELERATE: i32 = 2;
+/// By height_change_m in duration_s, ramp_s.
+pub const SINS_MANOEUVRE_CLIMB: i32 = 3;
+/// Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
+/// follows.
+pub const SINS_MANOEUVRE_TURN: i32 = 4;
+/// turns whole rolls (right positive) in duration_s along a straight path.
+pub const SINS_MANOEUVRE_ROLL: i32 = 5;
+/// turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
+pub const SINS_MANOEUVRE_LOOP: i32 = 6;
+/// Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
+pub const SINS_MANOEUVRE_S_TURN: i32 = 7;
+/// Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
+pub const SINS_MANOEUVRE_SINUSOIDS: i32 = 8;
+
+/// The sinusoid moves the course [rad], with the bank of a coordinated turn.
+pub const SINS_CHANNEL_COURSE: i32 = 0;
+/// The sinusoid moves the climb angle [rad].
+pub const SINS_CHANNEL_CLIMB: i32 = 1;
+/// The sinusoid moves the speed [m/s].
+pub const SINS_CHANNEL_SPEED: i32 = 2;
+/// The sinusoid moves roll alone [rad].
+pub const SINS_CHANNEL_ROLL: i32 = 3;
+/// The sinusoid moves pitch alone [rad].
+pub const SINS_CHANNEL_PITCH: i32 = 4;
+/// The sinusoid moves heading alone [rad].
+pub const SINS_CHANNEL_HEADING: i32 = 5;
+
+/// One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_manoeuvre {
+    /// sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others.
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// SINS_MANOEUVRE_...
+    pub kind: i32,
+    /// Sinusoids, 1 to 6.
+    pub sinusoid_count: i32,
+    /// Duration, 1e-3 to 1e8 [s].
+    pub duration_s: f64,
+    /// Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
+    pub ramp_s: f64,
+    /// Change of speed [m/s].
+    pub speed_change_m_s: f64,
+    /// Change of height; the climb angle must stay below 64 degrees [m].
+    pub height_change_m: f64,
+    /// Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
+    pub heading_change_rad: f64,
+    /// Bank of a turn, 1e-3 to 1.5 [rad].
+    pub bank_rad: f64,
+    /// Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
+    pub turns: f64,
+    /// SINS_CHANNEL_... of each sinusoid.
+    pub channel: [i32; 6],
+    /// Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
+    /// [m/s].
+    pub amplitude: [f64; 6],
+    /// Frequency of each sinusoid, 0 to 1000 [Hz].
+    pub frequency_hz: [f64; 6],
+    /// Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
+    pub phase_rad: [f64; 6],
+}
+
+interface_struct!(sins_manoeuvre, "manoeuvre", 240);
+
+/// Ramp where the host gives none [s].
+const DEFAULT_RAMP_S: f64 = 5.0;
+
+const NOT_USED: Rule = Rule::Words("must be 0: it is not used here");
+
+impl sins_manoeuvre {
+    pub(super) fn to_manoeuvre(self) -> Result<Manoeuvre, Failure> {
+        check_reserved("manoeuvre.reserved", self.reserved)?;
+        let ramp_s = if self.ramp_s == 0.0 { DEFAULT_RAMP_S } else { self.ramp_s };
+        let Self {
+            duration_s, speed_change_m_s, height_change_m, heading_change_rad, bank_rad, turns, ..
+        } = self;
+        // Kind, manoeuvre, and which of duration, ramp, speed, height, heading, bank, turns, sinusoids it uses.
+        let (manoeuvre, uses) = match self.kind {
+            SINS_MANOEUVRE_REST => (Manoeuvre::Rest { duration_s }, 0b1000_0000),
+            SINS_MANOEUVRE_STRAIGHT => (Manoeuvre::Straight { duration_s }, 0b1000_0000),
+            SINS_MANOEUVRE_ACCELERATE => {
+                (Manoeuvre::Accelerate { duration_s, speed_change_m_s }, 0b1010_0000)
+            }
+            SINS_MANOEUVRE_CLIMB => (Manoeuvre::Climb { duration_s, height_change_m, ramp_s }, 0b1101_0000),
+            SINS_MANOEUVRE_TURN => (Manoeuvre::Turn { heading_change_rad, bank_rad, ramp_s }, 0b0100_1100),
+            SINS_MANOEUVRE_ROLL => (Manoeuvre::Roll { duration_s, turns }, 0b1000_0010),
+            SINS_MANOEUVRE_LOOP => (Manoeuvre::Loop { duration_s, turns, ramp_s }, 0b1100_0010),
+            SINS_MANOEUVRE_S_TURN => {
+                let heading_amplitude_rad = heading_change_rad;
+                (Manoeuvre::STurn { duration_s, heading_amplitude_rad, cycles: turns, ramp_s }, 0b1100_1010)
+            }
+            SINS_MANOEUVRE_SINUSOIDS => {
+                check_range(
+                    "manoeuvre.sinusoid_count",
+                    f64::from(self.sinusoid_count),
+                    1.0,
+                    MAX_SINUSOIDS as f64,
+                )?;
+                let count = self.sinusoid_count as usize;
+                let terms = self.sinusoids(count)?;
+                (Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count }, 0b1100_0001)
+            }
+            kind => {
+                let rule = Rule::Words("must be a SINS_MANOEUVRE_ constant, 0 to 8");
+                return Err(Error::invalid("manoeuvre.kind", f64::from(kind), rule).into());
+            }
+        };
+        let fields = [
+            ("manoeuvre.duration_s", duration_s),
+            ("manoeuvre.ramp_s", self.ramp_s),
+            ("manoeuvre.speed_change_m_s", speed_change_m_s),
+            ("manoeuvre.height_change_m", height_change_m),
+            ("manoeuvre.heading_change_rad", heading_change_rad),
+            ("manoeuvre.bank_rad", bank_rad),
+            ("manoeuvre.turns", turns),
+            ("manoeuvre.sinusoid_count", f64::from(self.sinusoid_count)),
+        ];
+        for (bit, (field, value)) in fields.into_iter().enumerate() {
+            if value != 0.0 && uses & (0b1000_0000 >> bit) == 0 {
+                return Err(Error::invalid(field, value, NOT_USED).into());
+            }
+        }
+        for i in (self.sinusoid_count as usize)..MAX_SINUSOIDS {
+            let unused = [
+                ("manoeuvre.channel", f64::from(self.channel[i])),
+                ("manoeuvre.amplitude", self.amplitude[i]),
+                ("manoeuvre.frequency_hz", self.frequency_hz[i]),
+                ("manoeuvre.phase_rad", self.phase_rad[i]),
+            ];
+            if let Some((field, value)) = unused.into_iter().find(|&(_, value)| value != 0.0) {
+                return Err(Error::invalid(field, value, NOT_USED).into());
+            }
+        }
+        Ok(manoeuvre)
+    }
+
+    fn sinusoids(&self, count: usize) -> Result<[Sinusoid; MAX_SINUSOIDS], Failure> {
+        const CHANNELS: [(i32, Channel); 6] = [
+            (SINS_CHANNEL_COURSE, Channel::Course),
+            (SINS_CHANNEL_CLIMB, Channel::Climb),
+            (SINS_CHANNEL_SPEED, Channel::Speed),
+            (SINS_CHANNEL_ROLL, Channel::Roll),
+            (SINS_CHANNEL_PITCH, Channel::Pitch),
+            (SINS_CHANNEL_HEADING, Channel::Heading),
+        ];
+        let none = Sinusoid { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
+        let mut terms = [none; MAX_SINUSOIDS];
+        for (i, term) in terms.iter_mut().enumerate().take(count) {
+            *term = Sinusoid {
+                channel: one_of(
+                    "manoeuvre.channel",
+                    self.channel[i],
+                    &CHANNELS,
+                    "must be a SINS_CHANNEL_ constant, 0 to 5",
+                )?,
+                amplitude: self.amplitude[i],
+                frequency_hz: self.frequency_hz[i],
+                phase_rad: self.phase_rad[i],
+            };
+        }
+        Ok(terms)
+    }
+}

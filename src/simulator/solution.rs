@@ -1,0 +1,36 @@
+//! What is read of a simulator at an instant.
+
+use super::Options;
+use crate::earth::Earth;
+use crate::state::Navigation;
+use crate::truth::TruthPoint;
+
+/// Distance from the Earth's axis [m] below which a solution is flagged.
+const NEAR_POLE_M: f64 = 20e3;
+
+/// A solution and what is to be known of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solution {
+    /// Time [s].
+    pub time_s: f64,
+    /// Position, velocity, attitude.
+    pub navigation: Navigation,
+    /// Within 20 km of the Earth's axis: longitude and heading turn fast, at the pole they are undefined.
+    pub near_pole: bool,
+    /// Nothing aids the vertical channel; its error grows by e every 569 s.
+    pub vertical_unaided: bool,
+    /// Truth: the displacement since the sample before contradicts the velocities.
+    pub inconsistent: bool,
+}
+
+impl Solution {
+    pub(super) fn new(earth: &Earth, time_s: f64, navigation: Navigation) -> Self {
+        let near_pole = navigation.distance_from_axis(earth) < NEAR_POLE_M;
+        Self { time_s, navigation, near_pole, vertical_unaided: false, inconsistent: false }
+    }
+
+    /// The truth at `point`.
+    pub(super) fn of_truth(options: &Options, earth: &Earth, point: &TruthPoint) -> Self {
+        Self::new(earth, point.time_s, point.navigation(earth, options.axes))
+    }
+}
