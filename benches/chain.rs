@@ -93,6 +93,7 @@ fn stages(criterion: &mut Criterion) {
         ("mechanization, exact, Earth-fixed", Frame::EarthFixed, Scheme::Exact),
         ("mechanization, exact, geographic", Frame::Geographic, Scheme::Exact),
         ("mechanization, paper, geographic", Frame::Geographic, Scheme::Paper),
+        ("mechanization, polynomial, Earth-fixed", Frame::EarthFixed, Scheme::Polynomial),
     ] {
         group.bench_function(name, |bencher| {
             bencher.iter_batched_ref(

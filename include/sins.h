@@ -148,6 +148,8 @@ typedef struct sins_flight sins_flight;
 #define SINS_SCHEME_EXACT 0
 /* The paper's equations (7)-(24), misprints mended, approximations kept. */
 #define SINS_SCHEME_PAPER 1
+/* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
+#define SINS_SCHEME_POLYNOMIAL 2
 
 /* Third-order loop on a barometric height, time constant 100 s. */
 #define SINS_VERTICAL_DAMPED 0

@@ -27,7 +27,7 @@ const struct option option_table[] = {
     WORD(GROUP_RUN, OPTION_FLAG, "--quiet", "", "neither progress nor summary table", quiet),
     WORD(GROUP_RUN, OPTION_FLAG, "--help", "", "this page", help),
 
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--scheme", "exact|paper", "mechanization", options.scheme),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--scheme", "exact|paper|polynomial", "mechanization", options.scheme),
     WORD(GROUP_MODEL, OPTION_CHOICE, "--frame", "earth|geographic", "axes to navigate in", options.frame),
     COUNT("--subsamples", "N", "sub-increments of an update, default 2", options.subsamples, 5),
     COUNT("--updates", "N", "updates in a sample interval, default 1", options.updates_per_sample, 16),

@@ -20,6 +20,8 @@ pub const SINS_FRAME_GEOGRAPHIC: i32 = 1;
 pub const SINS_SCHEME_EXACT: i32 = 0;
 /// The paper's equations (7)-(24), misprints mended, approximations kept.
 pub const SINS_SCHEME_PAPER: i32 = 1;
+/// As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
+pub const SINS_SCHEME_POLYNOMIAL: i32 = 2;
 
 /// Third-order loop on a barometric height, time constant 100 s.
 pub const SINS_VERTICAL_DAMPED: i32 = 0;
@@ -160,6 +162,7 @@ impl sins_options {
             scheme: match options.scheme {
                 Scheme::Exact => SINS_SCHEME_EXACT,
                 Scheme::Paper => SINS_SCHEME_PAPER,
+                Scheme::Polynomial => SINS_SCHEME_POLYNOMIAL,
             },
             subsamples: options.subsamples as i32,
             updates_per_sample: options.updates_per_sample as i32,
@@ -204,8 +207,12 @@ impl sins_options {
         let scheme = one_of(
             "options.scheme",
             self.scheme,
-            &[(SINS_SCHEME_EXACT, Scheme::Exact), (SINS_SCHEME_PAPER, Scheme::Paper)],
-            "must be a SINS_SCHEME_ constant, 0 or 1",
+            &[
+                (SINS_SCHEME_EXACT, Scheme::Exact),
+                (SINS_SCHEME_PAPER, Scheme::Paper),
+                (SINS_SCHEME_POLYNOMIAL, Scheme::Polynomial),
+            ],
+            "must be a SINS_SCHEME_ constant, 0 to 2",
         )?;
         let vertical = one_of(
             "options.vertical",

@@ -33,7 +33,7 @@ const CONING: [&[f64]; MAX_SUBSAMPLES] = [
 ];
 
 /// ∫ (1 - u) of the polynomial through the increments, less half of their sum.
-const FIRST_MOMENT: [&[f64]; MAX_SUBSAMPLES] = [
+pub(super) const FIRST_MOMENT: [&[f64]; MAX_SUBSAMPLES] = [
     &[0.0],
     &[1.0 / 3.0, -1.0 / 3.0],
     &[3.0 / 8.0, 0.0, -3.0 / 8.0],
@@ -42,7 +42,7 @@ const FIRST_MOMENT: [&[f64]; MAX_SUBSAMPLES] = [
 ];
 
 /// ∫ u (1 - u) of the polynomial through the increments, less a sixth of their sum.
-const SECOND_MOMENT: [&[f64]; MAX_SUBSAMPLES] = [
+pub(super) const SECOND_MOMENT: [&[f64]; MAX_SUBSAMPLES] = [
     &[0.0],
     &[0.0, 0.0],
     &[-3.0 / 40.0, 3.0 / 20.0, -3.0 / 40.0],

@@ -6,6 +6,7 @@
 mod body;
 mod earth_fixed;
 mod geographic;
+mod polynomial;
 mod vertical;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
@@ -39,6 +40,8 @@ pub enum Scheme {
     Exact,
     /// The paper's, misprints mended, approximations kept.
     Paper,
+    /// As `Exact`, with rate and force as polynomials through the subsamples.
+    Polynomial,
 }
 
 /// What a solution has to stay within.
@@ -141,19 +144,16 @@ impl Mechanization {
 
     /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.
     pub fn update(&mut self, increments: &[Increment], t: f64) {
+        let body = match self.scheme {
+            Scheme::Exact => BodyMotion::exact(increments),
+            Scheme::Paper => BodyMotion::paper(increments),
+            Scheme::Polynomial => BodyMotion::polynomial(increments),
+        };
         match (self.scheme, &mut self.axes) {
-            (Scheme::Exact, Axes::EarthFixed(axes)) => {
-                axes.update(&self.earth, &BodyMotion::exact(increments), t)
-            }
-            (Scheme::Exact, Axes::Geographic(axes)) => {
-                axes.update(&self.earth, &BodyMotion::exact(increments), t)
-            }
-            (Scheme::Paper, Axes::EarthFixed(axes)) => {
-                axes.update_paper(&self.earth, &BodyMotion::paper(increments), t)
-            }
-            (Scheme::Paper, Axes::Geographic(axes)) => {
-                axes.update_paper(&self.earth, &BodyMotion::paper(increments), t)
-            }
+            (Scheme::Paper, Axes::EarthFixed(axes)) => axes.update_paper(&self.earth, &body, t),
+            (Scheme::Paper, Axes::Geographic(axes)) => axes.update_paper(&self.earth, &body, t),
+            (_, Axes::EarthFixed(axes)) => axes.update(&self.earth, &body, t),
+            (_, Axes::Geographic(axes)) => axes.update(&self.earth, &body, t),
         }
     }
 
