@@ -184,7 +184,11 @@ typedef struct sins_flight sins_flight;
 
 /* Ideal signals are the integrals of the physics, so that the mechanization's own error shows. */
 #define SINS_SIGNAL_PHYSICAL 0
-/* The same with a small trim that lets error-free sensors navigate back to the truth. Not in this release: refused. */
+/*
+ * The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
+ * for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
+ * navigator is the simulator's own and nothing is computed twice.
+ */
 #define SINS_SIGNAL_CLOSED_LOOP 1
 
 /* The misalignment at the start is the given one. */
@@ -294,7 +298,7 @@ typedef struct sins_options {
     uint64_t seed;
     /* Number of the run in an ensemble: same seed, other draws. */
     uint64_t run;
-    /* Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release. */
+    /* Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it. */
     double closed_loop_time_s;
     /*
      * Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
@@ -699,6 +703,13 @@ typedef struct sins_accuracy {
     uint64_t inconsistent_samples;
     /* Intervals flown since the start or the last reposition: one less than the samples. */
     uint64_t intervals;
+    /*
+     * The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
+     * generator and mechanization themselves; 0 with physical signals [rad/s].
+     */
+    double trim_rate_max_rad_s;
+    /* The same of the specific force [m/s2]. */
+    double trim_force_max_m_s2;
 } sins_accuracy;
 
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */

@@ -138,5 +138,5 @@ pub mod truth;
 
 pub use error::{Error, ErrorKind, Rule};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
+    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step, TrimFigures,
 };

@@ -83,3 +83,18 @@ fn the_patrol_is_the_one_that_is_described() {
     // Setting in takes ten minutes on the way north; from then on the figure-eights close.
     assert!(distance < 2.0 * DEG, "{}", distance / DEG);
 }
+
+/// The closed loop holds an error-free navigator, whose vertical channel is free and would double its error every 400 s.
+#[test]
+fn the_closed_loop_holds_the_free_vertical_channel() {
+    let options =
+        Options { closed_loop_time_s: Some(30.0), vertical: VerticalMode::Free, ..options_at(RATE_HZ) };
+    let mut simulator = Simulator::new(&options).unwrap();
+    let worst = fly(&mut simulator, patrolling(), 1000);
+    let trim = simulator.trim().unwrap().unwrap();
+    println!("closed loop, {HOURS} h: {worst:?} {trim:?}");
+    assert!(worst.position_m < 1e-6, "{worst:?}");
+    assert!(worst.velocity_m_s < 1e-8, "{worst:?}");
+    // A prototype's trim stays below 4.6e-14 rad/s and 3.7e-11 m/s²; twice that.
+    assert!(trim.rate_rad_s < 9.2e-14 && trim.force_m_s2 < 7.4e-11, "{trim:?}");
+}

@@ -36,6 +36,10 @@ const struct option option_table[] = {
     WORD(GROUP_MODEL, OPTION_CHOICE, "--gravity", "normal|somigliana", "gravity", options.gravity),
     WORD(GROUP_MODEL, OPTION_CHOICE, "--earth", "wgs84|cgcs2000|grs80|krassovsky", "ellipsoid", options.earth),
     WORD(GROUP_MODEL, OPTION_CHOICE, "--axes", "rfu|frd", "right-forward-up or forward-right-down", options.axes),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--signal", "physical|closed-loop",
+         "ideal signals, or with a trim that holds an error-free navigator", options.signal),
+    NUMBERS(GROUP_MODEL, OPTION_NUMBER, "--closed-loop-time", "S", "time constant of that trim, default 30",
+            options.closed_loop_time_s, 1, "s", 1, 1e4),
     WORD(GROUP_MODEL, OPTION_FLAG, "--no-model", "", "without error data 1", no_model),
 
     WORD(GROUP_GYRO, OPTION_PRESET, "--preset", "paper2", "gyro and accelerometer errors of simulation2", gyro),

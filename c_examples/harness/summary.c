@@ -43,6 +43,7 @@ int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *se
     describe_scene(sum);
     option_word(set, "--scheme", sum->scheme, sizeof sum->scheme);
     option_word(set, "--frame", sum->frame, sizeof sum->frame);
+    option_word(set, "--signal", sum->signal, sizeof sum->signal);
     option_word(set, "--vertical", sum->vertical, sizeof sum->vertical);
     option_word(set, "--earth", sum->earth, sizeof sum->earth);
     option_word(set, "--gravity", sum->gravity, sizeof sum->gravity);
@@ -105,6 +106,7 @@ static void rows_of_setting(const struct summary *sum, struct whole_file *file)
     text_row(file, "scene_text", sum->scene_text, "scene in words");
     text_row(file, "scheme", sum->scheme, "mechanization scheme");
     text_row(file, "frame", sum->frame, "navigation frame");
+    text_row(file, "signal", sum->signal, "ideal signals");
     text_row(file, "earth", sum->earth, "ellipsoid");
     text_row(file, "gravity", sum->gravity, "gravity model");
     text_row(file, "axes", sum->axes, "sensor axes");
@@ -152,6 +154,9 @@ static void rows_of_flight(const struct summary *sum, struct whole_file *file)
         "part of the final velocity error due to inconsistent flight data, north");
     row(file, "inconsistency_max_m", figures->inconsistency_max_m, "m",
         "inconsistency of the flight data: largest displacement by velocity - by position in a step");
+    row(file, "trim_rate_max_rad_s", figures->trim_rate_max_rad_s, "rad/s", "largest trim of the closed loop, gyros");
+    row(file, "trim_force_max_m_s2", figures->trim_force_max_m_s2, "m/s2",
+        "largest trim of the closed loop, accelerometers");
     whole_row(file, "inconsistent_samples", figures->inconsistent_samples,
         "flight samples whose position contradicts their velocity");
 }

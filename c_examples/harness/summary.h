@@ -11,7 +11,7 @@ struct summary {
     const struct flown *flown;
     sins_accuracy accuracy;
     const char *version;
-    char scheme[16], frame[16], vertical[16], earth[16], gravity[16], axes[16];
+    char scheme[16], frame[16], signal[16], vertical[16], earth[16], gravity[16], axes[16];
     int subsamples, updates;
     double rate_hz, every_s, ns_per_step;
     char scene_text[256];

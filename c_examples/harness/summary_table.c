@@ -72,6 +72,10 @@ static void print_closure(const struct summary *sum)
     print_axes("  of it the truth's own", figures->host_velocity_enu_m_s, 2);
     print_axes("  sensors and simulator", sensors_velocity_m_s, 2);
     print_axes("rms velocity error [m/s]", figures->velocity_rms_enu_m_s, 3);
+    if (sum->set->options.signal == SINS_SIGNAL_CLOSED_LOOP) {
+        printf("  largest trim of the closed loop: %.3g rad/s, %.3g m/s2\n", figures->trim_rate_max_rad_s,
+               figures->trim_force_max_m_s2);
+    }
     if (figures->inconsistent_samples > 0) {
         printf("  %llu samples contradict their velocity, by up to %.3g m\n",
                (unsigned long long)figures->inconsistent_samples, figures->inconsistency_max_m);

@@ -5,7 +5,7 @@ use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::write_or_need;
 use crate::errors::{AccuracyFigures, RADIAL_95, RADIAL_CEP};
-use crate::simulator::ClosureFigures;
+use crate::simulator::{ClosureFigures, TrimFigures};
 
 /// Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
 /// which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
@@ -53,12 +53,23 @@ pub struct sins_accuracy {
     pub inconsistent_samples: u64,
     /// Intervals flown since the start or the last reposition: one less than the samples.
     pub intervals: u64,
+    /// The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
+    /// generator and mechanization themselves; 0 with physical signals [rad/s].
+    pub trim_rate_max_rad_s: f64,
+    /// The same of the specific force [m/s2].
+    pub trim_force_max_m_s2: f64,
 }
 
-interface_struct!(sins_accuracy, "accuracy", 240);
+interface_struct!(sins_accuracy, "accuracy", 256);
 
 impl sins_accuracy {
-    fn new(time_s: f64, figures: &AccuracyFigures, closure: &ClosureFigures, intervals: u64) -> Self {
+    fn new(
+        time_s: f64,
+        figures: &AccuracyFigures,
+        closure: &ClosureFigures,
+        intervals: u64,
+        trim: &TrimFigures,
+    ) -> Self {
         let rate = figures.radial_error_rate_rms_m_s;
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -80,6 +91,8 @@ impl sins_accuracy {
             inconsistency_max_m: closure.inconsistency_max_m,
             inconsistent_samples: closure.inconsistent_samples,
             intervals,
+            trim_rate_max_rad_s: trim.rate_rad_s,
+            trim_force_max_m_s2: trim.force_m_s2,
         }
     }
 }
@@ -94,8 +107,10 @@ pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut si
         let output = unsafe { Output::new(accuracy, "accuracy")? };
         let figures = simulator.accuracy()?;
         let intervals = simulator.intervals();
-        let figures = figures
-            .map(|(time_s, figures, closure)| sins_accuracy::new(time_s, &figures, &closure, intervals));
+        let trim = simulator.trim()?.unwrap_or_default();
+        let figures = figures.map(|(time_s, figures, closure)| {
+            sins_accuracy::new(time_s, &figures, &closure, intervals, &trim)
+        });
         Ok(write_or_need(&output, figures))
     })
 }

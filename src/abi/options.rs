@@ -56,7 +56,9 @@ pub const SINS_AXES_FORWARD_RIGHT_DOWN: i32 = 1;
 
 /// Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
 pub const SINS_SIGNAL_PHYSICAL: i32 = 0;
-/// The same with a small trim that lets error-free sensors navigate back to the truth. Not in this release: refused.
+/// The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
+/// for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
+/// navigator is the simulator's own and nothing is computed twice.
 pub const SINS_SIGNAL_CLOSED_LOOP: i32 = 1;
 
 /// How a simulator is made. All zero (but struct_size) is the recommended simulator.
@@ -91,7 +93,7 @@ pub struct sins_options {
     pub seed: u64,
     /// Number of the run in an ensemble: same seed, other draws.
     pub run: u64,
-    /// Time constant of SINS_SIGNAL_CLOSED_LOOP [s]. Must be 0 in this release.
+    /// Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it.
     pub closed_loop_time_s: f64,
     /// Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
     /// each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
@@ -137,6 +139,9 @@ pub(super) fn refuse(field: &'static str, values: &[f64]) -> Result<(), Failure>
     }
     Ok(())
 }
+
+/// Time constant of the closed loop where the host gives none [s].
+const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
 impl sins_options {
     /// The choice for the earth field.
@@ -186,10 +191,13 @@ impl sins_options {
                 BodyAxes::RightForwardUp => SINS_AXES_RIGHT_FORWARD_UP,
                 BodyAxes::ForwardRightDown => SINS_AXES_FORWARD_RIGHT_DOWN,
             },
-            signal: SINS_SIGNAL_PHYSICAL,
+            signal: match options.closed_loop_time_s {
+                None => SINS_SIGNAL_PHYSICAL,
+                Some(_) => SINS_SIGNAL_CLOSED_LOOP,
+            },
             seed: options.key.seed,
             run: options.key.run,
-            closed_loop_time_s: 0.0,
+            closed_loop_time_s: options.closed_loop_time_s.unwrap_or(0.0),
             sample_period_s: options.intake.period_s.unwrap_or(0.0),
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
@@ -248,13 +256,16 @@ impl sins_options {
             ],
             "must be a SINS_AXES_ constant, 0 or 1",
         )?;
-        one_of(
+        let closed_loop = one_of(
             "options.signal",
             self.signal,
-            &[(SINS_SIGNAL_PHYSICAL, ())],
-            "must be SINS_SIGNAL_PHYSICAL, 0: the closed loop is not simulated in this release",
+            &[(SINS_SIGNAL_PHYSICAL, false), (SINS_SIGNAL_CLOSED_LOOP, true)],
+            "must be a SINS_SIGNAL_ constant, 0 or 1",
         )?;
-        refuse("options.closed_loop_time_s", &[self.closed_loop_time_s])?;
+        if !closed_loop && self.closed_loop_time_s != 0.0 {
+            let rule = Rule::Words("must be 0 without SINS_SIGNAL_CLOSED_LOOP");
+            return Err(Error::invalid("options.closed_loop_time_s", self.closed_loop_time_s, rule).into());
+        }
         check_range("options.subsamples", f64::from(self.subsamples), 0.0, 5.0)?;
         check_range("options.updates_per_sample", f64::from(self.updates_per_sample), 0.0, 16.0)?;
         let defaults = Options::default();
@@ -270,6 +281,7 @@ impl sins_options {
             ellipsoid: Self::ellipsoid("options.earth", self.earth)?,
             gravity,
             axes,
+            closed_loop_time_s: closed_loop.then(|| or(self.closed_loop_time_s, DEFAULT_CLOSED_LOOP_TIME_S)),
             key: StreamKey { seed: self.seed, run: self.run },
             intake: IntakeLimits {
                 max_gap_s: or(self.max_gap_s, defaults.intake.max_gap_s),

@@ -3,7 +3,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, VerticalCorrection, renormalize};
+use super::{BodyMotion, StateDifference, VerticalCorrection, renormalize};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{Compensated, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix};
 use crate::state::EarthFixedState;
@@ -108,6 +108,11 @@ impl EarthFixed {
         }
         self.r_e.add(&(up * correction.height_m));
         self.v_e.add(&dv);
+    }
+
+    /// The state less `truth`, with what the sums still carry.
+    pub fn minus(&self, truth: &EarthFixedState) -> StateDifference {
+        StateDifference::new(self.r_e.minus(&truth.r_e), self.v_e.minus(&truth.v_e), &self.q(), truth)
     }
 
     /// The state.

@@ -13,9 +13,11 @@ pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode};
 
+use nalgebra::{Quaternion, Vector3};
+
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::math::Compensated;
+use crate::math::{Compensated, relative_rotation, rotation_vector};
 use crate::signal::Increment;
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
@@ -61,6 +63,23 @@ const LIMITS: Bounds =
 /// From within these an interval of at most [`Mechanization::TAME_CHANGE_M_S`] and [`Mechanization::TAME_INTERVAL_S`] does
 /// not lead beyond the limits.
 const SAFE: Bounds = Bounds { heights_m: (-100e3, 2100e3), speed_m_s: 40e3, cos_latitude: 0.06 };
+
+/// A solution less the truth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StateDifference {
+    /// Position, Earth-fixed axes [m].
+    pub r_e: Vector3<f64>,
+    /// Velocity, Earth-fixed axes [m/s].
+    pub v_e: Vector3<f64>,
+    /// Rotation vector from the true to the computed body axes [rad].
+    pub rotation_b: Vector3<f64>,
+}
+
+impl StateDifference {
+    fn new(r_e: Vector3<f64>, v_e: Vector3<f64>, q_eb: &Quaternion<f64>, truth: &EarthFixedState) -> Self {
+        Self { r_e, v_e, rotation_b: rotation_vector(&relative_rotation(&truth.q_eb, q_eb)) }
+    }
+}
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Axes {
@@ -176,6 +195,17 @@ impl Mechanization {
         match &mut self.axes {
             Axes::EarthFixed(axes) => axes.shift_vertical(&self.earth, &correction),
             Axes::Geographic(axes) => axes.shift_vertical(&self.earth, &correction),
+        }
+    }
+
+    /// The solution less `truth`.
+    pub fn minus(&self, truth: &EarthFixedState) -> StateDifference {
+        match &self.axes {
+            Axes::EarthFixed(axes) => axes.minus(truth),
+            Axes::Geographic(axes) => {
+                let state = axes.navigation(BodyAxes::default()).earth_fixed(&self.earth);
+                StateDifference::new(state.r_e - truth.r_e, state.v_e - truth.v_e, &state.q_eb, truth)
+            }
         }
     }
 

@@ -1,8 +1,8 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
-use nalgebra::Vector3;
-
+use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
+use super::start::{start_errors, with_errors};
 use super::{ErrorSource, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
@@ -10,15 +10,10 @@ use crate::errors::{
     Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, StartErrors,
     navigation_minus_truth,
 };
-use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
+use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
-use crate::sensors::{Alignment, alignment_error};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
-use crate::state::Navigation;
 use crate::truth::{Recent, TruthPoint};
-
-/// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
-const MIN_GYROCOMPASS_COS: f64 = 0.01;
 
 /// Ideal and measured signals of an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +43,7 @@ pub(super) struct Chain {
     accuracy: Accuracy,
     intervals: u64,
     closure: Closure,
+    closed_loop: Option<ClosedLoop>,
 }
 
 impl Chain {
@@ -63,6 +59,11 @@ impl Chain {
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
+        let errs = start != StartErrors::NONE;
+        let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
+            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &first.state);
+            ClosedLoop::new(time_constant_s, first.time_s, errs.then(at_truth))
+        });
         let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, &start));
         Ok(Self {
             options: *options,
@@ -76,6 +77,7 @@ impl Chain {
             accuracy: Accuracy::new(first.time_s),
             intervals: 0,
             closure: Closure::new(),
+            closed_loop,
         })
     }
 
@@ -126,6 +128,9 @@ impl Chain {
         let motion = self.generator.advance(recent);
         let ideal = &mut self.ideal[..count];
         motion.integrate(ideal);
+        if let Some(closed_loop) = &self.closed_loop {
+            closed_loop.trim(ideal, t);
+        }
         let ideal_sum = Increment::sum(ideal);
 
         // Sensors.
@@ -146,13 +151,21 @@ impl Chain {
             measured: measured_sum,
         });
 
-        // Mechanization.
-        let updates = self.options.updates_per_sample;
-        for update in increments.chunks_exact(self.options.subsamples) {
-            self.mechanization.update(update, t / updates as f64);
+        // Mechanization, and the error-free one beside it.
+        let aid = vertical_aid(self.options.vertical, next, |height_m| {
+            sensors.altimeter.sense(height_m, next.interval_s)
+        });
+        let errs = !sensors.all_are_ideal();
+        if let Some(shadow) =
+            self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow(&self.mechanization, errs))
+        {
+            let aid = vertical_aid(self.options.vertical, next, |height_m| height_m);
+            navigate(shadow, &self.options, ideal, t, &aid);
         }
-        let aid = vertical_aid(self.options.vertical, next, sensors);
-        self.mechanization.aid_vertical(&aid, t);
+        navigate(&mut self.mechanization, &self.options, increments, t, &aid);
+        if let Some(closed_loop) = &mut self.closed_loop {
+            closed_loop.observe(&self.mechanization, next);
+        }
 
         // Errors.
         if let Some(model) = &mut self.error_model {
@@ -214,6 +227,10 @@ impl Chain {
         }
     }
 
+    pub fn trim(&self) -> TrimFigures {
+        self.closed_loop.as_ref().map_or(TrimFigures::default(), ClosedLoop::largest)
+    }
+
     pub fn accuracy(&self, truth: &TruthPoint) -> AccuracyFigures {
         self.accuracy.figures(truth.time_s)
     }
@@ -223,14 +240,26 @@ impl Chain {
     }
 }
 
-/// What the vertical channel is told at the sample `next`.
-fn vertical_aid(mode: VerticalMode, next: &TruthPoint, sensors: &mut SensorSuite) -> VerticalAid {
+/// Navigates over an interval of length `t` [s], with the vertical channel's aid at its end.
+fn navigate(
+    mechanization: &mut Mechanization,
+    options: &Options,
+    increments: &[Increment],
+    t: f64,
+    aid: &VerticalAid,
+) {
+    for update in increments.chunks_exact(options.subsamples) {
+        mechanization.update(update, t / options.updates_per_sample as f64);
+    }
+    mechanization.aid_vertical(aid, t);
+}
+
+/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height of the true one.
+fn vertical_aid(mode: VerticalMode, next: &TruthPoint, sense: impl FnOnce(f64) -> f64) -> VerticalAid {
     let height_m = next.sample.place.height_m;
     match mode {
         VerticalMode::Free => VerticalAid::None,
-        VerticalMode::Damped => {
-            VerticalAid::Barometer { height_m: sensors.altimeter.sense(height_m, next.interval_s) }
-        }
+        VerticalMode::Damped => VerticalAid::Barometer { height_m: sense(height_m) },
         VerticalMode::FollowTruth => VerticalAid::Truth {
             height_m,
             velocity_up_m_s: match &next.sample.v_n {
@@ -239,56 +268,4 @@ fn vertical_aid(mode: VerticalMode, next: &TruthPoint, sensors: &mut SensorSuite
             },
         },
     }
-}
-
-/// The initial errors of the run; those of the vertical channel vanish where it follows the truth.
-fn start_errors(
-    options: &Options,
-    earth: &Earth,
-    first: &TruthPoint,
-    truth: &Navigation,
-    sensors: &SensorSuite,
-) -> Result<StartErrors, Error> {
-    let drawn = sensors.initial.draw(options.key);
-    let mut start = StartErrors {
-        position_n: drawn.position_n,
-        velocity_n: drawn.velocity_n,
-        misalignment_n: drawn.misalignment_n,
-    };
-    if sensors.initial.alignment == Alignment::LevelAndGyrocompass {
-        let (sin, cos) = sin_cos(truth.place.latitude_rad);
-        if cos < MIN_GYROCOMPASS_COS {
-            return Err(singular(
-                "cosine of sample.latitude_rad",
-                cos,
-                "gyrocompassing needs at least",
-                MIN_GYROCOMPASS_COS,
-            ));
-        }
-        let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
-        let force_b = -rotate_inverse(&first.state.q_eb, &first.gravity_e);
-        let gyro_n =
-            rotate(&truth.q_nb, &sensors.gyro.steady_error(&rotate_inverse(&truth.q_nb, &earth_rate_n)));
-        let accel_n = rotate(&truth.q_nb, &sensors.accel.steady_error(&force_b));
-        let g = first.gravity_e.norm_squared().sqrt();
-        start.misalignment_n += alignment_error(&gyro_n, &accel_n, g, earth_rate_n.y, earth_rate_n.z);
-    }
-    if options.vertical == VerticalMode::FollowTruth {
-        start.position_n.z = 0.0;
-        start.velocity_n.z = 0.0;
-    }
-    Ok(start)
-}
-
-/// The solution that has the errors `start` against `truth`: displaced along east and north at its height, C~ = exp(-φ) C.
-fn with_errors(earth: &Earth, options: &Options, truth: &Navigation, start: &StartErrors) -> Navigation {
-    let (east, north, _) = earth.east_north_up(&truth.place);
-    let r_e = earth.to_earth_fixed(&truth.place);
-    let mut place = truth.place;
-    if start.position_n.x != 0.0 || start.position_n.y != 0.0 {
-        place = earth.to_geodetic(&(r_e + east * start.position_n.x + north * start.position_n.y));
-    }
-    place.height_m = truth.place.height_m + start.position_n.z;
-    let q_nb = rotation_quaternion(&-start.misalignment_n) * truth.q_nb;
-    Navigation::new(place, truth.v_n + start.velocity_n, q_nb, options.axes)
 }

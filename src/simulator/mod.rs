@@ -1,13 +1,16 @@
 //! The simulator: the blocks of the paper's figure 1 put together, one interval after the other.
 
 mod chain;
+mod closed_loop;
 mod closure;
 mod navigator;
 mod options;
 mod solution;
+mod start;
 mod suite;
 
 pub use chain::ImuInterval;
+pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
@@ -256,6 +259,12 @@ impl Simulator {
     pub fn accuracy(&self) -> Result<Option<(f64, AccuracyFigures, ClosureFigures)>, Error> {
         self.refuse_while_navigating()?;
         self.read(|chain, truth| (truth.time_s, chain.accuracy(truth), chain.closure(truth)))
+    }
+
+    /// The trim of the closed loop so far, 0 without one; `None` before the first sample.
+    pub fn trim(&self) -> Result<Option<TrimFigures>, Error> {
+        self.refuse_while_navigating()?;
+        self.read(|chain, _| chain.trim())
     }
 
     /// Reads the chain as it is, or as it will start from the first sample that waits, with the truth of that moment.

@@ -32,6 +32,8 @@ pub struct Options {
     pub gravity: GravityModel,
     /// How the sensor axes lie.
     pub axes: BodyAxes,
+    /// Time constant of the closed loop [s], 1 to 1e4, at least four times the longest gap; `None`: physical signals.
+    pub closed_loop_time_s: Option<f64>,
     /// Seed and run number of all random streams.
     pub key: StreamKey,
     /// Limits and time base of the samples.
@@ -50,6 +52,7 @@ impl Default for Options {
             ellipsoid: Ellipsoid::default(),
             gravity: GravityModel::default(),
             axes: BodyAxes::default(),
+            closed_loop_time_s: None,
             key: StreamKey::default(),
             intake: IntakeLimits::default(),
         }
@@ -69,6 +72,14 @@ impl Options {
             }
         }
         check_range("options.max_gap_s", self.intake.max_gap_s, 5e-5, 1e3)?;
+        if let Some(time_constant) = self.closed_loop_time_s {
+            check_range("options.closed_loop_time_s", time_constant, 1.0, 1e4)?;
+            if time_constant < 4.0 * self.intake.max_gap_s {
+                let rule =
+                    Rule::WordsAnd("must be at least four times max_gap_s:", 4.0 * self.intake.max_gap_s);
+                return Err(Error::invalid("options.closed_loop_time_s", time_constant, rule));
+            }
+        }
         check_range("options.max_acceleration_m_s2", self.intake.max_acceleration_m_s2, 1e-3, 1e6)
     }
 

@@ -73,7 +73,13 @@ impl SensorSuite {
         self.is_tame
     }
 
+    /// Whether gyros and accelerometers are ideal.
     pub fn are_ideal(&self) -> bool {
         self.gyro.is_ideal() && self.accel.is_ideal()
+    }
+
+    /// Whether the altimeter is ideal too.
+    pub fn all_are_ideal(&self) -> bool {
+        self.are_ideal() && self.altimeter_parameters == AltimeterParameters::default()
     }
 }

@@ -71,11 +71,12 @@ AT(sins_imu, interval_s, 16);
 AT(sins_imu, ideal_angle_rad, 24);
 AT(sins_imu, measured_force_m_s2, 192);
 
-SIZE(sins_accuracy, 240);
+SIZE(sins_accuracy, 256);
 AT(sins_accuracy, window_samples, 32);
 AT(sins_accuracy, closure_position_enu_m, 96);
 AT(sins_accuracy, inconsistent_samples, 224);
 AT(sins_accuracy, intervals, 232);
+AT(sins_accuracy, trim_force_max_m_s2, 248);
 
 SIZE(sins_imu_increment, 264);
 AT(sins_imu_increment, count, 16);

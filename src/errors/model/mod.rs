@@ -86,6 +86,15 @@ pub struct StartErrors {
     pub misalignment_n: Vector3<f64>,
 }
 
+impl StartErrors {
+    /// None.
+    pub const NONE: Self = Self {
+        position_n: Vector3::new(0.0, 0.0, 0.0),
+        velocity_n: Vector3::new(0.0, 0.0, 0.0),
+        misalignment_n: Vector3::new(0.0, 0.0, 0.0),
+    };
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form {
     EarthFixed(EarthFixedForm),

@@ -1,0 +1,91 @@
+//! The closed loop: a small trim of the ideal signals that holds an error-free navigator, the shadow, to the truth for any
+//! time. It makes up for what the generator and the mechanization leave, so its size is the meter of their own error.
+
+use nalgebra::Vector3;
+
+use crate::math::rotate_inverse;
+use crate::mechanization::Mechanization;
+use crate::signal::Increment;
+use crate::truth::TruthPoint;
+
+/// Damping of the position loop.
+const DAMPING: f64 = 0.8;
+
+/// More stiffness than 1/τ² [1/s²]: it has to outweigh the vertical channel's 2 g/R = 3.1e-6.
+const STIFFNESS: f64 = 4e-6;
+
+/// The trim counts as settled after this many time constants.
+const SETTLING: f64 = 10.0;
+
+/// The largest trim since it has settled.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TrimFigures {
+    /// Of the angular rate [rad/s].
+    pub rate_rad_s: f64,
+    /// Of the specific force [m/s²].
+    pub force_m_s2: f64,
+}
+
+/// The loop.
+#[derive(Debug, Clone)]
+pub(super) struct ClosedLoop {
+    time_constant_s: f64,
+    /// The error-free navigator; `None` while the navigator itself is one.
+    shadow: Option<Mechanization>,
+    /// Trim of the interval to come, sensor axes: rate [rad/s], force [m/s²].
+    rate_b: Vector3<f64>,
+    force_b: Vector3<f64>,
+    settles_at_s: f64,
+    largest: TrimFigures,
+}
+
+impl ClosedLoop {
+    /// Starts at `start_s` [s]; `shadow` is at the truth, `None` if the navigator is.
+    pub fn new(time_constant_s: f64, start_s: f64, shadow: Option<Mechanization>) -> Self {
+        Self {
+            time_constant_s,
+            shadow,
+            rate_b: Vector3::zeros(),
+            force_b: Vector3::zeros(),
+            settles_at_s: start_s + SETTLING * time_constant_s,
+            largest: TrimFigures::default(),
+        }
+    }
+
+    /// Adds the trim to the increments of an interval of length `t` [s], in equal parts.
+    pub fn trim(&self, increments: &mut [Increment], t: f64) {
+        let part = t / increments.len() as f64;
+        for increment in increments {
+            increment.angle += self.rate_b * part;
+            increment.velocity += self.force_b * part;
+        }
+    }
+
+    /// The shadow, to be flown with the error-free increments. While it is the navigator itself there is none, until
+    /// `navigator_errs`: then it parts from `navigator`, which is free of errors up to here.
+    pub fn shadow(&mut self, navigator: &Mechanization, navigator_errs: bool) -> Option<&mut Mechanization> {
+        if navigator_errs && self.shadow.is_none() {
+            self.shadow = Some(*navigator);
+        }
+        self.shadow.as_mut()
+    }
+
+    /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow
+    /// against the truth.
+    pub fn observe(&mut self, navigator: &Mechanization, truth: &TruthPoint) {
+        let rate = 1.0 / self.time_constant_s;
+        let error = self.shadow.as_ref().unwrap_or(navigator).minus(&truth.state);
+        let force_e = error.v_e * (-2.0 * DAMPING * rate) - error.r_e * (rate * rate + STIFFNESS);
+        self.rate_b = error.rotation_b * -rate;
+        self.force_b = rotate_inverse(&truth.state.q_eb, &force_e);
+        if truth.time_s >= self.settles_at_s {
+            let TrimFigures { rate_rad_s, force_m_s2 } = &mut self.largest;
+            *rate_rad_s = rate_rad_s.max(self.rate_b.norm_squared().sqrt());
+            *force_m_s2 = force_m_s2.max(self.force_b.norm_squared().sqrt());
+        }
+    }
+
+    pub fn largest(&self) -> TrimFigures {
+        self.largest
+    }
+}
