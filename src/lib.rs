@@ -126,6 +126,8 @@ pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
 #[forbid(unsafe_code)]
+pub mod recommend;
+#[forbid(unsafe_code)]
 pub mod sensors;
 #[forbid(unsafe_code)]
 pub mod signal;
