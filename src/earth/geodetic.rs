@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{atan2, hypot, rotate, sin_cos, two_product, two_sum};
+use crate::math::{atan2, hypot, rotate, sin_cos_each, two_product, two_sum};
 
 /// A place by its geodetic coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -81,8 +81,8 @@ impl Earth {
 
     /// Earth-fixed position as an unevaluated sum of two doubles.
     fn position(&self, place: &Geodetic) -> (Vector3<f64>, Vector3<f64>) {
-        let (sin_latitude, cos_latitude) = sin_cos(place.latitude_rad);
-        let (sin_longitude, cos_longitude) = sin_cos(place.longitude_rad);
+        let ([sin_latitude, sin_longitude], [cos_latitude, cos_longitude]) =
+            sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
         let times = |(high, low): (f64, f64), factor: f64| {
             let (product, error) = two_product(high, factor);
             (product, error + low * factor)
@@ -190,9 +190,16 @@ fn vertical_of(r_e: &Vector3<f64>, p: f64, latitude: Latitude, height_m: f64) ->
 
 /// `q_en` at a place: rotates east-north-up to Earth-fixed axes.
 pub fn navigation_axes(latitude_rad: f64, longitude_rad: f64) -> Quaternion<f64> {
-    // Rz(longitude + 90°) Rx(90° - latitude), half angles.
-    let (sl, cl) = sin_cos(0.5 * latitude_rad);
-    let (so, co) = sin_cos(0.5 * longitude_rad);
+    let (sines, cosines) = sin_cos_each(&[0.5 * latitude_rad, 0.5 * longitude_rad]);
+    navigation_axes_from_half_angles(&sines, &cosines)
+}
+
+/// The same from the sines and cosines of half of latitude and longitude: Rz(longitude + 90°) Rx(90° - latitude).
+#[inline]
+pub(crate) fn navigation_axes_from_half_angles(
+    &[sl, so]: &[f64; 2],
+    &[cl, co]: &[f64; 2],
+) -> Quaternion<f64> {
     let (minus, plus) = (0.5 * (co - so), 0.5 * (co + so));
     let (up, down) = (cl + sl, cl - sl);
     Quaternion::new(minus * up, minus * down, plus * down, plus * up)

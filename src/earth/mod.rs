@@ -5,6 +5,7 @@
 mod geodetic;
 mod gravity;
 
+pub(crate) use geodetic::navigation_axes_from_half_angles;
 pub use geodetic::{Geodetic, Vertical, VerticalTrack, navigation_axes};
 pub use gravity::GravityModel;
 

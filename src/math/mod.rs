@@ -2,15 +2,19 @@
 //! where a transcendental function is called.
 
 mod compensated;
+mod pair;
 mod rotation;
+mod sine;
 mod stencil;
 mod transcendental;
 
 pub use compensated::{Compensated, two_product, two_sum};
+pub use pair::{Pair, VectorPair};
 pub use rotation::{
-    Euler, RotationSeries, attitude_from_euler, axis_turn_increment, euler_from_attitude,
-    inverse_right_jacobian, relative_rotation, rotate, rotate_inverse, rotated_z, rotation_increment,
-    rotation_matrix, rotation_quaternion, rotation_vector,
+    Euler, RotationSeries, attitude_from_euler, attitude_from_half_angles, axis_turn_increment,
+    euler_from_attitude, inverse_right_jacobian, relative_rotation, rotate, rotate_inverse, rotated_z,
+    rotation_increment, rotation_matrix, rotation_quaternion, rotation_vector,
 };
+pub use sine::sin_cos_each;
 pub use stencil::end_derivative_weights;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, sin_cos, tan, tanh, wrap_angle};

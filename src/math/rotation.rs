@@ -6,6 +6,8 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
+use super::pair::Pair;
+use super::sine::sin_cos_each;
 use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
@@ -25,7 +27,7 @@ impl RotationSeries {
         // Taylor series: the closed forms cancel at 0. Dropped terms are below 1e-17 of the sum: n² / 16! in the long one,
         // up to 0.5 rad, n² / 10! in the short one, up to 0.06 rad, which most intervals need.
         let x = n2;
-        if n2 < 0.003_6 {
+        if n2 < SHORT_SERIES {
             Self {
                 square: 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40_320.0))),
                 cubic: 1.0 / 6.0 - x * (1.0 / 120.0 - x * (1.0 / 5_040.0 - x * (1.0 / 362_880.0))),
@@ -45,7 +47,25 @@ impl RotationSeries {
             Self { square: 2.0 * half_sin * half_sin / n2, cubic: (n - sin_cos(n).0) / (n2 * n) }
         }
     }
+
+    /// `square` and `cubic` for two squared angles [rad²]: together, where the short series holds for both.
+    #[inline(always)]
+    pub fn of_pair(n2: Pair) -> (Pair, Pair) {
+        if n2.max() < SHORT_SERIES {
+            let one = Pair::both;
+            let square =
+                one(1.0 / 2.0) - n2 * (one(1.0 / 24.0) - n2 * (one(1.0 / 720.0) - n2 * (1.0 / 40_320.0)));
+            let cubic =
+                one(1.0 / 6.0) - n2 * (one(1.0 / 120.0) - n2 * (one(1.0 / 5_040.0) - n2 * (1.0 / 362_880.0)));
+            return (square, cubic);
+        }
+        let [first, second] = n2.0.map(Self::new);
+        (Pair([first.square, second.square]), Pair([first.cubic, second.cubic]))
+    }
 }
+
+/// Squared angle up to which the short series holds [rad²].
+const SHORT_SERIES: f64 = 0.003_6;
 
 /// `v` rotated by the unit quaternion `q`.
 #[inline]
@@ -192,9 +212,13 @@ pub struct Euler {
 
 /// `q_nb` of the aerospace sequence heading, pitch, roll: C = Rz(-heading) Rx(pitch) Ry(roll).
 pub fn attitude_from_euler(euler: &Euler) -> Quaternion<f64> {
-    let (sr, cr) = sin_cos(0.5 * euler.roll);
-    let (sp, cp) = sin_cos(0.5 * euler.pitch);
-    let (sh, ch) = sin_cos(0.5 * euler.heading);
+    let (sines, cosines) = sin_cos_each(&[0.5 * euler.roll, 0.5 * euler.pitch, 0.5 * euler.heading]);
+    attitude_from_half_angles(&sines, &cosines)
+}
+
+/// The same from the sines and cosines of half of roll, pitch and heading.
+#[inline]
+pub fn attitude_from_half_angles(&[sr, sp, sh]: &[f64; 3], &[cr, cp, ch]: &[f64; 3]) -> Quaternion<f64> {
     Quaternion::new(
         ch * cp * cr + sh * sp * sr,
         ch * sp * cr + sh * cp * sr,

@@ -1,13 +1,16 @@
-//! Every transcendental function of the crate goes through here, on the `libm` crate: the same bits on every
-//! operating system, processor and word size. `f64::sin` and its kin call the platform's library and are
+//! Every transcendental function of the crate goes through here, on the `libm` crate or this one's sine: the same bits on
+//! every operating system, processor and word size. `f64::sin` and its kin call the platform's library and are
 //! forbidden elsewhere (`clippy.toml`).
 
 use core::f64::consts::TAU;
 
+use super::sine::sin_cos_each;
+
 /// Sine and cosine of `x` [rad].
 #[inline]
 pub fn sin_cos(x: f64) -> (f64, f64) {
-    libm::sincos(x)
+    let ([sine], [cosine]) = sin_cos_each(&[x]);
+    (sine, cosine)
 }
 
 /// Tangent of `x` [rad].

@@ -1,16 +1,24 @@
 //! The generator: acceleration and angular rate at the samples, from the samples, and with them the motion of one interval
 //! after the other.
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 
 use super::motion::IntervalMotion;
 use crate::math::{
-    end_derivative_weights, relative_rotation, rotated_z, rotation_increment, rotation_vector,
+    end_derivative_weights, inverse_right_jacobian, relative_rotation, rotated_z, rotation_increment,
+    rotation_vector,
 };
 use crate::truth::{Recent, TruthPoint};
 
 /// Total rotation over a stencil beyond which the rotation vectors from its end grow ambiguous [rad] (150°).
 const MAX_STENCIL_ROTATION: f64 = 2.6;
+
+/// Total rotation over a stencil up to which [`composed`] serves [rad].
+const MAX_SERIES_ROTATION: f64 = 0.5;
+
+/// Rotation over an interval up to which the second order of the Earth's turn b needs no more than its first term in it
+/// [rad]: what is dropped is b² n³/720, 5e-17 rad at an interval of a second.
+const MAX_SMALL_TURN: f64 = 0.02;
 
 /// Derivatives of the motion at a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,20 +46,35 @@ impl Neighbour {
     }
 }
 
+/// Rotation against the Earth over an interval, sensor axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Turn {
+    /// Rotation vector [rad].
+    vector: Vector3<f64>,
+    /// Its length [rad].
+    angle: f64,
+}
+
+impl Turn {
+    const NONE: Self = Self { vector: Vector3::new(0.0, 0.0, 0.0), angle: 0.0 };
+}
+
 /// Makes the ideal signals of the interval between each sample and the next.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SignalGenerator {
     earth_rate: f64,
     /// At the last sample, once they come from as many points as a stencil ever has, or from the host.
     settled: Option<Derivatives>,
-    /// Rotation over each of the last two intervals, newest first [rad].
-    turned: [f64; 2],
+    /// Of the last two intervals, newest first.
+    turns: [Turn; 2],
+    /// Of the last stencil: even samples have the same again and again.
+    stencil: Stencil,
 }
 
 impl SignalGenerator {
     /// Starts on an Earth that turns at `earth_rate` [rad/s].
     pub fn new(earth_rate: f64) -> Self {
-        Self { earth_rate, settled: None, turned: [0.0; 2] }
+        Self { earth_rate, settled: None, turns: [Turn::NONE; 2], stencil: Stencil::NONE }
     }
 
     /// The motion of the interval that `recent` ends; the intervals come in order.
@@ -60,44 +83,74 @@ impl SignalGenerator {
     /// interval. While there are fewer, both ends take all there are.
     pub fn advance<'a>(&mut self, recent: &Recent<'a>) -> IntervalMotion<'a> {
         let Recent { next, current, before } = *recent;
-        let interval = next.interval_s;
         let against_earth = relative_rotation(&current.state.q_eb, &next.state.q_eb);
-        let turn = rotation_vector(&against_earth);
-        let turned = turn.norm_squared().sqrt();
-
-        // The samples before, seen from `next`, as far as the rotation since then is unambiguous.
-        let back = Neighbour { v_e: current.state.v_e, offset_s: -interval, rotation: -turn };
-        let since_second = turned + self.turned[0];
-        let since_third = since_second + self.turned[1];
-        let second = before[0]
-            .filter(|_| since_second < MAX_STENCIL_ROTATION)
-            .map(|point| Neighbour::new(next, point, -interval - current.interval_s));
-        let third = before[1].zip(before[0]).filter(|_| since_third < MAX_STENCIL_ROTATION).map(
-            |(point, between)| {
-                Neighbour::new(next, point, -interval - current.interval_s - between.interval_s)
-            },
-        );
+        let vector = rotation_vector(&against_earth);
+        let turn = Turn { vector, angle: vector.norm_squared().sqrt() };
         let earth_rate_b = self.earth_rate_at(next);
-        let end = derivatives_at(next, &earth_rate_b, [Some(back), second, third]);
+
+        // As far back as the rotation since then is unambiguous.
+        let since_second = turn.angle + self.turns[0].angle;
+        let since_third = since_second + self.turns[1].angle;
+        let second = before[0].filter(|_| since_second < MAX_STENCIL_ROTATION);
+        let third = before[1].filter(|_| since_third < MAX_STENCIL_ROTATION);
+        let end = match (given(next), second, third) {
+            (Some(given), ..) => given,
+            (None, Some(second), Some(third)) if since_third < MAX_SERIES_ROTATION => {
+                let rotations = self.rotations_back(&turn.vector);
+                let points = [current, second, third];
+                let offsets = [next.interval_s, current.interval_s, second.interval_s];
+                self.derivatives_on_stencil(next, &earth_rate_b, &points, &offsets, &rotations)
+            }
+            _ => derivatives_at(next, &earth_rate_b, neighbours_behind(next, current, second, third)),
+        };
         let start = self.settled.unwrap_or_else(|| {
-            let ahead = Neighbour { v_e: next.state.v_e, offset_s: interval, rotation: turn };
+            let interval = next.interval_s;
+            let ahead = Neighbour { v_e: next.state.v_e, offset_s: interval, rotation: turn.vector };
             let behind = before[0]
-                .filter(|_| self.turned[0] < MAX_STENCIL_ROTATION)
+                .filter(|_| self.turns[0].angle < MAX_STENCIL_ROTATION)
                 .map(|point| Neighbour::new(current, point, -current.interval_s));
-            let far = before[1].zip(before[0]).filter(|_| third.is_some()).map(|(point, between)| {
+            let far = before[0].zip(third).map(|(between, point)| {
                 Neighbour::new(current, point, -current.interval_s - between.interval_s)
             });
             derivatives_at(current, &self.earth_rate_at(current), [Some(ahead), behind, far])
         });
 
-        // Against the Earth q0* q1, which is exact at rest, then the Earth's own turn meanwhile.
-        let earth_turn = rotation_increment(&(earth_rate_b * interval));
-        let rotation = rotation_vector(&(against_earth + against_earth * earth_turn));
-
-        let given = next.sample.omega_ib_b.is_some() && next.a_e.is_some();
-        self.settled = (given || third.is_some()).then_some(end);
-        self.turned = [turned, self.turned[0]];
+        let rotation = against_inertial_space(&against_earth, &turn, &(earth_rate_b * next.interval_s));
+        self.settled = (given(next).is_some() || third.is_some()).then_some(end);
+        self.turns = [turn, self.turns[0]];
         IntervalMotion::new(current, next, &[start, end], &rotation, self.earth_rate)
+    }
+
+    /// Rotation vectors from the newest of four samples back to the three before, from those between them, the last of
+    /// which is `turn`.
+    fn rotations_back(&self, turn: &Vector3<f64>) -> [Vector3<f64>; 3] {
+        let first = -turn;
+        let second = composed(&first, &-self.turns[0].vector);
+        let third = composed(&second, &-self.turns[1].vector);
+        [first, second, third]
+    }
+
+    /// Derivatives at `next` on the full stencil: `points` newest first, the intervals that end at `next`, at the first and
+    /// at the second of them [s], and the rotation vectors to the points [rad].
+    fn derivatives_on_stencil(
+        &mut self,
+        next: &TruthPoint,
+        earth_rate_b: &Vector3<f64>,
+        points: &[&TruthPoint; 3],
+        intervals: &[f64; 3],
+        rotations: &[Vector3<f64>; 3],
+    ) -> Derivatives {
+        if self.stencil.intervals != *intervals {
+            self.stencil = Stencil::new(intervals);
+        }
+        let [w1, w2, w3] = self.stencil.weights;
+        let v_e = &next.state.v_e;
+        let [v1, v2, v3] = points.map(|point| point.state.v_e - v_e);
+        let [r1, r2, r3] = rotations;
+        Derivatives {
+            a_e: next.a_e.unwrap_or(v1 * w1 + v2 * w2 + v3 * w3),
+            omega_ib_b: next.sample.omega_ib_b.unwrap_or(r1 * w1 + r2 * w2 + r3 * w3 + earth_rate_b),
+        }
     }
 
     /// Earth rate in the sensor axes of a sample [rad/s].
@@ -106,14 +159,75 @@ impl SignalGenerator {
     }
 }
 
+/// Weights of a full stencil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Stencil {
+    /// Lengths of its intervals [s], newest first.
+    intervals: [f64; 3],
+    /// Of the differences to the three points before [1/s].
+    weights: [f64; 3],
+}
+
+impl Stencil {
+    const NONE: Self = Self { intervals: [0.0; 3], weights: [0.0; 3] };
+
+    fn new(intervals: &[f64; 3]) -> Self {
+        let [a, b, c] = *intervals;
+        Self { intervals: *intervals, weights: end_derivative_weights(&[-a, -a - b, -a - b - c]) }
+    }
+}
+
+/// Rotation vector of exp(a) exp(b), by the series of Baker, Campbell and Hausdorff to the fourth order. What it drops is
+/// |a|³ |a×b| / 720: at rates, two orders of the interval below the error of a cubic through four points.
+fn composed(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
+    let c = a.cross(b);
+    let ac = a.cross(&c);
+    a + b + 0.5 * c + (ac - b.cross(&c)) * (1.0 / 12.0) - b.cross(&ac) * (1.0 / 24.0)
+}
+
+/// Rotation vector against inertial space: `against_earth`, of which `turn` is the rotation vector, then the Earth's own turn
+/// meanwhile, `earth_turn`, in the axes at the end. Exactly the latter where there is no turn.
+fn against_inertial_space(
+    against_earth: &Quaternion<f64>,
+    turn: &Turn,
+    earth_turn: &Vector3<f64>,
+) -> Vector3<f64> {
+    if turn.angle < MAX_SMALL_TURN {
+        let first_order = inverse_right_jacobian(&turn.vector, earth_turn);
+        return turn.vector + first_order - earth_turn.cross(&turn.vector.cross(earth_turn)) * (1.0 / 12.0);
+    }
+    let earth_turn = rotation_increment(earth_turn);
+    rotation_vector(&(against_earth + against_earth * earth_turn))
+}
+
+/// What the host gave at `point`, if all of it.
+fn given(point: &TruthPoint) -> Option<Derivatives> {
+    Some(Derivatives { a_e: point.a_e?, omega_ib_b: point.sample.omega_ib_b? })
+}
+
+/// The samples before `next` as far as they are usable.
+fn neighbours_behind(
+    next: &TruthPoint,
+    current: &TruthPoint,
+    second: Option<&TruthPoint>,
+    third: Option<&TruthPoint>,
+) -> [Option<Neighbour>; 3] {
+    let to_second = -next.interval_s - current.interval_s;
+    [
+        Some(Neighbour::new(next, current, -next.interval_s)),
+        second.map(|point| Neighbour::new(next, point, to_second)),
+        second.zip(third).map(|(between, point)| Neighbour::new(next, point, to_second - between.interval_s)),
+    ]
+}
+
 /// What the host gave at `point`, else what one to three others make of it; `earth_rate_b` is the Earth rate there.
 fn derivatives_at(
     point: &TruthPoint,
     earth_rate_b: &Vector3<f64>,
     others: [Option<Neighbour>; 3],
 ) -> Derivatives {
-    if let (Some(a_e), Some(omega_ib_b)) = (point.a_e, point.sample.omega_ib_b) {
-        return Derivatives { a_e, omega_ib_b };
+    if let Some(given) = given(point) {
+        return given;
     }
     let v_e = &point.state.v_e;
     let (a_e, omega_eb_b) = match others {

@@ -5,24 +5,22 @@ use nalgebra::Vector3;
 use super::Increment;
 use super::generator::Derivatives;
 use crate::math::{
-    RotationSeries, axis_turn_increment, inverse_right_jacobian, rotation_matrix, rotation_quaternion,
+    Pair, RotationSeries, VectorPair, axis_turn_increment, inverse_right_jacobian, rotation_matrix,
+    rotation_quaternion,
 };
 use crate::state::EarthFixedState;
 use crate::truth::TruthPoint;
 
-/// Nodes and weights of Gauss-Legendre quadrature on 0..1.
-const GAUSS2: [(f64, f64); 2] = [(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)];
-const GAUSS3: [(f64, f64); 3] = [
-    (0.112_701_665_379_258_31, 0.277_777_777_777_777_8),
-    (0.5, 0.444_444_444_444_444_4),
-    (0.887_298_334_620_741_7, 0.277_777_777_777_777_8),
+/// Nodes and weights of Gauss-Legendre quadrature on 0..1, two and two; a node of weight 0 fills up.
+const GAUSS2: [[Pair; 2]; 1] = [[Pair([0.211_324_865_405_187_1, 0.788_675_134_594_812_9]), Pair([0.5, 0.5])]];
+const GAUSS3: [[Pair; 2]; 2] = [
+    [Pair([0.112_701_665_379_258_31, 0.887_298_334_620_741_7]), Pair([0.277_777_777_777_777_8; 2])],
+    [Pair([0.5, 0.5]), Pair([0.444_444_444_444_444_4, 0.0])],
 ];
-const GAUSS5: [(f64, f64); 5] = [
-    (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
-    (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
-    (0.5, 0.284_444_444_444_444_44),
-    (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
-    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+const GAUSS5: [[Pair; 2]; 3] = [
+    [Pair([0.046_910_077_030_668_004, 0.953_089_922_969_332]), Pair([0.118_463_442_528_094_54; 2])],
+    [Pair([0.230_765_344_947_158_45, 0.769_234_655_052_841_5]), Pair([0.239_314_335_249_683_23; 2])],
+    [Pair([0.5, 0.5]), Pair([0.284_444_444_444_444_44, 0.0])],
 ];
 
 /// Rotation within a sub-interval up to which two and three nodes integrate to rounding [rad]: their errors are the fourth
@@ -93,23 +91,16 @@ impl<'a> IntervalMotion<'a> {
 
     /// Integrals of angular rate and specific force over each of `increments.len()` equal parts.
     pub fn integrate(&self, increments: &mut [Increment]) {
-        let force_b = self.force_in_start_axes();
+        let polynomials = SensedPolynomials {
+            rotation: self.rotation.map(|c| VectorPair::both(&c)),
+            force: self.force_in_start_axes().map(|f| VectorPair::both(&f)),
+        };
         let part = 1.0 / increments.len() as f64;
         let rotation_bound: f64 = self.rotation.iter().map(|c| c.x.abs() + c.y.abs() + c.z.abs()).sum();
-        let nodes: &[(f64, f64)] = match rotation_bound * part {
-            turn if turn < GAUSS2_MAX_ROTATION => &GAUSS2,
-            turn if turn < GAUSS3_MAX_ROTATION => &GAUSS3,
-            _ => &GAUSS5,
-        };
-        for (m, increment) in increments.iter_mut().enumerate() {
-            let mut sum = Increment::ZERO;
-            for &(node, weight) in nodes {
-                let u = (m as f64 + node) * part;
-                let (rate, force) = self.sensed(u, &force_b);
-                sum.angle += rate * weight;
-                sum.velocity += force * weight;
-            }
-            *increment = Increment { angle: sum.angle * part, velocity: sum.velocity * part };
+        match rotation_bound * part {
+            turn if turn < GAUSS2_MAX_ROTATION => polynomials.integrate(&GAUSS2, part, increments),
+            turn if turn < GAUSS3_MAX_ROTATION => polynomials.integrate(&GAUSS3, part, increments),
+            _ => polynomials.integrate(&GAUSS5, part, increments),
         }
     }
 
@@ -127,22 +118,6 @@ impl<'a> IntervalMotion<'a> {
         ];
         let to_body = rotation_matrix(&self.start.state.q_eb.conjugate());
         inertial.map(|f| to_body * f)
-    }
-
-    /// T times angular rate against inertial space and specific force, sensor axes.
-    #[inline]
-    fn sensed(&self, u: f64, force_b: &[Vector3<f64>; 4]) -> (Vector3<f64>, Vector3<f64>) {
-        let [c1, c2, c3] = &self.rotation;
-        let phi = (c1 + (c2 + c3 * u) * u) * u;
-        let phi_rate = c1 + (2.0 * c2 + 3.0 * c3 * u) * u;
-        let force = force_b[0] + (force_b[1] + (force_b[2] + force_b[3] * u) * u) * u;
-        let n2 = phi.norm_squared();
-        let series = RotationSeries::new(n2);
-        let cross = phi.cross(&phi_rate);
-        let rate = phi_rate - series.square * cross + series.cubic * phi.cross(&cross);
-        let cross = phi.cross(&force);
-        let force = force - (1.0 - n2 * series.cubic) * cross + series.square * phi.cross(&cross);
-        (rate, force)
     }
 
     /// Displacement over the interval by its velocity, Earth-fixed axes [m].
@@ -181,6 +156,46 @@ impl<'a> IntervalMotion<'a> {
             },
             f_e: (f0 + f1 * 0.5 + f2 * 0.25 + f3 * 0.125) * (1.0 / t),
         }
+    }
+}
+
+/// Rotation vector = Σ rotation[i] u^(i+1) and T times specific force in the axes of the start = Σ force[i] u^i, each
+/// coefficient twice, for two instants at once.
+struct SensedPolynomials {
+    rotation: [VectorPair; 3],
+    force: [VectorPair; 4],
+}
+
+impl SensedPolynomials {
+    /// Integrals over each of the equal parts, of length `part`.
+    #[inline(always)]
+    fn integrate<const N: usize>(&self, nodes: &[[Pair; 2]; N], part: f64, increments: &mut [Increment]) {
+        for (m, increment) in increments.iter_mut().enumerate() {
+            let (mut angle, mut velocity) = (VectorPair::ZERO, VectorPair::ZERO);
+            for &[node, weight] in nodes {
+                let (rate, force) = self.sensed((Pair::both(m as f64) + node) * part);
+                angle += rate.times(weight);
+                velocity += force.times(weight);
+            }
+            *increment = Increment { angle: angle.sum() * part, velocity: velocity.sum() * part };
+        }
+    }
+
+    /// T times angular rate against inertial space and specific force at two instants, sensor axes.
+    #[inline(always)]
+    fn sensed(&self, u: Pair) -> (VectorPair, VectorPair) {
+        let [c1, c2, c3] = &self.rotation;
+        let [f0, f1, f2, f3] = &self.force;
+        let phi = (*c1 + (*c2 + c3.times(u)).times(u)).times(u);
+        let phi_rate = *c1 + (c2.times(Pair::both(2.0)) + c3.times(u * 3.0)).times(u);
+        let force = *f0 + (*f1 + (*f2 + f3.times(u)).times(u)).times(u);
+        let n2 = phi.dot(&phi);
+        let (square, cubic) = RotationSeries::of_pair(n2);
+        let cross = phi.cross(&phi_rate);
+        let rate = phi_rate - cross.times(square) + phi.cross(&cross).times(cubic);
+        let cross = phi.cross(&force);
+        let force = force - cross.times(Pair::both(1.0) - n2 * cubic) + phi.cross(&cross).times(square);
+        (rate, force)
     }
 }
 

@@ -5,8 +5,8 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::Vector3;
 
 use super::FlightSample;
-use crate::earth::{Earth, Geodetic, Vertical, navigation_axes};
-use crate::math::{attitude_from_euler, rotate, rotated_z};
+use crate::earth::{Earth, Geodetic, Vertical, navigation_axes_from_half_angles};
+use crate::math::{Euler, attitude_from_euler, attitude_from_half_angles, rotate, rotated_z, sin_cos_each};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Truth at a sample, in Earth-fixed axes.
@@ -40,7 +40,13 @@ impl TruthPoint {
         // What the check let pass beyond a pole is the pole.
         let latitude_rad = sample.place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
         let sample = FlightSample { place: Geodetic { latitude_rad, ..sample.place }, ..*sample };
-        let q_en = navigation_axes(latitude_rad, sample.place.longitude_rad);
+        let Euler { roll, pitch, heading } = sample.euler;
+        let (sines, cosines) = sin_cos_each(
+            &[latitude_rad, sample.place.longitude_rad, roll, pitch, heading].map(|angle| 0.5 * angle),
+        );
+        let ([sl, so, attitude_sines @ ..], [cl, co, attitude_cosines @ ..]) = (sines, cosines);
+        let q_en = navigation_axes_from_half_angles(&[sl, so], &[cl, co]);
+        let q_nb = attitude_from_half_angles(&attitude_sines, &attitude_cosines);
         let up_e = rotated_z(&q_en);
         let transverse_m = earth.radii(up_e.z).transverse_m;
         let mut r_e = up_e * (transverse_m + sample.place.height_m);
@@ -48,7 +54,7 @@ impl TruthPoint {
         let state = EarthFixedState {
             r_e,
             v_e: rotate(&q_en, &sample.v_n.unwrap_or_default()),
-            q_eb: q_en * axes.exchange(&attitude_from_euler(&sample.euler)),
+            q_eb: q_en * axes.exchange(&q_nb),
         };
         let gravity_e = earth.gravity(&r_e);
         let mut point = Self { time_s, interval_s, state, up_e, gravity_e, a_e: None, sample };

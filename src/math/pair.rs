@@ -1,0 +1,165 @@
+//! Two numbers, and two vectors, that go through the same formula at once: the compiler makes one instruction of the two
+//! where the processor has such (SSE2, NEON), and the bits are those of the plain formula everywhere.
+
+use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+
+use nalgebra::Vector3;
+
+/// Two numbers side by side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair(pub [f64; 2]);
+
+impl Pair {
+    /// Both 0.
+    pub const ZERO: Self = Self([0.0; 2]);
+
+    /// The same number twice.
+    #[inline(always)]
+    pub fn both(x: f64) -> Self {
+        Self([x; 2])
+    }
+
+    /// The larger of the two.
+    #[inline(always)]
+    pub fn max(self) -> f64 {
+        if self.0[0] > self.0[1] { self.0[0] } else { self.0[1] }
+    }
+
+    /// The first and the second, added.
+    #[inline(always)]
+    pub fn sum(self) -> f64 {
+        self.0[0] + self.0[1]
+    }
+}
+
+impl Add for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self([self.0[0] + other.0[0], self.0[1] + other.0[1]])
+    }
+}
+
+impl Sub for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self([self.0[0] - other.0[0], self.0[1] - other.0[1]])
+    }
+}
+
+impl Mul for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self([self.0[0] * other.0[0], self.0[1] * other.0[1]])
+    }
+}
+
+impl Mul<f64> for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        Self([self.0[0] * factor, self.0[1] * factor])
+    }
+}
+
+impl Neg for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self([-self.0[0], -self.0[1]])
+    }
+}
+
+/// Two vectors side by side, component by component.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VectorPair {
+    /// Their x components.
+    pub x: Pair,
+    /// Their y components.
+    pub y: Pair,
+    /// Their z components.
+    pub z: Pair,
+}
+
+impl VectorPair {
+    /// Both 0.
+    pub const ZERO: Self = Self { x: Pair::ZERO, y: Pair::ZERO, z: Pair::ZERO };
+
+    /// Two vectors.
+    #[inline(always)]
+    pub fn new(first: &Vector3<f64>, second: &Vector3<f64>) -> Self {
+        let pair = |i: usize| Pair([first[i], second[i]]);
+        Self { x: pair(0), y: pair(1), z: pair(2) }
+    }
+
+    /// The same vector twice.
+    #[inline(always)]
+    pub fn both(v: &Vector3<f64>) -> Self {
+        Self::new(v, v)
+    }
+
+    /// The first of the two.
+    #[inline(always)]
+    pub fn first(&self) -> Vector3<f64> {
+        Vector3::new(self.x.0[0], self.y.0[0], self.z.0[0])
+    }
+
+    /// The second of the two.
+    #[inline(always)]
+    pub fn second(&self) -> Vector3<f64> {
+        Vector3::new(self.x.0[1], self.y.0[1], self.z.0[1])
+    }
+
+    /// The sum of the two.
+    #[inline(always)]
+    pub fn sum(&self) -> Vector3<f64> {
+        Vector3::new(self.x.sum(), self.y.sum(), self.z.sum())
+    }
+
+    /// Each times the number of its place.
+    #[inline(always)]
+    pub fn times(&self, factors: Pair) -> Self {
+        Self { x: self.x * factors, y: self.y * factors, z: self.z * factors }
+    }
+
+    /// The cross product of the firsts, and of the seconds.
+    #[inline(always)]
+    pub fn cross(&self, other: &Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
+    /// The scalar product of the firsts, and of the seconds.
+    #[inline(always)]
+    pub fn dot(&self, other: &Self) -> Pair {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+}
+
+impl Add for VectorPair {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl AddAssign for VectorPair {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Sub for VectorPair {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
