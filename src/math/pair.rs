@@ -3,7 +3,7 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// Two numbers side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,6 +116,17 @@ impl VectorPair {
     #[inline(always)]
     pub fn sum(&self) -> Vector3<f64> {
         Vector3::new(self.x.sum(), self.y.sum(), self.z.sum())
+    }
+
+    /// The matrix times each.
+    #[inline(always)]
+    pub fn of_matrix(matrix: &Matrix3<f64>, pair: &Self) -> Self {
+        let row = |i: usize| {
+            pair.x * Pair::both(matrix[(i, 0)])
+                + pair.y * Pair::both(matrix[(i, 1)])
+                + pair.z * Pair::both(matrix[(i, 2)])
+        };
+        Self { x: row(0), y: row(1), z: row(2) }
     }
 
     /// Each times the number of its place.

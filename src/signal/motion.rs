@@ -4,11 +4,7 @@ use nalgebra::Vector3;
 
 use super::Increment;
 use super::generator::Derivatives;
-use crate::math::{
-    Pair, RotationSeries, VectorPair, axis_turn_increment, inverse_right_jacobian, rotation_matrix,
-    rotation_quaternion,
-};
-use crate::state::EarthFixedState;
+use crate::math::{Pair, RotationSeries, VectorPair, inverse_right_jacobian};
 use crate::truth::TruthPoint;
 
 /// Nodes and weights of Gauss-Legendre quadrature on 0..1, two and two; a node of weight 0 fills up.
@@ -28,12 +24,14 @@ const GAUSS5: [[Pair; 2]; 3] = [
 const GAUSS2_MAX_ROTATION: f64 = 0.001;
 const GAUSS3_MAX_ROTATION: f64 = 0.05;
 
-/// Truth at an instant of the interval, for the error equations.
+/// Truth at an instant of the interval, Earth-fixed axes, for the error equations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionNode {
-    /// Position, velocity, attitude.
-    pub state: EarthFixedState,
-    /// Specific force, Earth-fixed axes [m/s²].
+    /// Position [m].
+    pub r_e: Vector3<f64>,
+    /// Velocity against the Earth [m/s].
+    pub v_e: Vector3<f64>,
+    /// Specific force [m/s²].
     pub f_e: Vector3<f64>,
 }
 
@@ -116,8 +114,7 @@ impl<'a> IntervalMotion<'a> {
             f2 + k1 + 0.5 * axis_cross(wt, &k0),
             f3 + axis_cross(wt, f2) + 0.5 * axis_cross(wt, &k1),
         ];
-        let to_body = rotation_matrix(&self.start.state.q_eb.conjugate());
-        inertial.map(|f| to_body * f)
+        inertial.map(|f| self.start.to_earth.tr_mul(&f))
     }
 
     /// Displacement over the interval by its velocity, Earth-fixed axes [m].
@@ -126,36 +123,48 @@ impl<'a> IntervalMotion<'a> {
         (v0 + v1 * 0.5 + v2 * (1.0 / 3.0) + v3 * 0.25) * self.interval_s
     }
 
-    /// Truth at the start.
-    #[inline]
-    pub fn start(&self) -> MotionNode {
-        MotionNode { state: self.start.state, f_e: self.force[0] * (1.0 / self.interval_s) }
-    }
-
-    /// Truth at the end.
-    #[inline]
-    pub fn end(&self) -> MotionNode {
-        let [f0, f1, f2, f3] = &self.force;
-        MotionNode { state: self.end.state, f_e: (f0 + f1 + f2 + f3) * (1.0 / self.interval_s) }
-    }
-
-    /// Truth in the middle.
+    /// Truth at the start, in the middle and at the end.
     #[inline(always)]
-    pub fn middle(&self) -> MotionNode {
-        let [c1, c2, c3] = &self.rotation;
+    pub fn nodes(&self) -> [MotionNode; 3] {
         let [v0, v1, v2, v3] = &self.velocity;
         let [f0, f1, f2, f3] = &self.force;
-        let t = self.interval_s;
-        let q_eb = self.start.state.q_eb * rotation_quaternion(&(0.5 * c1 + 0.25 * c2 + 0.125 * c3));
-        MotionNode {
-            state: EarthFixedState {
-                r_e: self.start.state.r_e
-                    + (v0 * 0.5 + v1 * 0.125 + v2 * (1.0 / 24.0) + v3 * (1.0 / 64.0)) * t,
+        let (t, rate) = (self.interval_s, 1.0 / self.interval_s);
+        let (start, end) = (&self.start.state, &self.end.state);
+        let to_middle = (v0 * 0.5 + v1 * 0.125 + v2 * (1.0 / 24.0) + v3 * (1.0 / 64.0)) * t;
+        [
+            MotionNode { r_e: start.r_e, v_e: start.v_e, f_e: f0 * rate },
+            MotionNode {
+                r_e: start.r_e + to_middle,
                 v_e: v0 + v1 * 0.5 + v2 * 0.25 + v3 * 0.125,
-                q_eb: q_eb + axis_turn_increment(&q_eb, -0.5 * self.earth_rate * t),
+                f_e: (f0 + f1 * 0.5 + f2 * 0.25 + f3 * 0.125) * rate,
             },
-            f_e: (f0 + f1 * 0.5 + f2 * 0.25 + f3 * 0.125) * (1.0 / t),
-        }
+            MotionNode { r_e: end.r_e, v_e: end.v_e, f_e: (f0 + f1 + f2 + f3) * rate },
+        ]
+    }
+
+    /// Pairs of vectors in sensor axes at the start, in the middle and at the end, turned to Earth-fixed axes.
+    #[inline(always)]
+    pub fn to_earth_axes(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
+        let [c1, c2, c3] = &self.rotation;
+        let phi = 0.5 * c1 + 0.25 * c2 + 0.125 * c3;
+        let n2 = phi.norm_squared();
+        let series = RotationSeries::new(n2);
+        let phi = VectorPair::both(&phi);
+        let cross = phi.cross(middle);
+        let turned = *middle
+            + cross.times(Pair::both(1.0 - n2 * series.cubic))
+            + phi.cross(&cross).times(Pair::both(series.square));
+        let middle = VectorPair::of_matrix(&self.start.to_earth, &turned);
+        // The Earth has turned on by half the interval: 2e-3 rad at the most, to its second order.
+        let angle = Pair::both(0.5 * self.earth_rate * self.interval_s);
+        let half_square = angle * angle * 0.5;
+        let middle = VectorPair {
+            x: middle.x + middle.y * angle - middle.x * half_square,
+            y: middle.y - middle.x * angle - middle.y * half_square,
+            z: middle.z,
+        };
+        let at = |point: &TruthPoint, pair| VectorPair::of_matrix(&point.to_earth, pair);
+        [at(self.start, start), middle, at(self.end, end)]
     }
 }
 

@@ -2,11 +2,13 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::FlightSample;
 use crate::earth::{Earth, Geodetic, Vertical, navigation_axes_from_half_angles};
-use crate::math::{Euler, attitude_from_euler, attitude_from_half_angles, rotate, rotated_z, sin_cos_each};
+use crate::math::{
+    Euler, attitude_from_euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each,
+};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Truth at a sample, in Earth-fixed axes.
@@ -18,6 +20,8 @@ pub struct TruthPoint {
     pub interval_s: f64,
     /// Position, velocity, attitude.
     pub state: EarthFixedState,
+    /// Matrix of the attitude: sensor axes to Earth-fixed axes.
+    pub to_earth: Matrix3<f64>,
     /// Unit vector up.
     pub up_e: Vector3<f64>,
     /// Gravity there [m/s²].
@@ -57,7 +61,8 @@ impl TruthPoint {
             q_eb: q_en * axes.exchange(&q_nb),
         };
         let gravity_e = earth.gravity(&r_e);
-        let mut point = Self { time_s, interval_s, state, up_e, gravity_e, a_e: None, sample };
+        let to_earth = rotation_matrix(&state.q_eb);
+        let mut point = Self { time_s, interval_s, state, to_earth, up_e, gravity_e, a_e: None, sample };
         point.use_specific_force(earth);
         point
     }
@@ -70,9 +75,9 @@ impl TruthPoint {
 
     /// a = C f + g - 2 W×v
     fn use_specific_force(&mut self, earth: &Earth) {
-        let EarthFixedState { v_e, q_eb, .. } = &self.state;
+        let v_e = &self.state.v_e;
         let coriolis = Vector3::new(v_e.y, -v_e.x, 0.0) * (2.0 * earth.rate_rad_s);
-        self.a_e = self.sample.f_b.map(|f_b| rotate(q_eb, &f_b) + self.gravity_e + coriolis);
+        self.a_e = self.sample.f_b.map(|f_b| self.to_earth * f_b + self.gravity_e + coriolis);
     }
 
     /// The vertical there.

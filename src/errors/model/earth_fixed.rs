@@ -6,7 +6,7 @@ use super::geometry::LocalGeometry;
 use super::runge_kutta::LinearEquations;
 use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
-use crate::math::rotate;
+use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::{IntervalMotion, MotionNode};
 use crate::truth::TruthPoint;
@@ -32,20 +32,8 @@ pub(super) struct Coefficients {
 }
 
 impl Coefficients {
-    fn at(
-        earth_rate: f64,
-        gradient: Matrix3<f64>,
-        node: &MotionNode,
-        (gyro_b, accel_b): (Vector3<f64>, Vector3<f64>),
-    ) -> Self {
-        let q_eb = &node.state.q_eb;
-        Self {
-            earth_rate,
-            gradient,
-            f_e: node.f_e,
-            gyro_e: rotate(q_eb, &gyro_b),
-            accel_e: rotate(q_eb, &accel_b),
-        }
+    fn at(earth_rate: f64, gradient: Matrix3<f64>, node: &MotionNode, errors_e: &VectorPair) -> Self {
+        Self { earth_rate, gradient, f_e: node.f_e, gyro_e: errors_e.first(), accel_e: errors_e.second() }
     }
 }
 
@@ -61,11 +49,11 @@ impl EarthFixedForm {
     }
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let middle = motion.middle();
-        let gradient = earth.gravity_gradient(&middle.state.r_e);
-        let [e0, e1, e2] = errors.nodes();
-        let coefficients = [(motion.start(), e0), (middle, e1), (motion.end(), e2)]
-            .map(|(node, errors)| Coefficients::at(earth.rate_rad_s, gradient, &node, errors));
+        let nodes = motion.nodes();
+        let gradient = earth.gravity_gradient(&nodes[1].r_e);
+        let errors_e = motion.to_earth_axes(&errors.nodes());
+        let at = |i: usize| Coefficients::at(earth.rate_rad_s, gradient, &nodes[i], &errors_e[i]);
+        let coefficients = [at(0), at(1), at(2)];
         *self = self.after(&coefficients, motion.interval_s);
     }
 

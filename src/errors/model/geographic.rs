@@ -6,7 +6,7 @@ use super::geometry::LocalGeometry;
 use super::runge_kutta::LinearEquations;
 use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
-use crate::math::rotate;
+use crate::math::VectorPair;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::{IntervalMotion, MotionNode};
 use crate::truth::TruthPoint;
@@ -48,20 +48,20 @@ pub(super) struct Coefficients {
 }
 
 impl Coefficients {
-    fn at(earth: &Earth, node: &MotionNode, (gyro_b, accel_b): (Vector3<f64>, Vector3<f64>)) -> Self {
-        let MotionNode { state, f_e } = node;
-        let local = LocalGeometry::new(earth, &earth.vertical(&state.r_e));
+    fn at(earth: &Earth, node: &MotionNode, errors_e: &VectorPair) -> Self {
+        let MotionNode { r_e, v_e, f_e } = node;
+        let local = LocalGeometry::new(earth, &earth.vertical(r_e));
         let (s, c) = (local.sin, local.cos);
         let (tan, sec) = (s / c, 1.0 / c);
-        let v = local.in_local_axes(&state.v_e);
+        let v = local.in_local_axes(v_e);
         let (rate_north, rate_up) = (earth.rate_rad_s * c, earth.rate_rad_s * s);
         let omega_in =
             Vector3::new(-v.y / local.m, rate_north + v.x / local.n, rate_up + v.x * tan / local.n);
         let e2 = earth.eccentricity2;
         let w2 = 1.0 - e2 * s * s;
         let radii = earth.radii(s);
-        let gradient = earth.gravity_gradient(&state.r_e);
-        let gravity = earth.gravity(&state.r_e);
+        let gradient = earth.gravity_gradient(r_e);
+        let gravity = earth.gravity(r_e);
         let by_north = gradient * local.north * local.m;
         let by_up = gradient * local.up;
         Self {
@@ -69,8 +69,8 @@ impl Coefficients {
             sec,
             v,
             f: local.in_local_axes(f_e),
-            eps: local.in_local_axes(&rotate(&state.q_eb, &gyro_b)),
-            nabla: local.in_local_axes(&rotate(&state.q_eb, &accel_b)),
+            eps: local.in_local_axes(&errors_e.first()),
+            nabla: local.in_local_axes(&errors_e.second()),
             rate_north,
             rate_up,
             omega_in,
@@ -96,12 +96,10 @@ impl GeographicForm {
     }
 
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let [e0, e1, e2] = errors.nodes();
-        let coefficients = [
-            Coefficients::at(earth, &motion.start(), e0),
-            Coefficients::at(earth, &motion.middle(), e1),
-            Coefficients::at(earth, &motion.end(), e2),
-        ];
+        let nodes = motion.nodes();
+        let errors_e = motion.to_earth_axes(&errors.nodes());
+        let at = |i: usize| Coefficients::at(earth, &nodes[i], &errors_e[i]);
+        let coefficients = [at(0), at(1), at(2)];
         *self = self.after(&coefficients, motion.interval_s);
     }
     /// Error of the height [m].

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 use super::NavigationErrors;
 use crate::earth::Earth;
-use crate::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
+use crate::math::{Pair, VectorPair, euler_from_attitude, rotation_quaternion, wrap_angle};
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::signal::{Increment, IntervalMotion};
 use crate::state::{BodyAxes, Navigation};
@@ -64,14 +64,11 @@ impl SensorErrors {
     }
 
     /// Gyro and accelerometer errors at the start, in the middle and at the end.
-    #[inline]
-    fn nodes(&self) -> [(Vector3<f64>, Vector3<f64>); 3] {
-        let (gyro, accel) = (self.gyro_change_b * 0.5, self.accel_change_b * 0.5);
-        [
-            (self.gyro_b - gyro, self.accel_b - accel),
-            (self.gyro_b, self.accel_b),
-            (self.gyro_b + gyro, self.accel_b + accel),
-        ]
+    #[inline(always)]
+    fn nodes(&self) -> [VectorPair; 3] {
+        let mean = VectorPair::new(&self.gyro_b, &self.accel_b);
+        let half_change = VectorPair::new(&self.gyro_change_b, &self.accel_change_b).times(Pair::both(0.5));
+        [mean - half_change, mean, mean + half_change]
     }
 }
 
