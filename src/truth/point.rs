@@ -45,12 +45,12 @@ impl TruthPoint {
         let latitude_rad = sample.place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
         let sample = FlightSample { place: Geodetic { latitude_rad, ..sample.place }, ..*sample };
         let Euler { roll, pitch, heading } = sample.euler;
-        let (sines, cosines) = sin_cos_each(
-            &[latitude_rad, sample.place.longitude_rad, roll, pitch, heading].map(|angle| 0.5 * angle),
-        );
-        let ([sl, so, attitude_sines @ ..], [cl, co, attitude_cosines @ ..]) = (sines, cosines);
+        // Six go as fast as five, by twos.
+        let angles = [latitude_rad, sample.place.longitude_rad, roll, pitch, heading, 0.0];
+        let (sines, cosines) = sin_cos_each(&angles.map(|angle| 0.5 * angle));
+        let ([sl, so, sr, sp, sh, _], [cl, co, cr, cp, ch, _]) = (sines, cosines);
         let q_en = navigation_axes_from_half_angles(&[sl, so], &[cl, co]);
-        let q_nb = attitude_from_half_angles(&attitude_sines, &attitude_cosines);
+        let q_nb = attitude_from_half_angles(&[sr, sp, sh], &[cr, cp, ch]);
         let up_e = rotated_z(&q_en);
         let transverse_m = earth.radii(up_e.z).transverse_m;
         let mut r_e = up_e * (transverse_m + sample.place.height_m);

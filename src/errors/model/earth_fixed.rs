@@ -1,14 +1,12 @@
 //! The error equations in Earth-fixed axes.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::geometry::LocalGeometry;
-use super::runge_kutta::LinearEquations;
 use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
-use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
-use crate::signal::{IntervalMotion, MotionNode};
+use crate::signal::IntervalMotion;
 use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity
@@ -19,22 +17,6 @@ pub(super) struct EarthFixedForm {
     psi: Vector3<f64>,
     dv: Vector3<f64>,
     dr: Vector3<f64>,
-}
-
-/// What drives the equations at an instant: Earth rate [rad/s], gravity gradient in the middle of the interval [1/s²],
-/// specific force [m/s²], gyro [rad/s] and accelerometer error [m/s²].
-pub(super) struct Coefficients {
-    earth_rate: f64,
-    gradient: Matrix3<f64>,
-    f_e: Vector3<f64>,
-    gyro_e: Vector3<f64>,
-    accel_e: Vector3<f64>,
-}
-
-impl Coefficients {
-    fn at(earth_rate: f64, gradient: Matrix3<f64>, node: &MotionNode, errors_e: &VectorPair) -> Self {
-        Self { earth_rate, gradient, f_e: node.f_e, gyro_e: errors_e.first(), accel_e: errors_e.second() }
-    }
 }
 
 impl EarthFixedForm {
@@ -48,13 +30,46 @@ impl EarthFixedForm {
         }
     }
 
+    /// A step of classical Runge-Kutta. ψ does without the rest, and for δv and δr the system matrix B does not change within
+    /// the interval, so that with the forcing c = f×ψ + C nabla of each stage the step is
+    /// y + T (B y + (c1 + 2 c2 + 2 c3 + c4)/6 + T/6 B (k1 + k2 + k3)).
     pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let nodes = motion.nodes();
-        let gradient = earth.gravity_gradient(&nodes[1].r_e);
-        let errors_e = motion.to_earth_axes(&errors.nodes());
-        let at = |i: usize| Coefficients::at(earth.rate_rad_s, gradient, &nodes[i], &errors_e[i]);
-        let coefficients = [at(0), at(1), at(2)];
-        *self = self.after(&coefficients, motion.interval_s);
+        let (t, half) = (motion.interval_s, 0.5 * motion.interval_s);
+        let [start, middle, end] = motion.nodes();
+        let gradient = earth.gravity_gradient(&middle.r_e);
+        let [e0, e1, e2] = motion.to_earth_axes(&errors.nodes());
+        let (gyro, accel) = ([e0.first(), e1.first(), e2.first()], [e0.second(), e1.second(), e2.second()]);
+
+        let w = earth.rate_rad_s;
+        let drift = |psi: &Vector3<f64>, i: usize| Vector3::new(w * psi.y, -w * psi.x, 0.0) - gyro[i];
+        let p1 = drift(&self.psi, 0);
+        let psi2 = self.psi + p1 * half;
+        let p2 = drift(&psi2, 1);
+        let psi3 = self.psi + p2 * half;
+        let p3 = drift(&psi3, 1);
+        let psi4 = self.psi + p3 * t;
+        let p4 = drift(&psi4, 2);
+        let c1 = start.f_e.cross(&self.psi) + accel[0];
+        let c2 = middle.f_e.cross(&psi2) + accel[1];
+        let c3 = middle.f_e.cross(&psi3) + accel[1];
+        let c4 = end.f_e.cross(&psi4) + accel[2];
+
+        // The rows of δv'; those of δr' are δv.
+        let row_v = |dv: &Vector3<f64>, dr: &Vector3<f64>| {
+            gradient * dr + Vector3::new(2.0 * w * dv.y, -2.0 * w * dv.x, 0.0)
+        };
+        let (dv, dr) = (self.dv, self.dr);
+        let free = row_v(&dv, &dr);
+        let k1 = free + c1;
+        let k2 = free + c2 + row_v(&k1, &dv) * half;
+        let r2 = dv + k1 * half;
+        let k3 = free + c3 + row_v(&k2, &r2) * half;
+        let r3 = dv + k2 * half;
+        let k = k1 + k2 + k3;
+        let sixth = t * (1.0 / 6.0);
+        self.psi += (p1 + 2.0 * (p2 + p3) + p4) * sixth;
+        self.dv += free * t + (c1 + 2.0 * (c2 + c3) + c4 + row_v(&k, &(dv + r2 + r3)) * t) * sixth;
+        self.dr += dv * t + k * (t * sixth);
     }
 
     /// Error of the height [m].
@@ -87,27 +102,5 @@ impl EarthFixedForm {
             velocity_n: local.in_local_axes(&self.dv) - axes.cross(&v_n),
             misalignment_n: local.in_local_axes(&self.psi) + axes,
         }
-    }
-}
-
-impl LinearEquations for EarthFixedForm {
-    type Coefficients = Coefficients;
-
-    #[inline]
-    fn rate(&self, at: &Coefficients) -> Self {
-        let w = at.earth_rate;
-        Self {
-            psi: Vector3::new(w * self.psi.y, -w * self.psi.x, 0.0) - at.gyro_e,
-            dv: at.f_e.cross(&self.psi)
-                + at.accel_e
-                + Vector3::new(2.0 * w * self.dv.y, -2.0 * w * self.dv.x, 0.0)
-                + at.gradient * self.dr,
-            dr: self.dv,
-        }
-    }
-
-    #[inline]
-    fn plus(&self, rate: &Self, t: f64) -> Self {
-        Self { psi: self.psi + rate.psi * t, dv: self.dv + rate.dv * t, dr: self.dr + rate.dr * t }
     }
 }
