@@ -32,7 +32,7 @@
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern. Each random effect has a stream of its own: switching one leaves every other draw as it was.
+ *   pattern; sins_cost.ns_per_step, which is a time, is the exception. Each random effect has a stream of its own: switching one leaves every other draw as it was.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
