@@ -2,7 +2,7 @@
 
 use core::ops::ControlFlow;
 
-use super::piece::room;
+use super::piece::{heap_simulator, room};
 use super::{Refusal, Rung};
 use crate::error::Error;
 use crate::math::{relative_rotation, rotation_vector};
@@ -67,12 +67,13 @@ fn fly_looking(
     samples: &[FlightSample],
     mut look: impl FnMut(usize, &Simulator) -> Result<ControlFlow<()>, Error>,
 ) -> Result<(), Refusal> {
-    let mut simulator = Simulator::new(options)?;
+    let mut memory = heap_simulator(options)?;
+    let [simulator] = &mut *memory else { return Ok(()) };
     for (index, sample) in samples.iter().enumerate() {
         let mut step = || {
             simulator.push_sample(sample)?;
             Ok(match simulator.step()? {
-                Step::Done => look(index, &simulator)?,
+                Step::Done => look(index, simulator)?,
                 Step::NeedSample => ControlFlow::Continue(()),
             })
         };

@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
+use super::piece::heap_simulator;
 use crate::error::Error;
-use crate::simulator::{Options, Simulator};
+use crate::simulator::Options;
 use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.
@@ -17,7 +18,8 @@ const STEPS: usize = 1000;
 pub fn step_time_ns(options: &Options, samples: &[FlightSample]) -> Result<f64, Error> {
     let stretch = &samples[..samples.len().min(STEPS + 1)];
     let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
-    let mut simulator = Simulator::new(options)?;
+    let mut memory = heap_simulator(options)?;
+    let [simulator] = &mut *memory else { return Ok(0.0) };
     let mut rounds = [0.0; ROUNDS];
     for round in &mut rounds {
         let mut steps = 0;
