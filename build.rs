@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 15] = [
+const SOURCES: [&str; 16] = [
     "version",
     "failure",
     "options",
@@ -26,6 +26,7 @@ const SOURCES: [&str; 15] = [
     "preset",
     "manoeuvre",
     "flight",
+    "recommend",
 ];
 
 fn main() {

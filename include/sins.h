@@ -26,13 +26,15 @@
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
  *   output, no random number drawn (sins_run() keeps what it flew before). SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
  *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern. Each random effect has a stream of its own: switching one leaves every other draw as it was.
+ *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one
+ *   leaves every other draw as it was.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -109,6 +111,9 @@ typedef struct sins_flight sins_flight;
 
 /* There is no complete interval yet: push the next sample. */
 #define SINS_NEED_SAMPLE 1
+
+/* No options meet the requirement; the outputs tell the best there are. */
+#define SINS_REQUIREMENT_NOT_MET 2
 
 /* A pointer that must not be null is. */
 #define SINS_ERROR_NULL_POINTER (-1)
@@ -265,7 +270,7 @@ typedef struct sins_flight sins_flight;
 /* The sinusoid moves heading alone [rad]. */
 #define SINS_CHANNEL_HEADING 5
 
-/* Result of a call: `SINS_OK`, positive "not yet", negative an error. On an error nothing changed. */
+/* Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed. */
 typedef int32_t sins_status;
 
 /* How a simulator is made. All zero (but struct_size) is the recommended simulator. */
@@ -796,6 +801,57 @@ typedef struct sins_manoeuvre {
     double phase_rad[6];
 } sins_manoeuvre;
 
+/*
+ * Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
+ * of 0 is none; at least one is needed.
+ */
+typedef struct sins_requirement {
+    /* sizeof(sins_requirement) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece. */
+    double duration_s;
+    /* Distance from where the exact solution on the same signals is [m]. */
+    double position_m;
+    /* Speed of the difference in velocity [m/s]. */
+    double velocity_m_s;
+    /* Angle between the attitudes, against the Earth [rad]. */
+    double attitude_rad;
+    /* How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2. */
+    double margin;
+} sins_requirement;
+
+/* What recommended options give, and what they cost. */
+typedef struct sins_cost {
+    /* sizeof(sins_cost) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* For how long the errors are predicted [s]. */
+    double duration_s;
+    /* Predicted error, the worst within the duration: position [m]. */
+    double position_m;
+    /* Velocity [m/s]. */
+    double velocity_m_s;
+    /* Attitude against the Earth [rad]. */
+    double attitude_rad;
+    /* The part of it that is the uncertainty of the reference: position [m]. */
+    double reference_position_m;
+    /* Velocity [m/s]. */
+    double reference_velocity_m_s;
+    /* Attitude [rad]. */
+    double reference_attitude_rad;
+    /* Predicted error times margin over its limit, the largest of the three: met up to 1. */
+    double share;
+    /* Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by. */
+    double instructions_per_step;
+    /* Measured here and now, in the options that were written and with ideal sensors: push and step of one sample [ns]. */
+    double ns_per_step;
+    /* Algorithms that were tried, the recommended one among them. */
+    uint64_t tried;
+} sins_cost;
+
 /* The version of the interface that the loaded library has. */
 SINS_API sins_status SINS_CALL sins_abi_version(uint32_t *version);
 
@@ -832,7 +888,7 @@ SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
  * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
- * simulator (create, presets, flights).
+ * simulator (create, presets, flights, recommend).
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
  * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -1024,6 +1080,34 @@ SINS_API sins_status SINS_CALL sins_flight_sample_at(
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
+
+/*
+ * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
+ * are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+ *
+ * On entry options are those that the host flies with (all zero: the recommended simulator), on return the same with scheme,
+ * subsamples and updates_per_sample of the answer, ready for sins_create(). What these three were does not matter; the
+ * others are kept.
+ *
+ * Each algorithm flies the piece with ideal sensors, and its solution is compared at every sample with that of a reference,
+ * 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. So it is the error of the
+ * algorithm alone, without those of sensors and without a host's own contradictions; with SINS_SIGNAL_CLOSED_LOOP, which
+ * would hide it, on the signals without that. For a duration beyond the piece its errors go on as steady rates, through
+ * Schuler's pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error
+ * counts as one of height, which grows by e every 569 s.
+ *
+ * The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
+ * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 50 us a sample, up to 0.4 ms where
+ * nothing meets the requirement.
+ *
+ * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
+ * sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
+ * algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+ */
+SINS_API sins_status SINS_CALL sins_recommend(
+    const struct sins_flight_sample *samples, size_t count, const struct sins_requirement *requirement,
+    struct sins_options *options, struct sins_cost *cost);
 
 #ifdef __cplusplus
 }

@@ -13,7 +13,7 @@
  *
  * Every function of sins.h has its namesake here, without handle and status; sins.h tells what it does. A negative
  * status is thrown as sins::Error with the library's sentence. SINS_NEED_SAMPLE is no error: functions that can answer
- * it return false, and leave their output as it was. Structs and constants are those of sins.h. Header only; each
+ * it return false, and leave their output as it was; so is SINS_REQUIREMENT_NOT_MET, whose output is written. Structs and constants are those of sins.h. Header only; each
  * function is the call and a look at its status.
  */
 
@@ -117,6 +117,13 @@ inline sins_accel_params accel_preset(int32_t grade)
     sins_accel_params params = make<sins_accel_params>();
     detail::done(sins_accel_preset(grade, &params), nullptr);
     return params;
+}
+
+/* False: no options meet the requirement; options and cost, with struct_size set, are then those of the best there are. */
+inline bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
+                      sins_options &options, sins_cost &cost)
+{
+    return detail::done(sins_recommend(samples, count, &requirement, &options, &cost), nullptr);
 }
 
 /* An embedded flight. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */

@@ -64,6 +64,7 @@
 //! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/invariants.rs`, `tests/samples.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
+//! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
 //!

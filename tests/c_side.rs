@@ -54,6 +54,11 @@ fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
     run_test_program("float_environment");
 }
 
+#[test]
+fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
+    run_test_program("recommend");
+}
+
 /// The harness: its main file and the folder beside it.
 fn harness_sources() -> Vec<String> {
     let folder = project_file("c_examples/harness");
@@ -71,7 +76,7 @@ fn harness_sources() -> Vec<String> {
 #[test]
 fn examples_compile_without_a_warning_as_c99_and_as_cpp11() {
     let mut sources = harness_sources();
-    sources.push("c_examples/minimal.c".to_owned());
+    sources.extend(["minimal", "recommend"].map(|name| format!("c_examples/{name}.c")));
     for source in &sources {
         for (mut compiler, standard) in
             [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
@@ -100,6 +105,9 @@ fn the_small_examples_run() {
     let text = prints_as_both("minimal", &["c_examples/minimal.c"], &[]);
     // Schuler's loop holds a drift of 0.01 deg/h for an hour to about a mile.
     assert!(text.contains(" m east, -1") && text.ends_with(" m north\n"), "{text}");
+
+    let text = prints_as_both("recommend_example", &["c_examples/recommend.c"], &[]);
+    assert!(text.contains("meets 1 m an hour") && text.contains("flown for an hour: "), "{text}");
 
     let folder = library_folder("cpp_host");
     let cpp_host = link(cpp_compiler(), &["-std=c++11"], &["c_examples/cpp_host.cpp"], &folder, "cpp_host");

@@ -4,13 +4,15 @@ use core::fmt::{self, Write};
 
 use crate::error::{Error, ErrorKind, Rule};
 
-/// Result of a call: `SINS_OK`, positive "not yet", negative an error. On an error nothing changed.
+/// Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
 pub type sins_status = i32;
 
 /// The call did what it says.
 pub const SINS_OK: i32 = 0;
 /// There is no complete interval yet: push the next sample.
 pub const SINS_NEED_SAMPLE: i32 = 1;
+/// No options meet the requirement; the outputs tell the best there are.
+pub const SINS_REQUIREMENT_NOT_MET: i32 = 2;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: i32 = -1;
 /// The handle is null, made up, destroyed, or of the other kind.

@@ -26,13 +26,15 @@
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
  *   output, no random number drawn (sins_run() keeps what it flew before). SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
  *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
  * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern. Each random effect has a stream of its own: switching one leaves every other draw as it was.
+ *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one
+ *   leaves every other draw as it was.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */

@@ -69,6 +69,7 @@ fn name(status: sins_status) -> &'static CStr {
     match status {
         SINS_OK => c"SINS_OK",
         SINS_NEED_SAMPLE => c"SINS_NEED_SAMPLE",
+        SINS_REQUIREMENT_NOT_MET => c"SINS_REQUIREMENT_NOT_MET",
         SINS_ERROR_NULL_POINTER => c"SINS_ERROR_NULL_POINTER",
         SINS_ERROR_BAD_HANDLE => c"SINS_ERROR_BAD_HANDLE",
         SINS_ERROR_STRUCT_SIZE => c"SINS_ERROR_STRUCT_SIZE",

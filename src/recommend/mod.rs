@@ -1,8 +1,18 @@
-//! Accuracy and what it costs: the algorithms in the order of their cost, and the error of each against a reference that
-//! knows its own.
+//! Accuracy and what it costs: the algorithms in the order of their cost, the error of each against a reference that knows
+//! its own, and the cheapest that meets a requirement.
 
+mod choice;
+mod growth;
 mod ladder;
+mod piece;
 mod reference;
+mod requirement;
+mod timing;
 
+pub use choice::{Recommendation, recommend};
+pub use growth::Growth;
 pub use ladder::{Rung, ladder};
+pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Piece, Refusal};
 pub use reference::{Reference, SolutionError, Track, fly};
+pub use requirement::Requirement;
+pub use timing::step_time_ns;

@@ -27,8 +27,10 @@ static void set_control(unsigned value)
 static const unsigned states[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22};
 #endif
 
+static sins_flight_sample piece[129];
+
 /* One second of a noisy flight; every function of the frame is called under the state. */
-static void fly(unsigned state, sins_navigation *navigation, sins_errors *errors)
+static void fly(unsigned state, sins_navigation *navigation, sins_errors *errors, sins_cost *cost)
 {
     sins_sim *sim = NULL;
     sins_options options = {.struct_size = sizeof options};
@@ -36,6 +38,7 @@ static void fly(unsigned state, sins_navigation *navigation, sins_errors *errors
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre turn = {.struct_size = sizeof turn};
     sins_flight *flight = NULL;
+    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-7};
     unsigned normal = control();
     int k;
 
@@ -58,12 +61,15 @@ static void fly(unsigned state, sins_navigation *navigation, sins_errors *errors
         sins_status status;
         /* Exact in binary: the host's own arithmetic raises nothing and rounds nothing. */
         CHECK(sins_flight_sample_at(flight, k / 128.0, &sample) == SINS_OK);
+        piece[k] = sample;
         CHECK(sins_push_sample(sim, &sample) == SINS_OK);
         status = sins_step(sim);
         CHECK(status == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
     }
     CHECK(sins_get_navigation(sim, navigation) == SINS_OK);
     CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, errors) == SINS_OK);
+    CHECK(sins_recommend(piece, 129, &requirement, &options, cost) == SINS_OK);
+    cost->ns_per_step = 0.0; /* a time */
     CHECK(sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK);
     /* Control bits and noted exceptions alike. */
@@ -75,13 +81,15 @@ int main(void)
 {
     sins_navigation expected = {.struct_size = sizeof expected}, found = {.struct_size = sizeof found};
     sins_errors expected_errors = {.struct_size = sizeof expected_errors}, found_errors = {.struct_size = sizeof found_errors};
+    sins_cost expected_cost = {.struct_size = sizeof expected_cost}, found_cost = {.struct_size = sizeof found_cost};
     size_t i;
 
-    fly(control(), &expected, &expected_errors);
+    fly(control(), &expected, &expected_errors, &expected_cost);
     for (i = 0; i < sizeof states / sizeof states[0]; i++) {
-        fly(states[i], &found, &found_errors);
+        fly(states[i], &found, &found_errors, &found_cost);
         CHECK(memcmp(&expected, &found, sizeof expected) == 0);
         CHECK(memcmp(&expected_errors, &found_errors, sizeof expected_errors) == 0);
+        CHECK(memcmp(&expected_cost, &found_cost, sizeof expected_cost) == 0);
     }
     printf("float_environment: same bits under %d states\n", (int)i);
     return 0;

@@ -94,6 +94,23 @@ AT(sins_record, model_errors, 368);
 SIZE(sins_flight_start, 72);
 AT(sins_flight_start, earth, 64);
 
+SIZE(sins_requirement, 48);
+AT(sins_requirement, reserved, 4);
+AT(sins_requirement, duration_s, 8);
+AT(sins_requirement, position_m, 16);
+AT(sins_requirement, attitude_rad, 32);
+AT(sins_requirement, margin, 40);
+
+SIZE(sins_cost, 96);
+AT(sins_cost, reserved, 4);
+AT(sins_cost, duration_s, 8);
+AT(sins_cost, position_m, 16);
+AT(sins_cost, reference_position_m, 40);
+AT(sins_cost, share, 64);
+AT(sins_cost, instructions_per_step, 72);
+AT(sins_cost, ns_per_step, 80);
+AT(sins_cost, tried, 88);
+
 SIZE(sins_manoeuvre, 240);
 AT(sins_manoeuvre, kind, 8);
 AT(sins_manoeuvre, duration_s, 16);

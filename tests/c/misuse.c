@@ -96,8 +96,13 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre rest = {.struct_size = sizeof rest};
     sins_flight *made = NULL;
+    sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}};
+    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1.0};
+    sins_options options = {.struct_size = sizeof options};
+    sins_cost cost = {.struct_size = sizeof cost};
     uint32_t number;
     rest.duration_s = 1.0;
+    piece[1].time_s = 0.01;
 
     CHECK(sins_abi_version(NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_version(NULL, &number, &number) == SINS_ERROR_NULL_POINTER);
@@ -131,6 +136,10 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_flight_duration(flight, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_flight_sample_at(flight, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(made == NULL);
+    CHECK(sins_recommend(NULL, 2, &requirement, &options, &cost) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(piece, 2, NULL, &options, &cost) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(piece, 2, &requirement, NULL, &cost) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(piece, 2, &requirement, &options, NULL) == SINS_ERROR_NULL_POINTER);
 }
 
 /* A struct with room behind it, to play a newer release's. */
@@ -198,6 +207,18 @@ static sins_status create_and_destroy(const sins_options *options)
     return status;
 }
 
+/* A second at rest, 1 m required; what is NULL is a good one. */
+static sins_status recommend(const sins_requirement *requirement, sins_options *options, sins_cost *cost)
+{
+    sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}};
+    sins_requirement good_requirement = {.struct_size = sizeof good_requirement, .position_m = 1.0};
+    sins_options good_options = {.struct_size = sizeof good_options};
+    sins_cost good_cost = {.struct_size = sizeof good_cost};
+    piece[1].time_s = 1.0;
+    return sins_recommend(piece, 2, requirement ? requirement : &good_requirement, options ? options : &good_options,
+                          cost ? cost : &good_cost);
+}
+
 static void struct_sizes(sins_sim *sim, sins_flight *flight)
 {
     sins_sim *fresh = NULL;
@@ -212,7 +233,10 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
     INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
     CHECK(sins_destroy(fresh) == SINS_OK);
+    INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
+    INPUT_SIZES(sins_options, recommend(NULL, pointer, NULL));
 
+    OUTPUT_SIZES(sins_cost, recommend(NULL, NULL, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_navigation(sim, pointer));
     OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));

@@ -1,0 +1,129 @@
+/* Which options are good enough? Asks for 1 m an hour on two minutes of an embedded flight, and flies the answer for the
+ * hour that it was asked for. A host takes a piece of its own flight instead. */
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "sins.h"
+
+#define RATE_HZ 50
+#define PIECE_S 120
+#define FLIGHT_S 3600
+
+/* Weaving, shaken at 2 Hz. */
+static sins_status make_flight(sins_flight **flight)
+{
+    sins_flight_start start;
+    sins_manoeuvre weave;
+
+    SINS_INIT(start);
+    SINS_INIT(weave);
+    start.latitude_rad = 47.0 * SINS_DEG;
+    start.height_m = 3000.0;
+    start.speed_m_s = 120.0;
+    weave.kind = SINS_MANOEUVRE_SINUSOIDS;
+    weave.duration_s = FLIGHT_S;
+    weave.ramp_s = 5.0;
+    weave.sinusoid_count = 3;
+    weave.channel[0] = SINS_CHANNEL_COURSE;
+    weave.amplitude[0] = 30.0 * SINS_DEG;
+    weave.frequency_hz[0] = 1.0 / 60.0;
+    weave.channel[1] = SINS_CHANNEL_ROLL;
+    weave.amplitude[1] = 1.0 * SINS_DEG;
+    weave.frequency_hz[1] = 2.0;
+    weave.channel[2] = SINS_CHANNEL_PITCH;
+    weave.amplitude[2] = 1.0 * SINS_DEG;
+    weave.frequency_hz[2] = 2.0;
+    weave.phase_rad[2] = 90.0 * SINS_DEG;
+    return sins_flight_create(&start, &weave, 1, flight);
+}
+
+/* The distance from the truth after the whole flight with ideal sensors: what the options leave, and the samples, which are
+ * few for a shake of 2 Hz. */
+static sins_status fly(const sins_options *options, sins_flight *flight, double *distance_m)
+{
+    sins_sim *sim = NULL;
+    sins_flight_sample sample;
+    sins_errors errors;
+    sins_status status = sins_create(options, &sim);
+    long k;
+
+    SINS_INIT(sample);
+    SINS_INIT(errors);
+    for (k = 0; status >= 0 && k <= (long)RATE_HZ * FLIGHT_S; k++) {
+        status = sins_flight_sample_at(flight, (double)k / RATE_HZ, &sample);
+        if (status == SINS_OK) {
+            status = sins_push_sample(sim, &sample);
+        }
+        if (status == SINS_OK) {
+            status = sins_step(sim);
+        }
+    }
+    if (status == SINS_OK) {
+        status = sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors);
+    }
+    *distance_m = sqrt(errors.position_enu_m[0] * errors.position_enu_m[0] +
+                       errors.position_enu_m[1] * errors.position_enu_m[1]);
+    sins_destroy(sim);
+    return status;
+}
+
+static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
+{
+    static const char *const schemes[] = {"exact", "the paper's", "polynomial"};
+    const size_t count = (size_t)RATE_HZ * PIECE_S + 1;
+    sins_requirement requirement;
+    sins_options options;
+    sins_cost cost;
+    double distance_m = 0.0;
+    sins_status status = SINS_OK;
+    size_t k;
+
+    for (k = 0; status == SINS_OK && k < count; k++) {
+        SINS_INIT(piece[k]);
+        status = sins_flight_sample_at(flight, (double)k / RATE_HZ, &piece[k]);
+    }
+    SINS_INIT(requirement);
+    requirement.position_m = 1.0;
+    requirement.duration_s = FLIGHT_S;
+    SINS_INIT(options); /* as the host flies: here the recommended simulator, at 50 Hz */
+    options.sample_period_s = 1.0 / RATE_HZ;
+    SINS_INIT(cost);
+    if (status == SINS_OK) {
+        status = sins_recommend(piece, count, &requirement, &options, &cost);
+    }
+    if (status < 0) {
+        return status;
+    }
+    printf("%s 1 m an hour: scheme %s, %d subsamples, %d updates a sample\n",
+           status == SINS_OK ? "meets" : "comes closest to", schemes[options.scheme], (int)options.subsamples,
+           (int)options.updates_per_sample);
+    printf("predicted: %.2g m, %.2g m/s, %.2g rad\n", cost.position_m, cost.velocity_m_s, cost.attitude_rad);
+    fprintf(stderr, "%.0f ns a step on this machine\n", cost.ns_per_step);
+
+    status = fly(&options, flight, &distance_m);
+    if (status == SINS_OK) {
+        printf("flown for an hour: %.2g m\n", distance_m);
+    }
+    return status;
+}
+
+int main(void)
+{
+    sins_flight *flight = NULL;
+    sins_flight_sample *piece = (sins_flight_sample *)malloc(((size_t)RATE_HZ * PIECE_S + 1) * sizeof *piece);
+    sins_status status = piece ? make_flight(&flight) : SINS_ERROR_OUT_OF_MEMORY;
+
+    if (status == SINS_OK) {
+        status = ask_and_fly(flight, piece);
+        sins_flight_destroy(flight);
+    }
+    if (status < 0) {
+        char sentence[512] = "";
+        sins_last_error(NULL, sentence, sizeof sentence, NULL);
+        fprintf(stderr, "recommend: %s\n", sentence);
+    }
+    free(piece);
+    return status == SINS_OK ? 0 : 1;
+}

@@ -1,0 +1,182 @@
+//! `sins_recommend`: the cheapest options that meet a required accuracy.
+
+use super::boundary::enter_without_simulator;
+use super::failure::{Failure, SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_status};
+use super::memory::{Array, Output, interface_struct, read};
+use super::options::{check_reserved, sins_options};
+use super::sample::sins_flight_sample;
+use crate::error::check_range;
+use crate::recommend::{
+    MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, recommend, step_time_ns,
+};
+use crate::truth::FlightSample;
+
+/// Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
+/// of 0 is none; at least one is needed.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_requirement {
+    /// sizeof(sins_requirement)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
+    pub duration_s: f64,
+    /// Distance from where the exact solution on the same signals is [m].
+    pub position_m: f64,
+    /// Speed of the difference in velocity [m/s].
+    pub velocity_m_s: f64,
+    /// Angle between the attitudes, against the Earth [rad].
+    pub attitude_rad: f64,
+    /// How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
+    pub margin: f64,
+}
+
+interface_struct!(sins_requirement, "requirement", 48);
+
+/// What recommended options give, and what they cost.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_cost {
+    /// sizeof(sins_cost)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// For how long the errors are predicted [s].
+    pub duration_s: f64,
+    /// Predicted error, the worst within the duration: position [m].
+    pub position_m: f64,
+    /// Velocity [m/s].
+    pub velocity_m_s: f64,
+    /// Attitude against the Earth [rad].
+    pub attitude_rad: f64,
+    /// The part of it that is the uncertainty of the reference: position [m].
+    pub reference_position_m: f64,
+    /// Velocity [m/s].
+    pub reference_velocity_m_s: f64,
+    /// Attitude [rad].
+    pub reference_attitude_rad: f64,
+    /// Predicted error times margin over its limit, the largest of the three: met up to 1.
+    pub share: f64,
+    /// Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
+    pub instructions_per_step: f64,
+    /// Measured here and now, in the options that were written and with ideal sensors: push and step of one sample [ns].
+    pub ns_per_step: f64,
+    /// Algorithms that were tried, the recommended one among them.
+    pub tried: u64,
+}
+
+interface_struct!(sins_cost, "cost", 96);
+
+impl sins_requirement {
+    fn to_requirement(self) -> Result<Requirement, Failure> {
+        check_reserved("requirement.reserved", self.reserved)?;
+        let requirement = Requirement {
+            duration_s: self.duration_s,
+            position_m: self.position_m,
+            velocity_m_s: self.velocity_m_s,
+            attitude_rad: self.attitude_rad,
+            margin: if self.margin == 0.0 { Requirement::default().margin } else { self.margin },
+        };
+        requirement.validate()?;
+        Ok(requirement)
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        let failure = Self::from(refusal.error);
+        match refusal.sample {
+            Some(index) => failure.of_sample(index),
+            None => failure,
+        }
+    }
+}
+
+/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
+/// are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+///
+/// On entry options are those that the host flies with (all zero: the recommended simulator), on return the same with scheme,
+/// subsamples and updates_per_sample of the answer, ready for sins_create(). What these three were does not matter; the
+/// others are kept.
+///
+/// Each algorithm flies the piece with ideal sensors, and its solution is compared at every sample with that of a reference,
+/// 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. So it is the error of the
+/// algorithm alone, without those of sensors and without a host's own contradictions; with SINS_SIGNAL_CLOSED_LOOP, which
+/// would hide it, on the signals without that. For a duration beyond the piece its errors go on as steady rates, through
+/// Schuler's pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error
+/// counts as one of height, which grows by e every 569 s.
+///
+/// The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
+/// ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 50 us a sample, up to 0.4 ms where
+/// nothing meets the requirement.
+///
+/// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
+/// sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
+/// algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_recommend(
+    samples: *const sins_flight_sample,
+    count: usize,
+    requirement: *const sins_requirement,
+    options: *mut sins_options,
+    cost: *mut sins_cost,
+) -> sins_status {
+    enter_without_simulator(|| {
+        // SAFETY: the host's promise; options are written at the end alone.
+        let (requirement, given, options, cost) = unsafe {
+            (
+                read(requirement, "requirement")?.to_requirement()?,
+                read(options.cast_const(), "options")?,
+                Output::new(options, "options")?,
+                Output::new(cost, "cost")?,
+            )
+        };
+        let host = given.to_options()?;
+        host.validate()?;
+        check_range("count", count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
+        // SAFETY: the host's promise; samples are only read.
+        let samples = read_samples(&unsafe { Array::new(samples.cast_mut(), count, "samples")? })?;
+        let answer = recommend(&host, &samples, &requirement)?;
+        let ns_per_step = step_time_ns(&answer.rung.applied_to(&host), &samples)?;
+
+        let chosen = sins_options::from_options(&answer.rung.applied_to(&host));
+        let sins_options { scheme, subsamples, updates_per_sample, .. } = chosen;
+        options.write(&sins_options { scheme, subsamples, updates_per_sample, ..given });
+        let instructions_per_step = answer.rung.instructions(host.frame);
+        cost.write(&sins_cost::new(&answer, instructions_per_step, ns_per_step));
+        Ok(if answer.met { SINS_OK } else { SINS_REQUIREMENT_NOT_MET })
+    })
+}
+
+fn read_samples(samples: &Array<sins_flight_sample>) -> Result<Vec<FlightSample>, Failure> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(samples.count()).map_err(|_| Failure::out_of_memory())?;
+    for index in 0..samples.count() {
+        let sample = samples.read(index).and_then(sins_flight_sample::to_sample);
+        list.push(sample.map_err(|failure| failure.of_sample(index))?);
+    }
+    Ok(list)
+}
+
+impl sins_cost {
+    fn new(answer: &Recommendation, instructions_per_step: f64, ns_per_step: f64) -> Self {
+        let Recommendation { share, duration_s, predicted, uncertainty, tried, .. } = *answer;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            duration_s,
+            position_m: predicted.position_m,
+            velocity_m_s: predicted.velocity_m_s,
+            attitude_rad: predicted.attitude_rad,
+            reference_position_m: uncertainty.position_m,
+            reference_velocity_m_s: uncertainty.velocity_m_s,
+            reference_attitude_rad: uncertainty.attitude_rad,
+            share,
+            instructions_per_step,
+            ns_per_step,
+            tried: tried as u64,
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! A piece of a flight: its samples checked, and what is to be known of it as a whole.
+
+use core::fmt;
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, ErrorKind, Rule, check_range};
+use crate::simulator::{Options, Simulator};
+use crate::truth::{FlightSample, Intake, TruthPoint};
+
+/// Samples of a piece at the least: an interval.
+pub const MIN_SAMPLES: usize = 2;
+/// Samples of a piece at the most: an hour at 100 Hz.
+pub const MAX_SAMPLES: usize = 360_000;
+
+/// A refused piece, or a refused requirement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refusal {
+    /// What was refused, and why.
+    pub error: Error,
+    /// The sample at which it showed, if it is one's fault.
+    pub sample: Option<usize>,
+}
+
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
+        Self { error, sample: None }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.error, f)?;
+        match self.sample {
+            Some(index) => write!(f, " (samples[{index}])"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl core::error::Error for Refusal {}
+
+/// A piece of a flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// Length on the time base [s].
+    pub duration_s: f64,
+    /// Largest speed against the Earth [m/s].
+    pub speed_m_s: f64,
+    /// Largest change of the velocity since the first sample [m/s].
+    pub velocity_change_m_s: f64,
+}
+
+impl Piece {
+    /// Checks the samples each by itself and against the one before, as a simulator does.
+    pub fn new(options: &Options, samples: &[FlightSample]) -> Result<Self, Refusal> {
+        options.validate()?;
+        check_range("count", samples.len() as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
+        let mut intake = Intake::new(options.earth(), options.axes, options.intake);
+        let mut first: Option<(f64, Vector3<f64>)> = None;
+        let mut piece = Self { duration_s: 0.0, speed_m_s: 0.0, velocity_change_m_s: 0.0 };
+        let mut add = |point: &TruthPoint| {
+            let v_e = point.state.v_e;
+            let (start_s, start_v_e) = *first.get_or_insert((point.time_s, v_e));
+            piece.duration_s = point.time_s - start_s;
+            piece.speed_m_s = piece.speed_m_s.max(v_e.norm_squared().sqrt());
+            let change = (v_e - start_v_e).norm_squared().sqrt();
+            piece.velocity_change_m_s = piece.velocity_change_m_s.max(change);
+        };
+        for (index, sample) in samples.iter().enumerate() {
+            intake.push(sample).map_err(|error| Refusal { error, sample: Some(index) })?;
+            // The velocity of a first sample without one is known with the second.
+            if intake.waiting() > 1 {
+                intake.front().iter().for_each(|point| add(point));
+                intake.take();
+            }
+        }
+        intake.front().iter().for_each(|point| add(point));
+        Ok(piece)
+    }
+}
+
+/// A simulator on the heap: two of them and a step are more than the stack that a call may take. A slice of one, which unlike
+/// a `Box` can be allocated without aborting.
+#[inline(never)]
+pub(super) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
+    let mut memory = room(1)?;
+    memory.push(Simulator::new(options)?);
+    Ok(memory.into_boxed_slice())
+}
+
+/// Room for `count` elements, or an error.
+pub(super) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
+    let mut vector = Vec::new();
+    vector.try_reserve_exact(count).map_err(|_| {
+        let rule = Rule::Words("no memory for them");
+        Error::of(ErrorKind::OutOfMemory, "elements", count as f64, rule)
+    })?;
+    Ok(vector)
+}

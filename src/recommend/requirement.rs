@@ -1,0 +1,85 @@
+//! What a host asks of the navigation.
+
+use super::SolutionError;
+use crate::error::{Error, Rule, check_range};
+
+/// Largest error at any time within a duration that the algorithm itself may make, each 0 if it does not matter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Requirement {
+    /// For how long, up to [`Self::MAX_DURATION_S`] [s]; 0, or less than that of the piece: for the piece.
+    pub duration_s: f64,
+    /// Distance [m].
+    pub position_m: f64,
+    /// Speed of the difference in velocity against the Earth [m/s].
+    pub velocity_m_s: f64,
+    /// Angle between the attitudes against the Earth [rad].
+    pub attitude_rad: f64,
+    /// How many times the predicted error has to fit into the required one, at least 1.
+    pub margin: f64,
+}
+
+impl Default for Requirement {
+    fn default() -> Self {
+        Self { duration_s: 0.0, position_m: 0.0, velocity_m_s: 0.0, attitude_rad: 0.0, margin: 2.0 }
+    }
+}
+
+impl Requirement {
+    /// Longest duration: eleven days [s].
+    pub const MAX_DURATION_S: f64 = 1e6;
+
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_range("requirement.duration_s", self.duration_s, 0.0, Self::MAX_DURATION_S)?;
+        check_range("requirement.position_m", self.position_m, 0.0, 1e12)?;
+        check_range("requirement.velocity_m_s", self.velocity_m_s, 0.0, 1e12)?;
+        check_range("requirement.attitude_rad", self.attitude_rad, 0.0, 1e12)?;
+        if self.limits().iter().all(|&limit| limit == 0.0) {
+            let words = "position_m, velocity_m_s or attitude_rad must be greater than 0";
+            return Err(Error::invalid("requirement.position_m", self.position_m, Rule::Words(words)));
+        }
+        check_range("requirement.margin", self.margin, 1.0, 1e6)
+    }
+
+    /// The share of the requirement that an error takes up with the margin, the largest of the three; met up to 1.
+    pub fn share(&self, error: &SolutionError) -> f64 {
+        let errors = [error.position_m, error.velocity_m_s, error.attitude_rad];
+        let of_limit =
+            |(error, limit): (f64, f64)| if limit > 0.0 { error * self.margin / limit } else { 0.0 };
+        errors.into_iter().zip(self.limits()).map(of_limit).fold(0.0, f64::max)
+    }
+
+    fn limits(&self) -> [f64; 3] {
+        [self.position_m, self.velocity_m_s, self.attitude_rad]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_share_counts_and_what_does_not_matter_does_not() {
+        let error = SolutionError { position_m: 1.0, velocity_m_s: 0.1, attitude_rad: 1e9 };
+        let requirement = Requirement { position_m: 8.0, velocity_m_s: 0.4, ..Default::default() };
+        assert_eq!(requirement.share(&error), 0.5);
+        assert_eq!(Requirement { margin: 4.0, ..requirement }.share(&error), 1.0);
+    }
+
+    #[test]
+    fn a_bad_field_is_named_and_one_limit_is_needed() {
+        let good = Requirement { velocity_m_s: 1.0, ..Default::default() };
+        assert_eq!(good.validate(), Ok(()));
+        for (bad, field) in [
+            (Requirement { duration_s: -1.0, ..good }, "requirement.duration_s"),
+            (Requirement { duration_s: 1.1e6, ..good }, "requirement.duration_s"),
+            (Requirement { position_m: f64::NAN, ..good }, "requirement.position_m"),
+            (Requirement { velocity_m_s: -0.1, ..good }, "requirement.velocity_m_s"),
+            (Requirement { attitude_rad: f64::INFINITY, ..good }, "requirement.attitude_rad"),
+            (Requirement { margin: 0.9, ..good }, "requirement.margin"),
+            (Requirement::default(), "requirement.position_m"),
+        ] {
+            assert_eq!(bad.validate().unwrap_err().field, field, "{bad:?}");
+        }
+    }
+}
