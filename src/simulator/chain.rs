@@ -28,16 +28,24 @@ pub struct ImuInterval {
     pub measured: Increment,
 }
 
+/// The interval flown last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct LastInterval {
+    time_s: f64,
+    interval_s: f64,
+    sensors_were_ideal: bool,
+}
+
 /// The chain in flight.
 #[derive(Debug, Clone)]
 pub(super) struct Chain {
     options: Options,
     earth: Earth,
     generator: SignalGenerator,
-    /// Ideal and measured increments of the last interval.
+    /// Ideal increments of the last interval, and measured ones unless the sensors were ideal.
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
-    imu: Option<ImuInterval>,
+    last: Option<LastInterval>,
     mechanization: Mechanization,
     error_model: Option<ErrorModel>,
     accuracy: Accuracy,
@@ -71,7 +79,7 @@ impl Chain {
             generator: SignalGenerator::new(earth.rate_rad_s),
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
-            imu: None,
+            last: None,
             mechanization,
             error_model,
             accuracy: Accuracy::new(first.time_s),
@@ -122,7 +130,7 @@ impl Chain {
     fn fly(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) {
         let next = recent.next;
         let t = next.interval_s;
-        let count = self.options.subsamples * self.options.updates_per_sample;
+        let count = self.increments();
 
         // Signal generator.
         let motion = self.generator.advance(recent);
@@ -131,10 +139,10 @@ impl Chain {
         if let Some(closed_loop) = &self.closed_loop {
             closed_loop.trim(ideal, t);
         }
-        let ideal_sum = Increment::sum(ideal);
 
         // Sensors.
-        let increments = if sensors.are_ideal() {
+        let sensors_were_ideal = sensors.are_ideal();
+        let increments = if sensors_were_ideal {
             &*ideal
         } else {
             let dt = t / count as f64;
@@ -143,13 +151,7 @@ impl Chain {
             }
             &self.measured[..count]
         };
-        let measured_sum = Increment::sum(increments);
-        self.imu = Some(ImuInterval {
-            time_s: next.time_s,
-            interval_s: t,
-            ideal: ideal_sum,
-            measured: measured_sum,
-        });
+        self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal });
 
         // Mechanization, and the error-free one beside it.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
@@ -199,14 +201,26 @@ impl Chain {
     }
 
     pub fn ideal_increments(&self) -> &[Increment] {
-        match self.imu {
-            Some(_) => &self.ideal[..self.options.subsamples * self.options.updates_per_sample],
+        match self.last {
+            Some(_) => &self.ideal[..self.increments()],
             None => &[],
         }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        self.imu
+        let LastInterval { time_s, interval_s, sensors_were_ideal } = self.last?;
+        let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
+        Some(ImuInterval {
+            time_s,
+            interval_s,
+            ideal: Increment::sum(self.ideal_increments()),
+            measured: Increment::sum(&measured[..self.increments()]),
+        })
+    }
+
+    /// Sub-increments of an interval.
+    fn increments(&self) -> usize {
+        self.options.subsamples * self.options.updates_per_sample
     }
 
     fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
