@@ -5,4 +5,4 @@ mod ladder;
 mod reference;
 
 pub use ladder::{Rung, ladder};
-pub use reference::{Reference, SolutionError, Track, fly};
+pub use reference::{Reference, SolutionError, Track, fly, track};

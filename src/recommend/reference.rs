@@ -45,8 +45,12 @@ impl Track {
 /// Flies `samples` with ideal sensors and looks at the navigated solution at each of `instants`, indices of samples that
 /// ascend from 1.
 pub fn fly(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Track, Error> {
-    let earth = options.earth();
-    let mut simulator = Simulator::new(options)?;
+    track(Simulator::new(options)?, samples, instants)
+}
+
+/// The same with a simulator that has sensor errors set.
+pub fn track(mut simulator: Simulator, samples: &[FlightSample], instants: &[usize]) -> Result<Track, Error> {
+    let earth = simulator.options().earth();
     let mut states = Vec::with_capacity(instants.len());
     let mut instants = instants.iter().peekable();
     for (index, sample) in samples.iter().enumerate() {
