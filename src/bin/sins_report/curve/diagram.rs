@@ -22,14 +22,23 @@ use crate::units::time_text;
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 420.0;
 
+/// Nanoseconds to the unit of the axis.
+const MICRO: f64 = 1e-3;
+
 /// Radii of dots in Earth-fixed and in geographic axes, and of the rings [drawing units].
 const RADIUS: f64 = 6.0;
 const SMALL: f64 = 2.6;
 const RING: f64 = 8.5;
 
 /// Where the rates stand at the rings of the default and of the paper's [drawing units].
-const ABOVE: (f64, f64) = (-10.0, -13.0);
-const BELOW: (f64, f64) = (10.0, 14.0);
+const BELOW: (f64, f64) = (16.0, 9.0);
+const ABOVE: (f64, f64) = (-16.0, -9.0);
+
+/// Room for the words below [drawing units].
+const WORDS: f64 = 24.0;
+
+const HOW_TO_READ: &str = "More accurate is to the right: right of what the sensors err, accuracy is wasted. Numbers in dots are subsamples, \
+at rings samples a second.";
 
 /// The file.
 pub fn diagram(survey: &Survey) -> Result<String, Failure> {
@@ -37,14 +46,16 @@ pub fn diagram(survey: &Survey) -> Result<String, Failure> {
     let drawing = drawing(survey);
     let svg = drawing.svg(&format!("What accuracy costs. {title}"))?;
     let (first, second) = legends(survey);
-    let height = TITLE + 2.0 * LEGEND + drawing.height() + MARGIN;
+    let top = TITLE + 2.0 * LEGEND - 14.0;
+    let words = top + drawing.height() + 8.0;
     let content = html! {
         text class="title" x=(MARGIN * FINE) y=(20.0 * FINE) { (title) }
         (legend_row(&first, TITLE - 6.0))
         (legend_row(&second, TITLE + LEGEND - 14.0))
-        (placed(MARGIN, TITLE + 2.0 * LEGEND - 14.0, WIDTH, drawing.height(), &PreEscaped(svg)))
+        (placed(MARGIN, top, WIDTH, drawing.height(), &PreEscaped(svg)))
+        text x=(MARGIN * FINE) y=(words * FINE) { (HOW_TO_READ) }
     };
-    Ok(file(WIDTH + 2.0 * MARGIN, height, &content))
+    Ok(file(WIDTH + 2.0 * MARGIN, words + WORDS - MARGIN, &content))
 }
 
 fn legends(survey: &Survey) -> (Legend, Legend) {
@@ -52,7 +63,7 @@ fn legends(survey: &Survey) -> (Legend, Legend) {
     let mut first = vec![
         entry(Pen::PaperScheme, "paper"),
         entry(Pen::ExactScheme, "exact"),
-        entry(Pen::PolynomialScheme, "polynomial, with subsamples; small: geographic axes"),
+        entry(Pen::PolynomialScheme, "polynomial; small: geographic axes"),
     ];
     if survey.points.iter().any(|point| point.is_undersampled) {
         first.push(entry(Pen::ExactHollow, "too few samples for the vibration"));
@@ -62,9 +73,8 @@ fn legends(survey: &Survey) -> (Legend, Legend) {
         entry(Pen::Front, "Pareto front"),
         entry(Pen::DefaultRing, "default"),
         entry(Pen::PaperRing, "the paper's"),
-        (Pen::Navigation, format!("navigation-grade sensors err {navigation}")),
-        (Pen::Tactical, format!("tactical {tactical}")),
-        (Pen::Floor, format!("floor {}", rounded(survey.floor.position_m))),
+        (Pen::Navigation, format!("navigation-grade sensors {navigation}")),
+        (Pen::Tactical, format!("tactical-grade {tactical}")),
     ];
     (first, second)
 }
@@ -72,17 +82,17 @@ fn legends(survey: &Survey) -> (Legend, Legend) {
 fn drawing(survey: &Survey) -> Drawing {
     let measured: Vec<(&Point, &Measured)> =
         survey.points.iter().filter_map(|point| Some((point, point.measured.as_ref().ok()?))).collect();
-    let (low, high) = bounds(measured.iter().map(|(_, measured)| measured.cost_ns));
+    let (low, high) = bounds(measured.iter().map(|(_, measured)| measured.cost_ns * MICRO));
     let cost = Axis::decades(low.log10() - 0.15, high.log10() + 0.2, 8);
     let errors = measured.iter().map(|(_, measured)| measured.position_m());
     let errors = errors.chain(survey.sensors_m).chain([survey.floor.position_m]);
-    let mut panel = Panel::new("time of a simulated second [ns]", cost, HEIGHT, traces(survey));
+    let mut panel = Panel::new("time for a simulated second [µs]", cost, HEIGHT, traces(survey));
     panel.marks = marks(survey);
     panel.dots = measured.iter().map(|(point, measured)| dot(point, measured)).collect();
     panel.notes = measured.iter().filter_map(|(point, measured)| digit(point, measured)).collect();
     for (pen, configuration, shift) in [
-        (Pen::DefaultRing, Configuration::of(&Options::default()), ABOVE),
-        (Pen::PaperRing, Configuration::PAPER, BELOW),
+        (Pen::DefaultRing, Configuration::of(&Options::default()), BELOW),
+        (Pen::PaperRing, Configuration::PAPER, ABOVE),
     ] {
         for (point, measured) in measured.iter().filter(|(point, _)| point.configuration == configuration) {
             let at = place(measured);
@@ -90,7 +100,7 @@ fn drawing(survey: &Survey) -> Drawing {
             panel.notes.push(Note { at, shift, pen, text: format!("{:.0}", point.rate_hz) });
         }
     }
-    let x_label = "largest position error [m]: more accurate to the right; right of what the sensors err, accuracy is wasted; numbers at the rings: samples a second";
+    let x_label = "largest position error on the way [m]";
     Drawing { width: WIDTH, x: accuracy(bounds(errors)), x_label: x_label.to_owned(), panels: vec![panel] }
 }
 
@@ -109,7 +119,7 @@ fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 fn place(measured: &Measured) -> (f64, f64) {
-    (-measured.position_m().log10(), measured.cost_ns.log10())
+    (-measured.position_m().log10(), (measured.cost_ns * MICRO).log10())
 }
 
 /// Lines from rate to rate in Earth-fixed axes, and the front over them.
@@ -140,9 +150,9 @@ fn steps(front: impl Iterator<Item = (f64, f64)>) -> Points {
 fn marks(survey: &Survey) -> Vec<Mark> {
     let [navigation, tactical] = survey.sensors_m;
     [
-        (navigation, Pen::Navigation, "navigation grade"),
-        (tactical, Pen::Tactical, "tactical grade"),
-        (survey.floor.position_m, Pen::Floor, "reference's floor"),
+        (navigation, Pen::Navigation, "navigation"),
+        (tactical, Pen::Tactical, "tactical"),
+        (survey.floor.position_m, Pen::Floor, "floor"),
     ]
     .into_iter()
     .filter(|(position_m, ..)| *position_m > 0.0)
