@@ -34,49 +34,53 @@ const RING: f64 = 8.5;
 const BELOW: (f64, f64) = (16.0, 9.0);
 const ABOVE: (f64, f64) = (-16.0, -9.0);
 
-/// Room for the words below [drawing units].
-const WORDS: f64 = 24.0;
+/// Height of a line of the words below [drawing units].
+const LINE: f64 = 20.0;
 
-const HOW_TO_READ: &str = "More accurate is to the right: right of what the sensors err, accuracy is wasted. Numbers in dots are subsamples, \
-at rings samples a second.";
+const HOW_TO_READ: [&str; 2] = [
+    "More accurate is to the right: right of the line of what the sensors err, accuracy is wasted.",
+    "Numbers in dots: subsamples. At rings: samples a second. Left of the floor alone the reference can tell errors.",
+];
 
 /// The file.
 pub fn diagram(survey: &Survey) -> Result<String, Failure> {
     let title = format!("{}: {}, {}", survey.name, survey.title, time_text(survey.duration_s));
     let drawing = drawing(survey);
     let svg = drawing.svg(&format!("What accuracy costs. {title}"))?;
-    let (first, second) = legends(survey);
+    let [first, second] = legends(survey);
     let top = TITLE + 2.0 * LEGEND - 14.0;
-    let words = top + drawing.height() + 8.0;
+    let words = top + drawing.height() + 10.0;
     let content = html! {
         text class="title" x=(MARGIN * FINE) y=(20.0 * FINE) { (title) }
         (legend_row(&first, TITLE - 6.0))
         (legend_row(&second, TITLE + LEGEND - 14.0))
         (placed(MARGIN, top, WIDTH, drawing.height(), &PreEscaped(svg)))
-        text x=(MARGIN * FINE) y=(words * FINE) { (HOW_TO_READ) }
+        @for (line, text) in (0..).zip(HOW_TO_READ) {
+            text x=(MARGIN * FINE) y=((words + f64::from(line) * LINE) * FINE) { (text) }
+        }
     };
-    Ok(file(WIDTH + 2.0 * MARGIN, words + WORDS - MARGIN, &content))
+    Ok(file(WIDTH + 2.0 * MARGIN, words + HOW_TO_READ.len() as f64 * LINE, &content))
 }
 
-fn legends(survey: &Survey) -> (Legend, Legend) {
+fn legends(survey: &Survey) -> [Legend; 2] {
     let entry = |pen, text: &str| (pen, text.to_owned());
-    let mut first = vec![
+    let first = vec![
         entry(Pen::PaperScheme, "paper"),
         entry(Pen::ExactScheme, "exact"),
         entry(Pen::PolynomialScheme, "polynomial; small: geographic axes"),
-    ];
-    if survey.points.iter().any(|point| point.is_undersampled) {
-        first.push(entry(Pen::ExactHollow, "too few samples for the vibration"));
-    }
-    let [navigation, tactical] = survey.sensors_m.map(rounded);
-    let second = vec![
-        entry(Pen::Front, "Pareto front"),
         entry(Pen::DefaultRing, "default"),
         entry(Pen::PaperRing, "the paper's"),
+    ];
+    let [navigation, tactical] = survey.sensors_m.map(rounded);
+    let mut second = vec![
+        entry(Pen::Front, "Pareto front"),
         (Pen::Navigation, format!("navigation-grade sensors {navigation}")),
         (Pen::Tactical, format!("tactical-grade {tactical}")),
     ];
-    (first, second)
+    if survey.points.iter().any(|point| point.is_undersampled) {
+        second.push(entry(Pen::ExactHollow, "too few samples"));
+    }
+    [first, second]
 }
 
 fn drawing(survey: &Survey) -> Drawing {
