@@ -16,13 +16,18 @@ per_step() {
     done
     echo $(((second - first) / (long - short)))
 }
+row() {
+    echo "$1,$(per_step 500 1500 "$1")"
+}
 if [ "${1:-}" = matrix ]; then
-    echo scheme,subsamples,frame,instructions_per_step
+    echo scheme,subsamples,updates_per_sample,frame,instructions_per_step
     for frame in Earth-fixed geographic; do
-        for rung in paper,{1,2} exact,{1..5} polynomial,{1..5}; do
-            echo "$rung,$frame,$(per_step 500 1500 "$rung,$frame")"
+        for rung in paper,{1,2},1 exact,{1..5},1 polynomial,{1..5},1; do
+            row "$rung,$frame"
         done
     done
+    row exact,2,2,Earth-fixed
+    row polynomial,4,2,Earth-fixed
 else
     for what in simulation2 ideal free; do
         echo "$what: $(per_step 10000 20000 $what) instructions a step"

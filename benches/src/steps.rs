@@ -1,5 +1,5 @@
 //! Flies a number of steps, for an instruction counter: the difference between two numbers of steps is the cost of a step.
-//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`, or SCHEME,SUBSAMPLES,FRAME (exact,2,Earth-fixed)
+//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`, or SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed)
 //! by push and step of the Rust simulator.
 
 mod scene;
@@ -26,7 +26,7 @@ fn main() {
             push_and_step(&options, &samples[..=count.min(samples.len() - 1)]);
         }
         _ => {
-            eprintln!("usage: steps simulation2|ideal|free|SCHEME,SUBSAMPLES,FRAME COUNT");
+            eprintln!("usage: steps simulation2|ideal|free|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT");
             std::process::exit(2);
         }
     }
@@ -35,7 +35,9 @@ fn main() {
 /// The options that `what` spells.
 fn options(what: &str) -> Option<Options> {
     let mut words = what.split(',');
-    let (scheme, subsamples, frame) = (words.next()?, words.next()?.parse().ok()?, words.next()?);
+    let mut word = || words.next();
+    let (scheme, subsamples, updates, frame) = (word()?, word()?, word()?, word()?);
+    let (subsamples, updates_per_sample) = (subsamples.parse().ok()?, updates.parse().ok()?);
     let scheme = match scheme {
         "paper" => Scheme::Paper,
         "exact" => Scheme::Exact,
@@ -48,7 +50,7 @@ fn options(what: &str) -> Option<Options> {
         _ => return None,
     };
     let intake = IntakeLimits { period_s: Some(scene::PERIOD_S), ..Default::default() };
-    Some(Options { scheme, subsamples, frame, intake, ..Default::default() })
+    Some(Options { scheme, subsamples, updates_per_sample, frame, intake, ..Default::default() })
 }
 
 fn push_and_step(options: &Options, samples: &[FlightSample]) {

@@ -25,9 +25,10 @@ const HEIGHT: f64 = 420.0;
 /// Nanoseconds to the unit of the axis.
 const MICRO: f64 = 1e-3;
 
-/// Radii of dots in Earth-fixed and in geographic axes, and of the rings [drawing units].
+/// Radii of dots in Earth-fixed and in geographic axes, with several updates, and of the rings [drawing units].
 const RADIUS: f64 = 6.0;
 const SMALL: f64 = 2.6;
+const WIDE: f64 = 8.5;
 const RING: f64 = 8.5;
 
 /// Where the rates stand at the rings of the default and of the paper's [drawing units].
@@ -39,7 +40,7 @@ const LINE: f64 = 20.0;
 
 const HOW_TO_READ: [&str; 2] = [
     "More accurate is to the right: right of the line of what the sensors err, accuracy is wasted.",
-    "Numbers in dots: subsamples. At rings: samples a second. Left of the floor alone the reference can tell errors.",
+    "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second. Beyond the floor the reference tells none.",
 ];
 
 /// The file.
@@ -177,14 +178,22 @@ fn pen(configuration: Configuration, is_filled: bool) -> Pen {
 
 fn dot(point: &Point, measured: &Measured) -> Dot {
     let is_small = point.configuration.frame == Frame::Geographic;
-    let radius = if is_small { SMALL } else { RADIUS };
+    let radius = match point.configuration.rung.updates_per_sample {
+        _ if is_small => SMALL,
+        1 => RADIUS,
+        _ => WIDE,
+    };
     Dot { at: place(measured), pen: pen(point.configuration, !point.is_undersampled), radius }
 }
 
 /// The subsamples, in a dot that has room for them.
 fn digit(point: &Point, measured: &Measured) -> Option<Note> {
     let has_room = point.configuration.frame == Frame::EarthFixed && !point.is_undersampled;
-    let text = point.configuration.rung.subsamples.to_string();
+    let rung = &point.configuration.rung;
+    let text = match rung.updates_per_sample {
+        1 => rung.subsamples.to_string(),
+        updates => format!("{}×{updates}", rung.subsamples),
+    };
     has_room.then(|| Note { at: place(measured), shift: (0.0, 0.0), pen: Pen::Digit, text })
 }
 

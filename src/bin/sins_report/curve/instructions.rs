@@ -9,12 +9,12 @@ use csv::{ReaderBuilder, Trim};
 use super::configuration::Configuration;
 use crate::failure::Failure;
 
-const HEADER: [&str; 4] = ["scheme", "subsamples", "frame", "instructions_per_step"];
+const HEADER: [&str; 5] = ["scheme", "subsamples", "updates_per_sample", "frame", "instructions_per_step"];
 
 /// The counts of some configurations.
 #[derive(Debug, Default, PartialEq)]
 pub struct Instructions {
-    rows: Vec<([String; 3], f64)>,
+    rows: Vec<([String; 4], f64)>,
 }
 
 impl Instructions {
@@ -34,18 +34,19 @@ impl Instructions {
         for row in reader.records() {
             let row = row.map_err(|error| Failure::of_file(path, &error))?;
             let line = row.position().map_or(0, csv::Position::line);
-            let count = row[3].parse().map_err(|_| {
-                Failure::of_line(path, line, &format!("expected a number, found \"{}\"", &row[3]))
+            let count = row[4].parse().map_err(|_| {
+                Failure::of_line(path, line, &format!("expected a number, found \"{}\"", &row[4]))
             })?;
-            rows.push(([0, 1, 2].map(|k| row[k].to_owned()), count));
+            rows.push(([0, 1, 2, 3].map(|k| row[k].to_owned()), count));
         }
         Ok(Self { rows })
     }
 
     /// Of a step of `configuration`, if it was counted.
     pub fn of(&self, configuration: &Configuration) -> Option<f64> {
-        let subsamples = configuration.rung.subsamples.to_string();
-        let key = [configuration.scheme_name(), &subsamples, configuration.frame_name()];
+        let rung = &configuration.rung;
+        let (subsamples, updates) = (rung.subsamples.to_string(), rung.updates_per_sample.to_string());
+        let key = [configuration.scheme_name(), &subsamples, &updates, configuration.frame_name()];
         self.rows.iter().find(|(row, _)| *row == key).map(|(_, count)| *count)
     }
 }
@@ -57,7 +58,7 @@ mod tests {
     #[test]
     fn counts_are_found_by_configuration() {
         let read = |text: &str| Instructions::from_csv(Path::new("i.csv"), text.as_bytes());
-        let text = format!("{}\npaper,2,geographic,5000\nexact,2,Earth-fixed,5200\n", HEADER.join(","));
+        let text = format!("{}\npaper,2,1,geographic,5000\nexact,2,1,Earth-fixed,5200\n", HEADER.join(","));
         let counts = read(&text).unwrap();
         assert_eq!(counts.of(&Configuration::PAPER), Some(5000.0));
         assert_eq!(counts.of(&Configuration::all()[0]), None);
