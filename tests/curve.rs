@@ -65,9 +65,9 @@ fn accuracy_and_its_cost_are_measured() {
         let mut front: Vec<_> =
             measured.iter().filter(|row| row["on_front"] == "1").map(|row| place(row)).collect();
         front.sort_by(|a, b| a.0.total_cmp(&b.0));
-        assert!(front.windows(2).all(|pair| pair[1].1 < pair[0].1), "{front:?}");
+        // The columns are rounded.
+        assert!(front.windows(2).all(|pair| pair[1].1 <= pair[0].1), "{front:?}");
         for (cost, error) in measured.iter().map(|row| place(row)) {
-            // The columns are rounded.
             let is_covered = front.iter().any(|(c, e)| *c <= cost + 1.0 && *e <= error * 1.001);
             assert!(is_covered, "{cost} {error} {front:?}");
         }

@@ -117,7 +117,7 @@ pub mod tests {
     fn a_dearer_rung_that_is_worse_is_found() {
         // Earth-fixed: paper 1 and 2, exact 1 to 5, polynomial 1 to 5.
         let points = vec![made(3, 1.0, 1e-3), made(4, 1.0, 2e-3), made(5, 1.0, 1.01e-3), made(1, 1.0, 1e-9)];
-        let beaten = |k: usize| beaten_by(&points, &points[k], 1e-4).map(|(other, factor)| (other, factor));
+        let beaten = |k: usize| beaten_by(&points, &points[k], 1e-4);
         assert_eq!(beaten(1), Some((&points[0], 2.0)));
         assert_eq!((beaten(0), beaten(2)), (None, None), "cheapest; within the floor");
         assert_eq!(beaten(3), None, "the paper's is not of the family");

@@ -61,7 +61,8 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
         .filter(thinned)
         .map(|stride| Rate::of_stamps(stride, own_hz / stride as f64))
         .collect();
-    let judge = Judge::of_log(&Options::default(), &samples, &Scene::instants(samples.len(), &rates, 1))?;
+    let judge = Judge::of_log(&Options::default(), &samples, &Scene::instants(samples.len(), &rates, 1))
+        .map_err(|failure| Failure::of_file(path, &failure))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = format!("{} s at {} Hz", round(span_s), round(own_hz));
     Ok(Scene { name, title, highest_hz: 0.0, samples, rates, judge })

@@ -37,15 +37,21 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         Some(path) => Instructions::read(path)?,
         None => Instructions::default(),
     };
-    let mut surveys = Vec::new();
+    let (mut surveys, mut courses) = (Vec::new(), Vec::new());
     let scenes = order.scenes.iter().map(|embedded: &&Embedded| embedded.scene(order.effort.duration_s));
     for scene in scenes.chain(order.logs.iter().map(|path| log::scene(path))) {
         let scene: Scene = scene?;
         eprintln!("{}: {}", scene.name, scene.title);
-        let survey = Survey::new(&scene, &order.effort)?;
-        let path = order.output.join(format!("{}.svg", survey.name));
-        write(&path, &diagram::diagram(&survey)?)?;
+        let (survey, course) = Survey::flown(&scene, &order.effort)?;
         surveys.push(survey);
+        courses.push(course);
+    }
+    eprintln!("timing");
+    let costs = timing::costs(&courses, order.effort.rounds)?;
+    for (survey, costs) in surveys.iter_mut().zip(costs) {
+        survey.set_costs(&costs);
+        let path = order.output.join(format!("{}.svg", survey.name));
+        write(&path, &diagram::diagram(survey)?)?;
     }
     write(&order.output.join("curve.csv"), &records::points(&surveys, &instructions)?)?;
     write(&order.output.join("scenes.csv"), &records::scenes(&surveys)?)?;

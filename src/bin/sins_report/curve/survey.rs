@@ -4,10 +4,11 @@ use sins::recommend::SolutionError;
 
 use super::command::Effort;
 use super::configuration::Configuration;
+use super::matrix::Outcome;
 use super::reference::Judgement;
-use super::scene::Scene;
-use super::timing::Candidate;
-use super::{front, grades, matrix, timing};
+use super::scene::{Rate, Scene};
+use super::timing::Course;
+use super::{front, grades, matrix};
 use crate::failure::Failure;
 
 /// A configuration at a rate, with what it costs and what it leaves.
@@ -26,7 +27,7 @@ pub struct Point {
 /// Cost and errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
-    /// Time for a simulated second [ns].
+    /// Time for a simulated second [ns]; NaN until it is timed.
     pub cost_ns: f64,
     pub judgement: Judgement,
 }
@@ -59,37 +60,39 @@ impl Point {
 }
 
 impl Survey {
-    /// Flies and times all of `scene`.
-    pub fn new(scene: &Scene, effort: &Effort) -> Result<Self, Failure> {
+    /// Flies all of `scene`: what it leaves, and what is yet to be timed.
+    pub fn flown(scene: &Scene, effort: &Effort) -> Result<(Self, Course), Failure> {
         let outcomes = matrix::outcomes(scene, &Configuration::all());
-        let sensors_m = grades::effects(scene, effort.sensor_runs)?;
-        let flown = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
-        let candidates: Vec<Candidate> =
-            flown.map(|&(rate, configuration, _)| Candidate { rate, configuration }).collect();
-        let mut costs = timing::costs(scene, &candidates, effort.rounds)?.into_iter();
-        let mut points: Vec<Point> = outcomes
-            .into_iter()
-            .map(|(rate, configuration, outcome)| Point {
-                configuration,
-                rate_hz: rate.hz,
-                is_undersampled: scene.is_undersampled(&rate),
-                measured: match outcome {
-                    Ok(judgement) => Ok(Measured { cost_ns: costs.next().unwrap_or(f64::NAN), judgement }),
-                    Err(error) => Err(error.to_string()),
-                },
-                is_on_front: false,
-            })
-            .collect();
-        front::mark(&mut points);
-        Ok(Self {
+        let candidates = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
+        let course = Course::new(scene, candidates.map(|(rate, which, _)| (*rate, *which)).collect());
+        let point = |(rate, configuration, outcome): (Rate, Configuration, Outcome)| Point {
+            configuration,
+            rate_hz: rate.hz,
+            is_undersampled: scene.is_undersampled(&rate),
+            measured: outcome
+                .map(|judgement| Measured { cost_ns: f64::NAN, judgement })
+                .map_err(|error| error.to_string()),
+            is_on_front: false,
+        };
+        let survey = Self {
             name: scene.name.clone(),
             title: scene.title.clone(),
             duration_s: scene.duration_s(),
             uncertainty: scene.judge.uncertainty,
             floor: scene.judge.floor(),
             reference: scene.judge.words,
-            points,
-            sensors_m,
-        })
+            points: outcomes.into_iter().map(point).collect(),
+            sensors_m: grades::effects(scene, effort.sensor_runs)?,
+        };
+        Ok((survey, course))
+    }
+
+    /// Enters what its course cost.
+    pub fn set_costs(&mut self, costs: &[f64]) {
+        let measured = self.points.iter_mut().filter_map(|point| point.measured.as_mut().ok());
+        for (measured, cost_ns) in measured.zip(costs) {
+            measured.cost_ns = *cost_ns;
+        }
+        front::mark(&mut self.points);
     }
 }

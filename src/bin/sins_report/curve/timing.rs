@@ -1,6 +1,6 @@
 //! What the whole chain costs: intake, signal generator, mechanization with its damped vertical channel.
 //!
-//! All configurations take turns on the same samples, round after round: a slow phase of the machine hits them alike.
+//! All configurations of all scenes take turns, round after round: a slow phase of the machine hits them alike.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -18,24 +18,32 @@ const PLACES: usize = 8;
 const WARM_UP: usize = 8;
 const TIMED: usize = 64;
 
-/// What is to be timed.
-pub struct Candidate {
-    pub rate: Rate,
-    pub configuration: Configuration,
+/// What is to be timed of a scene: configurations and rates on stretches of its samples.
+pub struct Course {
+    stretches: Vec<(Rate, Vec<Vec<FlightSample>>)>,
+    candidates: Vec<(Rate, Configuration)>,
 }
 
-/// Time that each of `candidates` takes for a simulated second [ns], median over `rounds`.
-pub fn costs(scene: &Scene, candidates: &[Candidate], rounds: usize) -> Result<Vec<f64>, Error> {
-    let stretches: Vec<(Rate, Vec<Vec<FlightSample>>)> =
-        scene.rates.iter().map(|rate| (*rate, stretches(&scene.samples_at(rate)))).collect();
-    let mut times: Vec<Vec<f64>> = vec![Vec::with_capacity(rounds); candidates.len()];
+impl Course {
+    pub fn new(scene: &Scene, candidates: Vec<(Rate, Configuration)>) -> Self {
+        let at = |rate: &Rate| (*rate, stretches(&scene.samples_at(rate)));
+        Self { stretches: scene.rates.iter().map(at).collect(), candidates }
+    }
+}
+
+/// Time that each candidate of each course takes for a simulated second [ns], median over `rounds`.
+pub fn costs(courses: &[Course], rounds: usize) -> Result<Vec<Vec<f64>>, Error> {
+    let mut times: Vec<Vec<Vec<f64>>> =
+        courses.iter().map(|course| vec![Vec::with_capacity(rounds); course.candidates.len()]).collect();
     for _ in 0..rounds {
-        for (candidate, times) in candidates.iter().zip(&mut times) {
-            let own = stretches.iter().filter(|(rate, _)| *rate == candidate.rate);
-            times.push(time(candidate, own.flat_map(|(_, stretches)| stretches))?);
+        for (course, times) in courses.iter().zip(&mut times) {
+            for ((rate, configuration), times) in course.candidates.iter().zip(times) {
+                let own = course.stretches.iter().filter(|(other, _)| other == rate);
+                times.push(time(rate, configuration, own.flat_map(|(_, stretches)| stretches))?);
+            }
         }
     }
-    Ok(times.into_iter().map(median).collect())
+    Ok(times.into_iter().map(|times| times.into_iter().map(median).collect()).collect())
 }
 
 fn stretches(samples: &[FlightSample]) -> Vec<Vec<FlightSample>> {
@@ -49,10 +57,11 @@ fn stretches(samples: &[FlightSample]) -> Vec<Vec<FlightSample>> {
 
 /// For a simulated second on `stretches` [ns].
 fn time<'a>(
-    candidate: &Candidate,
+    rate: &Rate,
+    configuration: &Configuration,
     stretches: impl Iterator<Item = &'a Vec<FlightSample>>,
 ) -> Result<f64, Error> {
-    let options = candidate.rate.applied_to(&candidate.configuration.options());
+    let options = rate.applied_to(&configuration.options());
     let (mut elapsed, mut steps) = (Duration::ZERO, 0);
     for stretch in stretches {
         let mut simulator = Simulator::new(&options)?;
@@ -64,7 +73,7 @@ fn time<'a>(
         black_box(&simulator);
         steps += timed.len();
     }
-    Ok(elapsed.as_secs_f64() * 1e9 / steps as f64 * candidate.rate.hz)
+    Ok(elapsed.as_secs_f64() * 1e9 / steps as f64 * rate.hz)
 }
 
 #[inline(never)]
