@@ -8,7 +8,7 @@ use sins::mechanization::{Frame, Scheme};
 use super::configuration::Configuration;
 use super::front::front;
 use super::survey::{Measured, Point, Survey};
-use super::table::rounded;
+use super::table::{rounded, short};
 use crate::axis::Axis;
 use crate::failure::Failure;
 use crate::figures::Legend;
@@ -28,7 +28,7 @@ const MICRO: f64 = 1e-3;
 /// Radii of dots in Earth-fixed and in geographic axes, with several updates, and of the rings [drawing units].
 const RADIUS: f64 = 6.0;
 const SMALL: f64 = 2.6;
-const WIDE: f64 = 8.5;
+const WIDE: f64 = 10.0;
 const RING: f64 = 8.5;
 
 /// Where the rates stand at the rings of the default and of the paper's [drawing units].
@@ -40,7 +40,7 @@ const LINE: f64 = 20.0;
 
 const HOW_TO_READ: [&str; 2] = [
     "More accurate is to the right: right of the line of what the sensors err, accuracy is wasted.",
-    "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second. Beyond the floor the reference tells none.",
+    "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second.",
 ];
 
 /// The file.
@@ -102,7 +102,7 @@ fn drawing(survey: &Survey) -> Drawing {
         for (point, measured) in measured.iter().filter(|(point, _)| point.configuration == configuration) {
             let at = place(measured);
             panel.dots.push(Dot { at, pen, radius: RING });
-            panel.notes.push(Note { at, shift, pen, text: format!("{:.0}", point.rate_hz) });
+            panel.notes.push(Note { at, shift, pen, text: short(point.rate_hz) });
         }
     }
     let x_label = "largest position error on the way [m]";

@@ -33,11 +33,16 @@ fn cell(survey: &Survey, position_m: f64) -> String {
         Some((point, measured)) => format!(
             "{} @ {} Hz, {} µs",
             point.configuration.name(),
-            (10.0 * point.rate_hz).round() / 10.0,
+            short(point.rate_hz),
             two_digits(measured.cost_ns * 1e-3)
         ),
         None => "none".to_owned(),
     }
+}
+
+/// With one digit after the point, if it has one.
+pub fn short(value: f64) -> String {
+    ((10.0 * value).round() / 10.0).to_string()
 }
 
 /// A length with two digits.
