@@ -2,11 +2,14 @@
 //!
 //! A run is what the C example writes: `NAME.csv`, a row for each record, and `NAME_summary.csv`, a row for each
 //! figure. The data flow is `run`, `summary` → `series`, `spectrum` → `axis`, `plot` → `figures` → `page`.
+//!
+//! `curve` is a command of its own: it flies and times the mechanization and draws what accuracy costs.
 #![allow(clippy::disallowed_methods, reason = "a plot needs no bits that are the same on every platform")]
 #![forbid(unsafe_code)]
 
 mod axis;
 mod comparison;
+mod curve;
 mod errors;
 mod failure;
 mod figures;
@@ -32,6 +35,7 @@ use run::Run;
 
 const USAGE: &str = "\
 Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html [--picture PICTURE.svg]
+       sins_report curve -o DIR [...]: what accuracy costs; sins_report curve --help
 
 Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
 _summary.csv is passed over, so that *.csv means all runs of a folder.
@@ -48,7 +52,11 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let command = match command(std::env::args_os().skip(1)) {
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    if arguments.next_if(|first| first == "curve").is_some() {
+        return curve(arguments);
+    }
+    let command = match command(arguments) {
         Ok(command) => command,
         Err(failure) => {
             eprintln!("sins_report: {failure}\n\n{USAGE}");
@@ -63,6 +71,25 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
             println!("{}", output.display());
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+fn curve(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let order = match curve::order(arguments) {
+        Ok(order) => order,
+        Err(failure) => {
+            eprintln!("sins_report curve: {failure}\n\n{}", curve::USAGE);
+            return ExitCode::from(2);
+        }
+    };
+    match order.map(|order| curve::run(&order)) {
+        None => println!("{}", curve::USAGE),
+        Some(Ok(())) => {}
+        Some(Err(failure)) => {
+            eprintln!("sins_report curve: {failure}");
+            return ExitCode::FAILURE;
         }
     }
     ExitCode::SUCCESS
