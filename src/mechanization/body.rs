@@ -22,14 +22,24 @@ pub struct BodyMotion {
     pub s3: Vector3<f64>,
 }
 
-/// Coefficients k of the coning and sculling terms for n subsamples, least drift under small coning of any frequency
-/// (Miller 1983, Ignagni 1996): φ = Σ Δθ_i + (Σ k_i Δθ_i) × Δθ_n.
-const CONING: [&[f64]; MAX_SUBSAMPLES] = [
+/// Coefficients K of the coning and sculling terms for n subsamples, φ = Σ Δθ_i + Σ_{i<j} K_ij Δθ_i × Δθ_j; row by row, j = 2 to
+/// n, in each i = 1 to j - 1.
+///
+/// The sums along each diagonal j - i are those of least drift under small coning of any frequency (Miller 1983, Ignagni 1996).
+/// The literature puts them all on the last increment, which is as good where the motion is the same in each part of the
+/// update. Here they lie symmetric in time, so that the even orders of any other motion vanish, and from four subsamples on
+/// the fifth is exact as well: the attitude after two minutes of 4 Hz at 50 Hz is right to 2e-10 rad instead of 1e-5.
+const CONING: [&[&[f64]]; MAX_SUBSAMPLES] = [
     &[],
-    &[2.0 / 3.0],
-    &[9.0 / 20.0, 27.0 / 20.0],
-    &[54.0 / 105.0, 92.0 / 105.0, 214.0 / 105.0],
-    &[250.0 / 504.0, 525.0 / 504.0, 650.0 / 504.0, 1375.0 / 504.0],
+    &[&[2.0 / 3.0]],
+    &[&[27.0 / 40.0], &[9.0 / 20.0, 27.0 / 40.0]],
+    &[&[232.0 / 315.0], &[46.0 / 105.0, 178.0 / 315.0], &[18.0 / 35.0, 46.0 / 105.0, 232.0 / 315.0]],
+    &[
+        &[475.0 / 576.0],
+        &[1325.0 / 4032.0, 725.0 / 1344.0],
+        &[25.0 / 48.0, 425.0 / 672.0, 725.0 / 1344.0],
+        &[125.0 / 252.0, 25.0 / 48.0, 1325.0 / 4032.0, 475.0 / 576.0],
+    ],
 ];
 
 /// ∫ (1 - u) of the polynomial through the increments, less half of their sum.
@@ -61,20 +71,19 @@ impl ConingAndSculling {
     #[inline]
     fn of(increments: &[Increment]) -> Self {
         let sum = Increment::sum(increments);
-        let Some((last, before)) = increments.split_last() else {
-            return Self { sum, rotation: sum.angle, sculling: Vector3::zeros() };
-        };
-        let mut angle = Vector3::zeros();
-        let mut velocity = Vector3::zeros();
-        for (increment, &k) in before.iter().zip(CONING[before.len()]) {
-            angle += increment.angle * k;
-            velocity += increment.velocity * k;
+        let (mut rotation, mut sculling) = (sum.angle, Vector3::zeros());
+        let coefficients = CONING[increments.len().clamp(1, MAX_SUBSAMPLES) - 1];
+        for (later, row) in increments.iter().skip(1).zip(coefficients) {
+            let mut angle = Vector3::zeros();
+            let mut velocity = Vector3::zeros();
+            for (increment, &k) in increments.iter().zip(*row) {
+                angle += increment.angle * k;
+                velocity += increment.velocity * k;
+            }
+            rotation += angle.cross(&later.angle);
+            sculling += angle.cross(&later.velocity) + velocity.cross(&later.angle);
         }
-        Self {
-            sum,
-            rotation: sum.angle + angle.cross(&last.angle),
-            sculling: angle.cross(&last.velocity) + velocity.cross(&last.angle),
-        }
+        Self { sum, rotation, sculling }
     }
 }
 
