@@ -141,5 +141,6 @@ pub mod truth;
 
 pub use error::{Error, ErrorKind, Rule};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step, TrimFigures,
+    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Saturation, Simulator, Solution, Step,
+    TrimFigures,
 };

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use sins::sensors::{
     Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, StreamKey, Triad, TriadParameters,
 };
+use sins::signal::Increment;
 
 const SIGMAS: f64 = 5.0;
 
@@ -41,7 +42,7 @@ fn triad(seed: u64, run: u64, sensor: Sensor, parameters: &TriadParameters) -> T
 fn increments(triad: &mut Triad, n: usize, dt: f64) -> [Vec<f64>; 3] {
     let mut axes = [const { Vec::new() }; 3];
     for _ in 0..n {
-        let sensed = triad.sense(&Vector3::zeros(), dt);
+        let sensed = triad.sense(&Increment::ZERO, dt);
         for (axis, values) in axes.iter_mut().enumerate() {
             values.push(sensed[axis]);
         }
@@ -91,7 +92,7 @@ fn densities_do_not_depend_on_the_sample_rate() {
     let walks: Vec<f64> = (0..seconds)
         .map(|_| {
             let jittering = (0..100).map(|k| if k % 2 == 0 { 0.004 } else { 0.016 });
-            jittering.map(|dt| triad.sense(&Vector3::zeros(), dt).x).sum()
+            jittering.map(|dt| triad.sense(&Increment::ZERO, dt).x).sum()
         })
         .collect();
     assert_variance("walk of a second", covariance(&walks, &walks), 1.0, seconds);
@@ -141,9 +142,9 @@ fn gauss_markov_is_stationary_with_its_correlation_time() {
         let mut integrals = Vec::new();
         for run in 0..runs {
             let mut triad = triad(5, run as u64, Sensor::Gyro, &parameters);
-            at_start.push(triad.steady_error(&Vector3::zeros()).x);
+            at_start.push(triad.steady_error(&Vector3::zeros(), &Vector3::zeros()).x);
             integrals.push(increments(&mut triad, steps, dt)[0].iter().sum::<f64>());
-            at_end.push(triad.steady_error(&Vector3::zeros()).x);
+            at_end.push(triad.steady_error(&Vector3::zeros(), &Vector3::zeros()).x);
         }
         let variance = sigma * sigma;
         assert_variance("at the start", covariance(&at_start, &at_start), variance, runs);

@@ -1,0 +1,108 @@
+//! The order of the effects, and which of them are active.
+
+/// The effects along the path of the signal. The first two change what the proof mass feels; the next four are errors of
+/// that, then come additive biases and noise, and last what the output electronics do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effect {
+    SizeEffect,
+    Bandwidth,
+    Linear,
+    Asymmetry,
+    Quadratic,
+    GSensitivity,
+    Bias,
+    GaussMarkov,
+    Flicker,
+    RateRandomWalk,
+    Ramp,
+    RandomWalk,
+    DeadZone,
+    Range,
+    Quantization,
+}
+
+impl Effect {
+    /// Number of effects.
+    pub const COUNT: usize = 15;
+
+    /// Whether it acts before the errors of what is felt.
+    fn is_before_felt(self) -> bool {
+        matches!(self, Self::SizeEffect | Self::Bandwidth)
+    }
+}
+
+/// The active effects in order: what is to be done for an increment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Plan {
+    effects: [Effect; Effect::COUNT],
+    /// Of these the first so many change what is felt.
+    before_felt: usize,
+    count: usize,
+}
+
+impl Plan {
+    /// Nothing.
+    pub const IDEAL: Self = Self { effects: [Effect::Bias; Effect::COUNT], before_felt: 0, count: 0 };
+
+    /// The effects, in order, that are called for.
+    pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
+        let mut plan = Self::IDEAL;
+        for &(effect, _) in calls.iter().filter(|(_, is_called_for)| *is_called_for) {
+            plan.effects[plan.count] = effect;
+            plan.count += 1;
+            plan.before_felt += usize::from(effect.is_before_felt());
+        }
+        plan
+    }
+
+    /// Whether there is nothing to do.
+    pub fn is_ideal(&self) -> bool {
+        self.count == 0
+    }
+
+    /// What changes what is felt.
+    #[inline]
+    pub fn before_felt(&self) -> &[Effect] {
+        &self.effects[..self.before_felt]
+    }
+
+    /// All the rest.
+    #[inline]
+    pub fn after_felt(&self) -> &[Effect] {
+        &self.effects[self.before_felt..self.count]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plan_is_the_effects_called_for_in_order() {
+        let all = [
+            Effect::SizeEffect,
+            Effect::Bandwidth,
+            Effect::Linear,
+            Effect::Asymmetry,
+            Effect::Quadratic,
+            Effect::GSensitivity,
+            Effect::Bias,
+            Effect::GaussMarkov,
+            Effect::Flicker,
+            Effect::RateRandomWalk,
+            Effect::Ramp,
+            Effect::RandomWalk,
+            Effect::DeadZone,
+            Effect::Range,
+            Effect::Quantization,
+        ];
+        let plan = Plan::new(&all.map(|effect| (effect, true)));
+        assert_eq!([plan.before_felt(), plan.after_felt()].concat(), all);
+        assert_eq!(plan.before_felt(), [Effect::SizeEffect, Effect::Bandwidth]);
+        let some = [Effect::Bandwidth, Effect::RandomWalk, Effect::Bias];
+        let plan = Plan::new(&all.map(|effect| (effect, some.contains(&effect))));
+        assert_eq!(plan.before_felt(), [Effect::Bandwidth]);
+        assert_eq!(plan.after_felt(), [Effect::Bias, Effect::RandomWalk]);
+        assert!(Plan::new(&all.map(|effect| (effect, false))).is_ideal() && !plan.is_ideal());
+    }
+}
