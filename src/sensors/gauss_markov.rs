@@ -113,7 +113,7 @@ impl GaussMarkov {
     }
 
     /// Adds the integral over one increment.
-    #[inline]
+    #[inline(never)]
     pub fn apply(&mut self, measured: &mut Vector3<f64>) {
         for axis in 0..3 {
             if self.sigma[axis] != 0.0 {

@@ -36,8 +36,8 @@ impl Effect {
 pub(super) struct Plan {
     effects: [Effect; Effect::COUNT],
     /// Of these the first so many change what is felt.
-    before_felt: usize,
-    count: usize,
+    before_felt: u8,
+    count: u8,
 }
 
 impl Plan {
@@ -48,9 +48,9 @@ impl Plan {
     pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
         let mut plan = Self::IDEAL;
         for &(effect, _) in calls.iter().filter(|(_, is_called_for)| *is_called_for) {
-            plan.effects[plan.count] = effect;
+            plan.effects[usize::from(plan.count)] = effect;
             plan.count += 1;
-            plan.before_felt += usize::from(effect.is_before_felt());
+            plan.before_felt += u8::from(effect.is_before_felt());
         }
         plan
     }
@@ -63,13 +63,13 @@ impl Plan {
     /// What changes what is felt.
     #[inline]
     pub fn before_felt(&self) -> &[Effect] {
-        &self.effects[..self.before_felt]
+        &self.effects[..usize::from(self.before_felt)]
     }
 
     /// All the rest.
     #[inline]
     pub fn after_felt(&self) -> &[Effect] {
-        &self.effects[self.before_felt..self.count]
+        &self.effects[usize::from(self.before_felt)..usize::from(self.count)]
     }
 }
 

@@ -111,7 +111,7 @@ impl Triad {
     }
 
     /// What the triad makes of the ideal increment over `dt` [s]: the active effects act one after the other.
-    #[inline]
+    #[inline(always)]
     pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
         // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
         if (dt - self.dt).abs() > 1e-7 * dt {
@@ -121,32 +121,64 @@ impl Triad {
             Sensor::Gyro => ideal.angle,
             Sensor::Accelerometer => ideal.velocity,
         };
-        for effect in self.plan.before_felt() {
-            match effect {
-                Effect::SizeEffect => self.size_effect.apply(&ideal.angle, dt, &mut felt),
-                _ => self.bandwidth.apply(dt, &mut felt),
-            }
+        if !self.plan.before_felt().is_empty() {
+            felt = self.felt(&felt, &ideal.angle, dt);
         }
         let mut measured = felt;
-        for effect in self.plan.after_felt() {
+        let plan = self.plan;
+        for &effect in plan.after_felt() {
             match effect {
-                Effect::SizeEffect | Effect::Bandwidth => {}
                 Effect::Linear => self.linear.apply(&felt, &mut measured),
-                Effect::Asymmetry => measured += self.asymmetry.error(&felt),
-                Effect::Quadratic => measured += self.quadratic.error(&felt, dt),
-                Effect::GSensitivity => measured += self.g_sensitivity.error(&ideal.velocity),
                 Effect::Bias => self.bias.apply(dt, &mut measured),
                 Effect::GaussMarkov => self.gauss_markov.apply(&mut measured),
-                Effect::Flicker => self.flicker.apply(&mut measured),
-                Effect::RateRandomWalk => self.rate_random_walk.apply(dt, &mut measured),
-                Effect::Ramp => self.ramp.apply(dt, &mut measured),
                 Effect::RandomWalk => self.random_walk.apply(&mut measured),
-                Effect::DeadZone => self.dead_zone.apply(dt, &mut measured),
-                Effect::Range => self.saturated |= self.range.apply(dt, &mut measured),
-                Effect::Quantization => self.quantization.apply(&mut measured),
+                _ => self.apply(effect, &felt, &ideal.velocity, dt, &mut measured),
             }
         }
         measured
+    }
+
+    /// What the sensors feel of their part `ideal` of an increment with the angle `angle` [rad].
+    #[inline(never)]
+    fn felt(&mut self, ideal: &Vector3<f64>, angle: &Vector3<f64>, dt: f64) -> Vector3<f64> {
+        let mut felt = *ideal;
+        for effect in self.plan.before_felt() {
+            match effect {
+                Effect::SizeEffect => self.size_effect.apply(angle, dt, &mut felt),
+                _ => self.bandwidth.apply(dt, &mut felt),
+            }
+        }
+        felt
+    }
+
+    /// Lets an effect act that few triads have: out of the way of the others.
+    #[inline(never)]
+    fn apply(
+        &mut self,
+        effect: Effect,
+        felt: &Vector3<f64>,
+        velocity: &Vector3<f64>,
+        dt: f64,
+        measured: &mut Vector3<f64>,
+    ) {
+        match effect {
+            Effect::Asymmetry => *measured += self.asymmetry.error(felt),
+            Effect::Quadratic => *measured += self.quadratic.error(felt, dt),
+            Effect::GSensitivity => *measured += self.g_sensitivity.error(velocity),
+            Effect::Flicker => self.flicker.apply(measured),
+            Effect::RateRandomWalk => self.rate_random_walk.apply(dt, measured),
+            Effect::Ramp => self.ramp.apply(dt, measured),
+            Effect::DeadZone => self.dead_zone.apply(dt, measured),
+            Effect::Range => self.saturated |= self.range.apply(dt, measured),
+            Effect::Quantization => self.quantization.apply(measured),
+            // Of `felt` and `sense`.
+            Effect::SizeEffect
+            | Effect::Bandwidth
+            | Effect::Linear
+            | Effect::Bias
+            | Effect::GaussMarkov
+            | Effect::RandomWalk => {}
+        }
     }
 
     /// Whether an output has been beyond the range since this was asked last.
@@ -155,6 +187,7 @@ impl Triad {
         core::mem::take(&mut self.saturated)
     }
 
+    #[cold]
     fn set_interval(&mut self, dt: f64) {
         self.dt = dt;
         self.bandwidth.set_interval(dt);
