@@ -235,6 +235,19 @@ typedef struct sins_flight sins_flight;
 #define SINS_IMU_ACCEL_SATURATED 2
 
 /*
+ * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
+ * random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+ */
+#define SINS_GRADE_STRATEGIC 1
+/* Navigation: Honeywell HG9900. */
+#define SINS_GRADE_NAVIGATION 2
+/* Tactical: Honeywell HG1700. */
+#define SINS_GRADE_TACTICAL 3
+/* Industrial: Analog Devices ADIS16475-1. Its range is 125 deg/s and 8 g. */
+#define SINS_GRADE_INDUSTRIAL 4
+/* Consumer: InvenSense MPU-6050, uncalibrated. */
+#define SINS_GRADE_CONSUMER 5
+/*
  * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
  * white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
  */
@@ -1060,14 +1073,15 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * Fills params with the gyro errors of a grade, SINS_GRADE_...
+ * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases that a source gives as a standard deviation are drawn at
+ * turn-on; what it does not state is 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */
 SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, struct sins_gyro_params *params);
 
 /*
- * Fills params with the accelerometer errors of a grade, SINS_GRADE_...
+ * Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */

@@ -48,6 +48,6 @@ mod triad;
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};
 pub use parameters::{Sensor, TriadParameters};
-pub use preset::paper_simulation2;
+pub use preset::{Grade, paper_simulation2};
 pub use stream::StreamKey;
 pub use triad::Triad;

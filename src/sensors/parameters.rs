@@ -284,3 +284,73 @@ pub(super) fn check_markov_time(field: &'static str, time_s: f64, sigma: f64) ->
         check_range(field, time_s, 0.0, longest)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each effect alone, at a size that can throw a solution away, and at one of the laboratory.
+    #[test]
+    fn wild_sensors_are_not_tame_and_those_with_a_range_are() {
+        let one = Vector3::repeat(1.0);
+        let ideal = TriadParameters::default();
+        assert!(ideal.is_tame());
+        let wild = [
+            TriadParameters { bias: one * 3000.0, ..ideal },
+            TriadParameters { bias_sigma: one * 300.0, ..ideal },
+            TriadParameters { markov_sigma: one * 300.0, ..ideal },
+            TriadParameters { random_walk: one * 1000.0, ..ideal },
+            TriadParameters { flicker: one * 100.0, ..ideal },
+            TriadParameters { rate_random_walk: one * 1e-2, ..ideal },
+            TriadParameters { ramp: one * -1e-6, ..ideal },
+            TriadParameters { scale_factor: one, misalignment: Matrix3::repeat(1.0), ..ideal },
+            TriadParameters {
+                scale_factor_asymmetry: one,
+                misalignment: Matrix3::repeat(1.0) - Matrix3::identity(),
+                scale_factor: one * 0.9,
+                ..ideal
+            },
+            TriadParameters { scale_factor_nonlinearity: Vector3::x() * 1e-9, ..ideal },
+            TriadParameters { vibration_rectification_s2_m: Vector3::z() * -1e-9, ..ideal },
+            TriadParameters { g_sensitivity: Matrix3::identity(), ..ideal },
+            TriadParameters { lever_arm_m: Matrix3::identity() * 1e-3, ..ideal },
+            TriadParameters { bandwidth_hz: Vector3::y() * 100.0, ..ideal },
+        ];
+        for (index, parameters) in wild.iter().enumerate() {
+            assert!(!parameters.is_tame(), "{index}");
+            assert!(TriadParameters { range: one * 1000.0, ..*parameters }.is_tame(), "{index}");
+            assert!(!TriadParameters { range: Vector3::new(1.0, 0.0, 1.0), ..*parameters }.is_tame());
+            assert!(!TriadParameters { range: one * 1e5, ..*parameters }.is_tame());
+        }
+        let of_the_laboratory = TriadParameters {
+            bias: one * 1e-3,
+            bias_sigma: one * 1e-2,
+            markov_sigma: one * 1e-3,
+            random_walk: one * 1e-3,
+            rate_random_walk: one * 1e-5,
+            ramp: one * 1e-9,
+            flicker: one * 1e-4,
+            quantization: one * 1e-4,
+            scale_factor: one * 0.03,
+            scale_factor_asymmetry: one * 1e-3,
+            g_sensitivity: Matrix3::identity() * 2e-4,
+            dead_zone: one * 1e-3,
+            ..ideal
+        };
+        assert!(of_the_laboratory.is_tame());
+    }
+
+    #[test]
+    fn a_term_of_the_other_kind_of_sensor_is_refused() {
+        let arm = TriadParameters { lever_arm_m: Matrix3::identity(), ..Default::default() };
+        assert!(arm.validate(Sensor::Accelerometer).is_ok());
+        assert_eq!(
+            arm.validate(Sensor::Gyro).unwrap_err().to_string(),
+            "gyro.lever_arm_m = 1: must be 0: of the other kind of sensor"
+        );
+        let unbalance = TriadParameters { g_sensitivity: Matrix3::identity(), ..Default::default() };
+        assert!(
+            unbalance.validate(Sensor::Gyro).is_ok() && unbalance.validate(Sensor::Accelerometer).is_err()
+        );
+    }
+}

@@ -348,6 +348,23 @@ static void sentences(sins_sim *sim)
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, vibration_rectification_s2_m), 2, 0.0 / zero),
                  "accel.vibration_rectification_s2_m[2] = NaN: must be a finite number");
 
+    /* Every grade is one that can be set; there are no others. */
+    {
+        int32_t grade;
+        for (grade = -1; grade <= 7; grade++) {
+            sins_gyro_params gyros = {.struct_size = sizeof gyros};
+            sins_accel_params accels = {.struct_size = sizeof accels};
+            sins_status expected = grade >= SINS_GRADE_STRATEGIC && grade <= SINS_GRADE_PAPER_SIMULATION2
+                                       ? SINS_OK
+                                       : SINS_ERROR_INVALID_ARGUMENT;
+            sins_sim *graded = NULL;
+            CHECK(sins_gyro_preset(grade, &gyros) == expected && sins_accel_preset(grade, &accels) == expected);
+            CHECK(sins_create(NULL, &graded) == SINS_OK);
+            CHECK(sins_set_gyro(graded, &gyros) == SINS_OK && sins_set_accel(graded, &accels) == SINS_OK);
+            CHECK(sins_destroy(graded) == SINS_OK);
+        }
+    }
+
     options.scheme = 9;
     CHECK(sins_create(&options, &made) == SINS_ERROR_INVALID_ARGUMENT && made == NULL);
     CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
