@@ -1,5 +1,7 @@
 //! The order of the effects, and which of them are active.
 
+use core::ops::Range;
+
 /// The effects along the path of the signal. The first two change what the proof mass feels; the next four are errors of
 /// that, then come additive biases and noise, and last what the output electronics do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,16 +62,22 @@ impl Plan {
         self.count == 0
     }
 
-    /// What changes what is felt.
+    /// The steps that change what is felt.
     #[inline]
-    pub fn before_felt(&self) -> &[Effect] {
-        &self.effects[..usize::from(self.before_felt)]
+    pub fn before_felt(&self) -> Range<usize> {
+        0..usize::from(self.before_felt)
     }
 
-    /// All the rest.
+    /// The steps after those.
     #[inline]
-    pub fn after_felt(&self) -> &[Effect] {
-        &self.effects[usize::from(self.before_felt)..usize::from(self.count)]
+    pub fn after_felt(&self) -> Range<usize> {
+        usize::from(self.before_felt)..usize::from(self.count)
+    }
+
+    /// What is done at a step.
+    #[inline]
+    pub fn effect(&self, step: usize) -> Effect {
+        self.effects[step]
     }
 }
 
@@ -97,12 +105,15 @@ mod tests {
             Effect::Quantization,
         ];
         let plan = Plan::new(&all.map(|effect| (effect, true)));
-        assert_eq!([plan.before_felt(), plan.after_felt()].concat(), all);
-        assert_eq!(plan.before_felt(), [Effect::SizeEffect, Effect::Bandwidth]);
+        assert_eq!(
+            plan.before_felt().chain(plan.after_felt()).map(|i| plan.effect(i)).collect::<Vec<_>>(),
+            all
+        );
+        assert_eq!(plan.before_felt(), 0..2);
         let some = [Effect::Bandwidth, Effect::RandomWalk, Effect::Bias];
         let plan = Plan::new(&all.map(|effect| (effect, some.contains(&effect))));
-        assert_eq!(plan.before_felt(), [Effect::Bandwidth]);
-        assert_eq!(plan.after_felt(), [Effect::Bias, Effect::RandomWalk]);
+        assert_eq!((plan.before_felt(), plan.after_felt()), (0..1, 1..3));
+        assert_eq!([0, 1, 2].map(|i| plan.effect(i)), [Effect::Bandwidth, Effect::Bias, Effect::RandomWalk]);
         assert!(Plan::new(&all.map(|effect| (effect, false))).is_ideal() && !plan.is_ideal());
     }
 }

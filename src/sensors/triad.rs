@@ -125,14 +125,13 @@ impl Triad {
             felt = self.felt(&felt, &ideal.angle, dt);
         }
         let mut measured = felt;
-        let plan = self.plan;
-        for &effect in plan.after_felt() {
-            match effect {
+        for step in self.plan.after_felt() {
+            match self.plan.effect(step) {
                 Effect::Linear => self.linear.apply(&felt, &mut measured),
                 Effect::Bias => self.bias.apply(dt, &mut measured),
                 Effect::GaussMarkov => self.gauss_markov.apply(&mut measured),
                 Effect::RandomWalk => self.random_walk.apply(&mut measured),
-                _ => self.apply(effect, &felt, &ideal.velocity, dt, &mut measured),
+                effect => self.apply(effect, &felt, &ideal.velocity, dt, &mut measured),
             }
         }
         measured
@@ -142,8 +141,8 @@ impl Triad {
     #[inline(never)]
     fn felt(&mut self, ideal: &Vector3<f64>, angle: &Vector3<f64>, dt: f64) -> Vector3<f64> {
         let mut felt = *ideal;
-        for effect in self.plan.before_felt() {
-            match effect {
+        for step in self.plan.before_felt() {
+            match self.plan.effect(step) {
                 Effect::SizeEffect => self.size_effect.apply(angle, dt, &mut felt),
                 _ => self.bandwidth.apply(dt, &mut felt),
             }
