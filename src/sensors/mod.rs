@@ -15,7 +15,9 @@
 //! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
 //! | | g-sensitivity | G f |
 //! | additive | bias, turn-on bias, Gauss-Markov bias | |
-//! | | flicker B, rate random walk K, ramp R, random walk N | stationary from the first sample on; 0 at the start of the run; the same |
+//! | | flicker B | stationary from the first sample on |
+//! | | rate random walk K, ramp R | from 0 at the start of the run |
+//! | | random walk N | white |
 //! | output | dead zone | 0 where \|s\| ≤ d |
 //! | | range | ±r, flagged |
 //! | | quantization | whole pulses, the rest carried |
@@ -43,7 +45,9 @@ mod range;
 mod rate_random_walk;
 mod size_effect;
 mod stream;
+mod tame;
 mod triad;
+mod validation;
 
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};
