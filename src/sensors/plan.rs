@@ -6,7 +6,7 @@ use core::ops::Range;
 /// that, then come additive biases and noise, and last what the output electronics do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    SizeEffect,
+    LeverArms,
     Bandwidth,
     Linear,
     Asymmetry,
@@ -29,7 +29,7 @@ impl Effect {
 
     /// Whether it acts before the errors of what is felt.
     fn is_before_felt(self) -> bool {
-        matches!(self, Self::SizeEffect | Self::Bandwidth)
+        matches!(self, Self::LeverArms | Self::Bandwidth)
     }
 }
 
@@ -88,7 +88,7 @@ mod tests {
     #[test]
     fn a_plan_is_the_effects_called_for_in_order() {
         let all = [
-            Effect::SizeEffect,
+            Effect::LeverArms,
             Effect::Bandwidth,
             Effect::Linear,
             Effect::Asymmetry,

@@ -78,7 +78,7 @@ impl Triad {
     /// active go on from where they are.
     pub fn set(&mut self, parameters: &TriadParameters) {
         self.plan = Plan::new(&[
-            (Effect::SizeEffect, self.size_effect.set(parameters)),
+            (Effect::LeverArms, self.size_effect.set(parameters)),
             (Effect::Bandwidth, self.bandwidth.set(parameters)),
             (Effect::Linear, self.linear.set(parameters)),
             (Effect::Asymmetry, self.asymmetry.set(parameters)),
@@ -143,7 +143,7 @@ impl Triad {
         let mut felt = *ideal;
         for step in self.plan.before_felt() {
             match self.plan.effect(step) {
-                Effect::SizeEffect => self.size_effect.apply(angle, dt, &mut felt),
+                Effect::LeverArms => self.size_effect.apply(angle, dt, &mut felt),
                 _ => self.bandwidth.apply(dt, &mut felt),
             }
         }
@@ -171,7 +171,7 @@ impl Triad {
             Effect::Range => self.saturated |= self.range.apply(dt, measured),
             Effect::Quantization => self.quantization.apply(measured),
             // Of `felt` and `sense`.
-            Effect::SizeEffect
+            Effect::LeverArms
             | Effect::Bandwidth
             | Effect::Linear
             | Effect::Bias
