@@ -76,8 +76,9 @@ fn patrol_samples(seconds: f64) -> Vec<FlightSample> {
     (0..(seconds * 100.0) as usize).map(|k| flight.sample_at(1000.0 + k as f64 / 100.0).unwrap()).collect()
 }
 
-/// Whatever the sensors do, the differential equations hear of it: what they drop is of second order, errors times
-/// errors over what they are errors of, a thousandth here.
+/// Whatever the sensors do, the differential equations hear of it. They drop terms of second order and what noise does within
+/// an interval beyond its mean and first moment, a thousandth of the errors here; an effect unheard of would be missing as a
+/// whole.
 #[test]
 fn both_error_data_hear_of_every_effect() {
     let mut simulator = with_every_effect(&Options { error_model: true, ..options_at(100.0) });
