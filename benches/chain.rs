@@ -82,8 +82,8 @@ fn stages(criterion: &mut Criterion) {
         triads[1].set(&accel);
         bencher.iter(|| {
             for (noisy, ideal) in noisy.as_flattened_mut().iter_mut().zip(increments.as_flattened()) {
-                noisy.angle = triads[0].sense(&ideal.angle, 0.5 * scene::PERIOD_S);
-                noisy.velocity = triads[1].sense(&ideal.velocity, 0.5 * scene::PERIOD_S);
+                noisy.angle = triads[0].sense(ideal, 0.5 * scene::PERIOD_S);
+                noisy.velocity = triads[1].sense(ideal, 0.5 * scene::PERIOD_S);
             }
             black_box(&noisy);
         });

@@ -229,6 +229,24 @@ typedef struct sins_flight sins_flight;
 /* In a sins_record: not computed, all zero. */
 #define SINS_ERRORS_NOT_COMPUTED 4
 
+/* The mean rate of a sub-increment was beyond the range of a gyro. */
+#define SINS_IMU_GYRO_SATURATED 1
+/* The mean force of a sub-increment was beyond the range of an accelerometer. */
+#define SINS_IMU_ACCEL_SATURATED 2
+
+/*
+ * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
+ * random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+ */
+#define SINS_GRADE_STRATEGIC 1
+/* Navigation: Honeywell HG9900. */
+#define SINS_GRADE_NAVIGATION 2
+/* Tactical: Honeywell HG1700. */
+#define SINS_GRADE_TACTICAL 3
+/* Industrial: Analog Devices ADIS16475-1. Its range is 125 deg/s and 8 g. */
+#define SINS_GRADE_INDUSTRIAL 4
+/* Consumer: InvenSense MPU-6050, uncalibrated. */
+#define SINS_GRADE_CONSUMER 5
 /*
  * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
  * white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
@@ -362,7 +380,12 @@ typedef struct sins_flight_sample {
 
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations and random walks up to 100 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+ * Biases, standard deviations, random walks, ramps, flicker and dead zones up to 100 in their units. Densities do not depend
+ * on the sample rate.
+ *
+ * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
+ * signal so far, and g-sensitivity, of the true specific force; then biases and noise are added; then dead zone, range,
+ * quantization. A range, a bandwidth or a quantization of 0 is none.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -379,35 +402,43 @@ typedef struct sins_gyro_params {
     double markov_time_s[3];
     /* Angle random walk N, white noise of rate [rad/sqrt(s)] = [(rad/s)/sqrt(Hz)]. */
     double random_walk_rad_sqrt_s[3];
-    /* Rate random walk K [(rad/s)/sqrt(s)] (later). */
+    /* Rate random walk K, from 0 at the start of a run [(rad/s)/sqrt(s)]. */
     double rate_random_walk_rad_s_sqrt_s[3];
-    /* Rate ramp R [rad/s2] (later). */
+    /* Rate ramp R, from 0 when it is set [rad/s2]. */
     double rate_ramp_rad_s2[3];
-    /* Flicker noise, bias instability B [rad/s] (later). */
+    /*
+     * Flicker noise, bias instability B [rad/s], stationary from the first sample on: the Allan
+     * deviation is flat at 0.664 B from 2 s to 50 h.
+     */
     double flicker_rad_s[3];
-    /* Quantization of the angle increments [rad] (later). */
+    /* Pulse of the angle increments, 1e-15 to 1 [rad]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
     double quantization_rad[3];
     /* Scale factor error, -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative rates (later). */
+    /* Scale factor error of positive less that of negative rates, -1 to 1. */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the rate [s/rad] (later). */
+    /* Scale factor error that grows with the size of the rate, -1 to 1 [s/rad]. */
     double scale_factor_nonlinearity_s_rad[3];
     /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
     double misalignment_rad[9];
-    /* g-sensitivity [(rad/s)/(m/s2)], row-major (later). */
+    /* g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force. */
     double g_sensitivity_rad_s_per_m_s2[9];
-    /* Range, where the output saturates [rad/s] (later). */
+    /* Range, where the mean rate of a sub-increment saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
     double range_rad_s[3];
-    /* Bandwidth [Hz] (later). */
+    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
     double bandwidth_hz[3];
-    /* Dead zone [rad/s] (later). */
+    /* Half the dead zone: mean rates of a sub-increment up to this size give 0 [rad/s]. */
     double dead_zone_rad_s[3];
 } sins_gyro_params;
 
 /*
  * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations and random walks up to 1e4 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+ * Biases, standard deviations, random walks, ramps, flicker and dead zones up to 1e4 in their units. Densities do not depend
+ * on the sample rate.
+ *
+ * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
+ * nonlinearity and vibration rectification, of the signal so far; then biases and noise are added; then dead zone, range,
+ * quantization. A range, a bandwidth or a quantization of 0 is none.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -424,31 +455,34 @@ typedef struct sins_accel_params {
     double markov_time_s[3];
     /* Velocity random walk N, white noise of force [(m/s)/sqrt(s)] = [(m/s2)/sqrt(Hz)]. */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Acceleration random walk K [(m/s2)/sqrt(s)] (later). */
+    /* Acceleration random walk K, from 0 at the start of a run [(m/s2)/sqrt(s)]. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
-    /* Ramp R [m/s3] (later). */
+    /* Ramp R, from 0 when it is set [m/s3]. */
     double ramp_m_s3[3];
-    /* Flicker noise, bias instability B [m/s2] (later). */
+    /*
+     * Flicker noise, bias instability B [m/s2], stationary from the first sample on: the Allan
+     * deviation is flat at 0.664 B from 2 s to 50 h.
+     */
     double flicker_m_s2[3];
-    /* Quantization of the velocity increments [m/s] (later). */
+    /* Pulse of the velocity increments, 1e-15 to 1 [m/s]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
     double quantization_m_s[3];
     /* Scale factor error, -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative forces (later). */
+    /* Scale factor error of positive less that of negative forces, -1 to 1. */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the force [s2/m] (later). */
+    /* Scale factor error that grows with the size of the force, -1 to 1 [s2/m]. */
     double scale_factor_nonlinearity_s2_m[3];
     /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
     double misalignment_rad[9];
-    /* Range, where the output saturates [m/s2] (later). */
+    /* Range, where the mean force of a sub-increment saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
     double range_m_s2[3];
-    /* Bandwidth [Hz] (later). */
+    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
     double bandwidth_hz[3];
-    /* Dead zone [m/s2] (later). */
+    /* Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2]. */
     double dead_zone_m_s2[3];
-    /* Place of each sensor [m], row = sensor: size effect (later). */
+    /* Place of each sensor against the reference point, -100 to 100 [m]: row-major, row = sensor (size effect). */
     double lever_arm_m[9];
-    /* Vibration rectification, the g2 term [s2/m] (later). */
+    /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
     double vibration_rectification_s2_m[3];
 } sins_accel_params;
 
@@ -602,8 +636,8 @@ typedef struct sins_navigation {
 typedef struct sins_imu {
     /* sizeof(sins_imu) */
     uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
+    /* SINS_IMU_... flags, or'ed. */
+    uint32_t flags;
     /* Time of the end of the interval [s]. */
     double time_s;
     /* Length of the interval [s]. */
@@ -929,7 +963,7 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
  * move; processes that were active go on from where they are.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
@@ -937,7 +971,7 @@ SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gy
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
  * effects do not move; processes that were active go on from where they are.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
 
@@ -1039,14 +1073,15 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * Fills params with the gyro errors of a grade, SINS_GRADE_...
+ * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases that a source gives as a standard deviation are drawn at
+ * turn-on; what it does not state is 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */
 SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, struct sins_gyro_params *params);
 
 /*
- * Fills params with the accelerometer errors of a grade, SINS_GRADE_...
+ * Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */

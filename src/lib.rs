@@ -62,6 +62,7 @@
 //! | every term of the error equations is that of the mechanization | `tests/error_equations.rs` |
 //! | each scheme has its order | `tests/convergence.rs` |
 //! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/invariants.rs`, `tests/samples.rs` |
+//! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
@@ -102,7 +103,7 @@
 //!   Coning Compensation Algorithms", J. Guid. Control Dyn. 19, 1996
 //! - Kayton and Fried, *Avionics Navigation Systems*, 2nd ed., 1997 (vertical channel)
 //! - Heiskanen and Moritz, *Physical Geodesy*, 1967 (normal gravity); NIMA TR8350.2, 3rd ed., 2000 (WGS 84)
-//! - IEEE Std 952-1997, IEEE Std 1293-2018 (terms of gyro and accelerometer models)
+//! - IEEE Std 528-2019, IEEE Std 952-1997, IEEE Std 1293-2018 (terms of gyro and accelerometer models)
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 #![cfg_attr(
     not(test),
@@ -141,5 +142,6 @@ pub mod truth;
 
 pub use error::{Error, ErrorKind, Rule};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step, TrimFigures,
+    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Saturation, Simulator, Solution, Step,
+    TrimFigures,
 };

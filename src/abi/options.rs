@@ -129,17 +129,6 @@ pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Fail
     }
 }
 
-/// Refuses parameters that this release does not simulate.
-pub(super) fn refuse(field: &'static str, values: &[f64]) -> Result<(), Failure> {
-    for (index, &value) in values.iter().enumerate() {
-        if value != 0.0 {
-            let error = Error::invalid(field, value, Rule::Words("must be 0: not simulated in this release"));
-            return Err(error.at(index).into());
-        }
-    }
-    Ok(())
-}
-
 /// Time constant of the closed loop where the host gives none [s].
 const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 

@@ -5,18 +5,37 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::Output;
 use super::options::one_of;
 use super::sensors::{sins_accel_params, sins_gyro_params};
-use crate::sensors::paper_simulation2;
+use crate::sensors::{Grade, TriadParameters};
 
+/// Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
+/// random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+pub const SINS_GRADE_STRATEGIC: i32 = 1;
+/// Navigation: Honeywell HG9900.
+pub const SINS_GRADE_NAVIGATION: i32 = 2;
+/// Tactical: Honeywell HG1700.
+pub const SINS_GRADE_TACTICAL: i32 = 3;
+/// Industrial: Analog Devices ADIS16475-1. Its range is 125 deg/s and 8 g.
+pub const SINS_GRADE_INDUSTRIAL: i32 = 4;
+/// Consumer: InvenSense MPU-6050, uncalibrated.
+pub const SINS_GRADE_CONSUMER: i32 = 5;
 /// The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
 /// white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
 pub const SINS_GRADE_PAPER_SIMULATION2: i32 = 6;
 
-fn check_grade(grade: i32) -> Result<(), Failure> {
-    let rule = "must be SINS_GRADE_PAPER_SIMULATION2, 6: the other grades are not in this release";
-    one_of("grade", grade, &[(SINS_GRADE_PAPER_SIMULATION2, ())], rule)
+fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure> {
+    const GRADES: [(i32, Grade); 6] = [
+        (SINS_GRADE_STRATEGIC, Grade::Strategic),
+        (SINS_GRADE_NAVIGATION, Grade::Navigation),
+        (SINS_GRADE_TACTICAL, Grade::Tactical),
+        (SINS_GRADE_INDUSTRIAL, Grade::Industrial),
+        (SINS_GRADE_CONSUMER, Grade::Consumer),
+        (SINS_GRADE_PAPER_SIMULATION2, Grade::PaperSimulation2),
+    ];
+    one_of("grade", grade, &GRADES, "must be a SINS_GRADE_ constant, 1 to 6").map(Grade::parameters)
 }
 
-/// Fills params with the gyro errors of a grade, SINS_GRADE_...
+/// Fills params with the gyro errors of a grade, SINS_GRADE_... Biases that a source gives as a standard deviation are drawn at
+/// turn-on; what it does not state is 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]
@@ -24,13 +43,12 @@ pub unsafe extern "C" fn sins_gyro_preset(grade: i32, params: *mut sins_gyro_par
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
-        check_grade(grade)?;
-        output.write(&sins_gyro_params::from_parameters(&paper_simulation2().0));
+        output.write(&sins_gyro_params::from_parameters(&parameters(grade)?.0));
         Ok(SINS_OK)
     })
 }
 
-/// Fills params with the accelerometer errors of a grade, SINS_GRADE_...
+/// Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]
@@ -38,8 +56,7 @@ pub unsafe extern "C" fn sins_accel_preset(grade: i32, params: *mut sins_accel_p
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
-        check_grade(grade)?;
-        output.write(&sins_accel_params::from_parameters(&paper_simulation2().1));
+        output.write(&sins_accel_params::from_parameters(&parameters(grade)?.1));
         Ok(SINS_OK)
     })
 }

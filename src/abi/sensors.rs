@@ -4,13 +4,18 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::failure::{Failure, sins_status};
 use super::memory::{interface_struct, read};
-use super::options::{check_reserved, refuse};
+use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::abi::SINS_OK;
 use crate::sensors::{AltimeterParameters, TriadParameters};
 
 /// Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Biases, standard deviations and random walks up to 100 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+/// Biases, standard deviations, random walks, ramps, flicker and dead zones up to 100 in their units. Densities do not depend
+/// on the sample rate.
+///
+/// Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
+/// signal so far, and g-sensitivity, of the true specific force; then biases and noise are added; then dead zone, range,
+/// quantization. A range, a bandwidth or a quantization of 0 is none.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_gyro_params {
@@ -28,36 +33,42 @@ pub struct sins_gyro_params {
     pub markov_time_s: [f64; 3],
     /// Angle random walk N, white noise of rate [rad/sqrt(s)] = [(rad/s)/sqrt(Hz)].
     pub random_walk_rad_sqrt_s: [f64; 3],
-    /// Rate random walk K [(rad/s)/sqrt(s)] (later).
+    /// Rate random walk K, from 0 at the start of a run [(rad/s)/sqrt(s)].
     pub rate_random_walk_rad_s_sqrt_s: [f64; 3],
-    /// Rate ramp R [rad/s2] (later).
+    /// Rate ramp R, from 0 when it is set [rad/s2].
     pub rate_ramp_rad_s2: [f64; 3],
-    /// Flicker noise, bias instability B [rad/s] (later).
+    /// Flicker noise, bias instability B [rad/s], stationary from the first sample on: the Allan
+    /// deviation is flat at 0.664 B from 2 s to 50 h.
     pub flicker_rad_s: [f64; 3],
-    /// Quantization of the angle increments [rad] (later).
+    /// Pulse of the angle increments, 1e-15 to 1 [rad]; the rest is carried. The quantization noise Q is pulse/sqrt(12).
     pub quantization_rad: [f64; 3],
     /// Scale factor error, -1 to 1.
     pub scale_factor: [f64; 3],
-    /// Scale factor error of positive less that of negative rates (later).
+    /// Scale factor error of positive less that of negative rates, -1 to 1.
     pub scale_factor_asymmetry: [f64; 3],
-    /// Scale factor error that grows with the rate [s/rad] (later).
+    /// Scale factor error that grows with the size of the rate, -1 to 1 [s/rad].
     pub scale_factor_nonlinearity_s_rad: [f64; 3],
     /// Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0.
     pub misalignment_rad: [f64; 9],
-    /// g-sensitivity [(rad/s)/(m/s2)], row-major (later).
+    /// g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force.
     pub g_sensitivity_rad_s_per_m_s2: [f64; 9],
-    /// Range, where the output saturates [rad/s] (later).
+    /// Range, where the mean rate of a sub-increment saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu.
     pub range_rad_s: [f64; 3],
-    /// Bandwidth [Hz] (later).
+    /// Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval.
     pub bandwidth_hz: [f64; 3],
-    /// Dead zone [rad/s] (later).
+    /// Half the dead zone: mean rates of a sub-increment up to this size give 0 [rad/s].
     pub dead_zone_rad_s: [f64; 3],
 }
 
 interface_struct!(sins_gyro_params, "gyro", 512);
 
 /// Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Biases, standard deviations and random walks up to 1e4 in their units. Densities do not depend on the sample rate. Fields marked (later) must be 0 in this release.
+/// Biases, standard deviations, random walks, ramps, flicker and dead zones up to 1e4 in their units. Densities do not depend
+/// on the sample rate.
+///
+/// Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
+/// nonlinearity and vibration rectification, of the signal so far; then biases and noise are added; then dead zone, range,
+/// quantization. A range, a bandwidth or a quantization of 0 is none.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accel_params {
@@ -75,31 +86,32 @@ pub struct sins_accel_params {
     pub markov_time_s: [f64; 3],
     /// Velocity random walk N, white noise of force [(m/s)/sqrt(s)] = [(m/s2)/sqrt(Hz)].
     pub velocity_random_walk_m_s_sqrt_s: [f64; 3],
-    /// Acceleration random walk K [(m/s2)/sqrt(s)] (later).
+    /// Acceleration random walk K, from 0 at the start of a run [(m/s2)/sqrt(s)].
     pub acceleration_random_walk_m_s2_sqrt_s: [f64; 3],
-    /// Ramp R [m/s3] (later).
+    /// Ramp R, from 0 when it is set [m/s3].
     pub ramp_m_s3: [f64; 3],
-    /// Flicker noise, bias instability B [m/s2] (later).
+    /// Flicker noise, bias instability B [m/s2], stationary from the first sample on: the Allan
+    /// deviation is flat at 0.664 B from 2 s to 50 h.
     pub flicker_m_s2: [f64; 3],
-    /// Quantization of the velocity increments [m/s] (later).
+    /// Pulse of the velocity increments, 1e-15 to 1 [m/s]; the rest is carried. The quantization noise Q is pulse/sqrt(12).
     pub quantization_m_s: [f64; 3],
     /// Scale factor error, -1 to 1.
     pub scale_factor: [f64; 3],
-    /// Scale factor error of positive less that of negative forces (later).
+    /// Scale factor error of positive less that of negative forces, -1 to 1.
     pub scale_factor_asymmetry: [f64; 3],
-    /// Scale factor error that grows with the force [s2/m] (later).
+    /// Scale factor error that grows with the size of the force, -1 to 1 [s2/m].
     pub scale_factor_nonlinearity_s2_m: [f64; 3],
     /// Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0.
     pub misalignment_rad: [f64; 9],
-    /// Range, where the output saturates [m/s2] (later).
+    /// Range, where the mean force of a sub-increment saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu.
     pub range_m_s2: [f64; 3],
-    /// Bandwidth [Hz] (later).
+    /// Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval.
     pub bandwidth_hz: [f64; 3],
-    /// Dead zone [m/s2] (later).
+    /// Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2].
     pub dead_zone_m_s2: [f64; 3],
-    /// Place of each sensor [m], row = sensor: size effect (later).
+    /// Place of each sensor against the reference point, -100 to 100 [m]: row-major, row = sensor (size effect).
     pub lever_arm_m: [f64; 9],
-    /// Vibration rectification, the g2 term [s2/m] (later).
+    /// Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2.
     pub vibration_rectification_s2_m: [f64; 3],
 }
 
@@ -132,28 +144,29 @@ interface_struct!(sins_altimeter_params, "altimeter", 56);
 impl sins_gyro_params {
     fn to_parameters(self) -> Result<TriadParameters, Failure> {
         check_reserved("gyro.reserved", self.reserved)?;
-        refuse("gyro.rate_random_walk_rad_s_sqrt_s", &self.rate_random_walk_rad_s_sqrt_s)?;
-        refuse("gyro.rate_ramp_rad_s2", &self.rate_ramp_rad_s2)?;
-        refuse("gyro.flicker_rad_s", &self.flicker_rad_s)?;
-        refuse("gyro.quantization_rad", &self.quantization_rad)?;
-        refuse("gyro.scale_factor_asymmetry", &self.scale_factor_asymmetry)?;
-        refuse("gyro.scale_factor_nonlinearity_s_rad", &self.scale_factor_nonlinearity_s_rad)?;
-        refuse("gyro.g_sensitivity_rad_s_per_m_s2", &self.g_sensitivity_rad_s_per_m_s2)?;
-        refuse("gyro.range_rad_s", &self.range_rad_s)?;
-        refuse("gyro.bandwidth_hz", &self.bandwidth_hz)?;
-        refuse("gyro.dead_zone_rad_s", &self.dead_zone_rad_s)?;
         Ok(TriadParameters {
             bias: Vector3::from(self.bias_rad_s),
             bias_sigma: Vector3::from(self.bias_sigma_rad_s),
             markov_sigma: Vector3::from(self.markov_sigma_rad_s),
             markov_time_s: Vector3::from(self.markov_time_s),
             random_walk: Vector3::from(self.random_walk_rad_sqrt_s),
+            rate_random_walk: Vector3::from(self.rate_random_walk_rad_s_sqrt_s),
+            ramp: Vector3::from(self.rate_ramp_rad_s2),
+            flicker: Vector3::from(self.flicker_rad_s),
+            quantization: Vector3::from(self.quantization_rad),
             scale_factor: Vector3::from(self.scale_factor),
+            scale_factor_asymmetry: Vector3::from(self.scale_factor_asymmetry),
+            scale_factor_nonlinearity: Vector3::from(self.scale_factor_nonlinearity_s_rad),
             misalignment: Matrix3::from_row_slice(&self.misalignment_rad),
+            g_sensitivity: Matrix3::from_row_slice(&self.g_sensitivity_rad_s_per_m_s2),
+            range: Vector3::from(self.range_rad_s),
+            bandwidth_hz: Vector3::from(self.bandwidth_hz),
+            dead_zone: Vector3::from(self.dead_zone_rad_s),
+            ..Default::default()
         })
     }
 
-    /// The struct with `parameters`, the rest zero.
+    /// The struct with `parameters`.
     pub(super) fn from_parameters(parameters: &TriadParameters) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -163,18 +176,18 @@ impl sins_gyro_params {
             markov_sigma_rad_s: parameters.markov_sigma.into(),
             markov_time_s: parameters.markov_time_s.into(),
             random_walk_rad_sqrt_s: parameters.random_walk.into(),
-            rate_random_walk_rad_s_sqrt_s: [0.0; 3],
-            rate_ramp_rad_s2: [0.0; 3],
-            flicker_rad_s: [0.0; 3],
-            quantization_rad: [0.0; 3],
+            rate_random_walk_rad_s_sqrt_s: parameters.rate_random_walk.into(),
+            rate_ramp_rad_s2: parameters.ramp.into(),
+            flicker_rad_s: parameters.flicker.into(),
+            quantization_rad: parameters.quantization.into(),
             scale_factor: parameters.scale_factor.into(),
-            scale_factor_asymmetry: [0.0; 3],
-            scale_factor_nonlinearity_s_rad: [0.0; 3],
+            scale_factor_asymmetry: parameters.scale_factor_asymmetry.into(),
+            scale_factor_nonlinearity_s_rad: parameters.scale_factor_nonlinearity.into(),
             misalignment_rad: row_major(&parameters.misalignment),
-            g_sensitivity_rad_s_per_m_s2: [0.0; 9],
-            range_rad_s: [0.0; 3],
-            bandwidth_hz: [0.0; 3],
-            dead_zone_rad_s: [0.0; 3],
+            g_sensitivity_rad_s_per_m_s2: row_major(&parameters.g_sensitivity),
+            range_rad_s: parameters.range.into(),
+            bandwidth_hz: parameters.bandwidth_hz.into(),
+            dead_zone_rad_s: parameters.dead_zone.into(),
         }
     }
 }
@@ -182,29 +195,30 @@ impl sins_gyro_params {
 impl sins_accel_params {
     fn to_parameters(self) -> Result<TriadParameters, Failure> {
         check_reserved("accel.reserved", self.reserved)?;
-        refuse("accel.acceleration_random_walk_m_s2_sqrt_s", &self.acceleration_random_walk_m_s2_sqrt_s)?;
-        refuse("accel.ramp_m_s3", &self.ramp_m_s3)?;
-        refuse("accel.flicker_m_s2", &self.flicker_m_s2)?;
-        refuse("accel.quantization_m_s", &self.quantization_m_s)?;
-        refuse("accel.scale_factor_asymmetry", &self.scale_factor_asymmetry)?;
-        refuse("accel.scale_factor_nonlinearity_s2_m", &self.scale_factor_nonlinearity_s2_m)?;
-        refuse("accel.range_m_s2", &self.range_m_s2)?;
-        refuse("accel.bandwidth_hz", &self.bandwidth_hz)?;
-        refuse("accel.dead_zone_m_s2", &self.dead_zone_m_s2)?;
-        refuse("accel.lever_arm_m", &self.lever_arm_m)?;
-        refuse("accel.vibration_rectification_s2_m", &self.vibration_rectification_s2_m)?;
         Ok(TriadParameters {
             bias: Vector3::from(self.bias_m_s2),
             bias_sigma: Vector3::from(self.bias_sigma_m_s2),
             markov_sigma: Vector3::from(self.markov_sigma_m_s2),
             markov_time_s: Vector3::from(self.markov_time_s),
             random_walk: Vector3::from(self.velocity_random_walk_m_s_sqrt_s),
+            rate_random_walk: Vector3::from(self.acceleration_random_walk_m_s2_sqrt_s),
+            ramp: Vector3::from(self.ramp_m_s3),
+            flicker: Vector3::from(self.flicker_m_s2),
+            quantization: Vector3::from(self.quantization_m_s),
             scale_factor: Vector3::from(self.scale_factor),
+            scale_factor_asymmetry: Vector3::from(self.scale_factor_asymmetry),
+            scale_factor_nonlinearity: Vector3::from(self.scale_factor_nonlinearity_s2_m),
             misalignment: Matrix3::from_row_slice(&self.misalignment_rad),
+            range: Vector3::from(self.range_m_s2),
+            bandwidth_hz: Vector3::from(self.bandwidth_hz),
+            dead_zone: Vector3::from(self.dead_zone_m_s2),
+            lever_arm_m: Matrix3::from_row_slice(&self.lever_arm_m),
+            vibration_rectification_s2_m: Vector3::from(self.vibration_rectification_s2_m),
+            ..Default::default()
         })
     }
 
-    /// The struct with `parameters`, the rest zero.
+    /// The struct with `parameters`.
     pub(super) fn from_parameters(parameters: &TriadParameters) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -214,19 +228,19 @@ impl sins_accel_params {
             markov_sigma_m_s2: parameters.markov_sigma.into(),
             markov_time_s: parameters.markov_time_s.into(),
             velocity_random_walk_m_s_sqrt_s: parameters.random_walk.into(),
-            acceleration_random_walk_m_s2_sqrt_s: [0.0; 3],
-            ramp_m_s3: [0.0; 3],
-            flicker_m_s2: [0.0; 3],
-            quantization_m_s: [0.0; 3],
+            acceleration_random_walk_m_s2_sqrt_s: parameters.rate_random_walk.into(),
+            ramp_m_s3: parameters.ramp.into(),
+            flicker_m_s2: parameters.flicker.into(),
+            quantization_m_s: parameters.quantization.into(),
             scale_factor: parameters.scale_factor.into(),
-            scale_factor_asymmetry: [0.0; 3],
-            scale_factor_nonlinearity_s2_m: [0.0; 3],
+            scale_factor_asymmetry: parameters.scale_factor_asymmetry.into(),
+            scale_factor_nonlinearity_s2_m: parameters.scale_factor_nonlinearity.into(),
             misalignment_rad: row_major(&parameters.misalignment),
-            range_m_s2: [0.0; 3],
-            bandwidth_hz: [0.0; 3],
-            dead_zone_m_s2: [0.0; 3],
-            lever_arm_m: [0.0; 9],
-            vibration_rectification_s2_m: [0.0; 3],
+            range_m_s2: parameters.range.into(),
+            bandwidth_hz: parameters.bandwidth_hz.into(),
+            dead_zone_m_s2: parameters.dead_zone.into(),
+            lever_arm_m: row_major(&parameters.lever_arm_m),
+            vibration_rectification_s2_m: parameters.vibration_rectification_s2_m.into(),
         }
     }
 }
@@ -238,7 +252,7 @@ fn row_major(matrix: &Matrix3<f64>) -> [f64; 9] {
 /// Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
 /// move; processes that were active go on from where they are.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_gyro_params) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -252,7 +266,7 @@ pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_g
 /// Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
 /// effects do not move; processes that were active go on from where they are.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or one of a later release that is not 0.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_accel_params) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -27,6 +27,11 @@ pub const SINS_ERRORS_OUTSIDE_VALIDITY: i32 = 2;
 /// In a sins_record: not computed, all zero.
 pub const SINS_ERRORS_NOT_COMPUTED: i32 = 4;
 
+/// The mean rate of a sub-increment was beyond the range of a gyro.
+pub const SINS_IMU_GYRO_SATURATED: u32 = 1;
+/// The mean force of a sub-increment was beyond the range of an accelerometer.
+pub const SINS_IMU_ACCEL_SATURATED: u32 = 2;
+
 /// A solution: the truth or the navigated one.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -103,8 +108,8 @@ interface_struct!(sins_errors, "errors", 144);
 pub struct sins_imu {
     /// sizeof(sins_imu)
     pub struct_size: u32,
-    /// 0
-    pub reserved: u32,
+    /// SINS_IMU_... flags, or'ed.
+    pub flags: u32,
     /// Time of the end of the interval [s].
     pub time_s: f64,
     /// Length of the interval [s].
@@ -200,9 +205,11 @@ impl sins_errors {
 impl From<&ImuInterval> for sins_imu {
     fn from(imu: &ImuInterval) -> Self {
         let t = imu.interval_s;
+        let flag = |set: bool, flag: u32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
-            reserved: 0,
+            flags: flag(imu.saturation.gyro, SINS_IMU_GYRO_SATURATED)
+                | flag(imu.saturation.accel, SINS_IMU_ACCEL_SATURATED),
             time_s: imu.time_s,
             interval_s: t,
             ideal_angle_rad: imu.ideal.angle.into(),

@@ -1,8 +1,9 @@
 //! The barometric altimeter that damps the vertical channel.
 
 use super::gauss_markov::MarkovStep;
-use super::parameters::check_markov_time;
+
 use super::stream::{Purpose, Source, Stream, StreamKey};
+use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
 

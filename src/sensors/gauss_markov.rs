@@ -51,9 +51,21 @@ impl MarkovStep {
     #[inline]
     pub fn advance_integral(&self, x: &mut f64, stream: &mut Stream) -> f64 {
         let (n1, n2) = (stream.normal(), stream.normal());
-        let integral = self.integral * *x + self.integral_shared * n1 + self.integral_own * n2;
+        self.advance_shared(x, n1) + self.integral_own * n2
+    }
+
+    /// Moves `x` one step on by the draw `n1` and gives the part of its integral that follows from them; the rest is
+    /// [`Self::integral_own`] times another draw.
+    #[inline]
+    pub fn advance_shared(&self, x: &mut f64, n1: f64) -> f64 {
+        let integral = self.integral * *x + self.integral_shared * n1;
         *x = self.decay * *x + self.diffusion * n1;
         integral
+    }
+
+    /// Standard deviation of the part of the integral that the end value does not share.
+    pub fn integral_own(&self) -> f64 {
+        self.integral_own
     }
 
     /// Moves `x` one step on.
@@ -101,7 +113,7 @@ impl GaussMarkov {
     }
 
     /// Adds the integral over one increment.
-    #[inline]
+    #[inline(never)]
     pub fn apply(&mut self, measured: &mut Vector3<f64>) {
         for axis in 0..3 {
             if self.sigma[axis] != 0.0 {

@@ -27,7 +27,7 @@ impl Linear {
     }
 
     /// Adds the error of an ideal increment.
-    #[inline]
+    #[inline(never)]
     pub fn apply(&self, ideal: &Vector3<f64>, measured: &mut Vector3<f64>) {
         *measured += self.error(ideal);
     }

@@ -1,23 +1,57 @@
 //! The sensor models: what imperfect gyros and accelerometers make of the ideal signals (the paper's equations (1)-(3)),
 //! and the barometric altimeter.
 //!
-//! Each error term is one unit with its own random streams; a triad knows which of them a parameter calls for and
-//! does no work for the others.
+//! # Effects
+//!
+//! Each is one unit with its own random streams; a triad makes a plan of those that a parameter calls for when it is set,
+//! and does no work for the others. They act along the path of the signal, in this order:
+//!
+//! | | effect | error |
+//! |---|---|---|
+//! | what the proof mass feels | size effect | ω'×r + ω×(ω×r) at each accelerometer, along its axis |
+//! | | bandwidth | second-order Butterworth filter, exact for a signal constant over an increment |
+//! | scale-type errors of that | scale factor, misalignment | K s |
+//! | | asymmetry | a/2 \|s\| |
+//! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
+//! | | g-sensitivity | G f |
+//! | additive | bias, turn-on bias, Gauss-Markov bias | |
+//! | | flicker B | stationary from the first sample on |
+//! | | rate random walk K, ramp R | from 0 at the start of the run |
+//! | | random walk N | white |
+//! | output | dead zone | 0 where \|s\| ≤ d |
+//! | | range | ±r, flagged |
+//! | | quantization | whole pulses, the rest carried |
+//!
+//! Every random process is discretised exactly, whatever the length of the increments.
 
 mod altimeter;
+mod asymmetry;
+mod bandwidth;
 mod bias;
+mod dead_zone;
+mod flicker;
+mod g_sensitivity;
 mod gauss_markov;
 mod initial;
 mod linear;
 mod parameters;
+mod plan;
 mod preset;
+mod quadratic;
+mod quantization;
+mod ramp;
 mod random_walk;
+mod range;
+mod rate_random_walk;
+mod size_effect;
 mod stream;
+mod tame;
 mod triad;
+mod validation;
 
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};
 pub use parameters::{Sensor, TriadParameters};
-pub use preset::paper_simulation2;
+pub use preset::{Grade, paper_simulation2};
 pub use stream::StreamKey;
 pub use triad::Triad;

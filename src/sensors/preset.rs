@@ -1,8 +1,148 @@
 //! Sensor errors with a source.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::parameters::TriadParameters;
+
+const DEG: f64 = core::f64::consts::PI / 180.0;
+const DEG_PER_HOUR: f64 = DEG / 3600.0;
+const DEG_PER_SQRT_HOUR: f64 = DEG / 60.0;
+const G: f64 = 9.80665;
+const FOOT_M: f64 = 0.3048;
+/// The flat part of the Allan deviation of flicker noise of B = 1.
+const FLAT: f64 = 0.664;
+
+/// A grade of sensors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grade {
+    /// Submarines, ballistic missiles.
+    Strategic,
+    /// Airliners: a nautical mile an hour.
+    Navigation,
+    /// Guided weapons, aided navigation.
+    Tactical,
+    /// Calibrated micromechanics: drones, machines.
+    Industrial,
+    /// Micromechanics as they come: telephones.
+    Consumer,
+    /// The paper's simulation 2.
+    PaperSimulation2,
+}
+
+impl Grade {
+    /// Errors of gyros and of accelerometers. What a source calls repeatability, or bias at 1 σ, is drawn at turn-on; the
+    /// lowest Allan deviation ("in-run bias stability") is 0.664 B of flicker noise; scale factor, misalignment and
+    /// g-sensitivity have the size stated and a positive sign. What a source does not state is 0.
+    pub fn parameters(self) -> (TriadParameters, TriadParameters) {
+        match self {
+            Self::Strategic => strategic(),
+            Self::Navigation => navigation(),
+            Self::Tactical => tactical(),
+            Self::Industrial => industrial(),
+            Self::Consumer => consumer(),
+            Self::PaperSimulation2 => paper_simulation2(),
+        }
+    }
+}
+
+/// All axes alike.
+fn each(value: f64) -> Vector3<f64> {
+    Vector3::repeat(value)
+}
+
+/// All elements but the diagonal.
+fn beside_diagonal(value: f64) -> Matrix3<f64> {
+    Matrix3::repeat(value) - Matrix3::from_diagonal_element(value)
+}
+
+/// Gyro drift 0.001 °/h and accelerometer bias 1 µg, the upper ends of the grade in El-Sheimy and Youssef, "Inertial sensors
+/// technologies for navigation applications", Satellite Navigation 1, 2020, table 1; angle random walk 0.0002 °/√h and scale
+/// factor 20 ppm of the Airbus Astrix 200.
+fn strategic() -> (TriadParameters, TriadParameters) {
+    let gyro = TriadParameters {
+        bias_sigma: each(0.001 * DEG_PER_HOUR),
+        random_walk: each(0.0002 * DEG_PER_SQRT_HOUR),
+        scale_factor: each(20e-6),
+        ..Default::default()
+    };
+    (gyro, TriadParameters { bias_sigma: each(1e-6 * G), ..Default::default() })
+}
+
+/// Honeywell HG9900 brochure N61-1638: gyro bias 0.0035 °/h, angle random walk 0.002 °/√h, scale factor 5 ppm; accelerometer
+/// bias 25 µg, scale factor 100 ppm, no noise stated.
+fn navigation() -> (TriadParameters, TriadParameters) {
+    let gyro = TriadParameters {
+        bias_sigma: each(0.0035 * DEG_PER_HOUR),
+        random_walk: each(0.002 * DEG_PER_SQRT_HOUR),
+        scale_factor: each(5e-6),
+        ..Default::default()
+    };
+    let accel =
+        TriadParameters { bias_sigma: each(25e-6 * G), scale_factor: each(100e-6), ..Default::default() };
+    (gyro, accel)
+}
+
+/// Honeywell HG1700 brochure N61-1619: gyro bias 1 °/h, angle random walk 0.125 °/√h; accelerometer bias 1 mg, velocity random
+/// walk 0.065 ft/s/√h.
+fn tactical() -> (TriadParameters, TriadParameters) {
+    let gyro = TriadParameters {
+        bias_sigma: each(DEG_PER_HOUR),
+        random_walk: each(0.125 * DEG_PER_SQRT_HOUR),
+        ..Default::default()
+    };
+    let accel = TriadParameters {
+        bias_sigma: each(1e-3 * G),
+        random_walk: each(0.065 * FOOT_M / 60.0),
+        ..Default::default()
+    };
+    (gyro, accel)
+}
+
+/// Analog Devices ADIS16475-1 data sheet, rev. D: gyros 2 °/h in run, 0.15 °/√h, ±125 °/s; accelerometers 3.6 µg in run,
+/// 0.012 m/s/√h, ±8 g; axes to 0.1°.
+fn industrial() -> (TriadParameters, TriadParameters) {
+    let gyro = TriadParameters {
+        flicker: each(2.0 * DEG_PER_HOUR / FLAT),
+        random_walk: each(0.15 * DEG_PER_SQRT_HOUR),
+        misalignment: beside_diagonal(0.1 * DEG),
+        range: each(125.0 * DEG),
+        ..Default::default()
+    };
+    let accel = TriadParameters {
+        flicker: each(3.6e-6 * G / FLAT),
+        random_walk: each(0.012 / 60.0),
+        misalignment: beside_diagonal(0.1 * DEG),
+        range: each(8.0 * G),
+        ..Default::default()
+    };
+    (gyro, accel)
+}
+
+/// InvenSense MPU-6050 data sheet PS-MPU-6000A, rev. 3.4: gyros ±20 °/s of zero-rate output, 3 % of scale factor, 2 % across,
+/// 0.1 °/s/g, 0.005 °/s/√Hz, ±2000 °/s, 256 Hz; accelerometers ±50 mg (80 mg along z), 3 %, 2 % across, 400 µg/√Hz, ±16 g,
+/// 260 Hz. Tolerances of the zero are taken as three standard deviations.
+fn consumer() -> (TriadParameters, TriadParameters) {
+    let gyro = TriadParameters {
+        bias_sigma: each(20.0 * DEG / 3.0),
+        random_walk: each(0.005 * DEG),
+        scale_factor: each(0.03),
+        misalignment: beside_diagonal(0.02),
+        g_sensitivity: Matrix3::from_diagonal_element(0.1 * DEG / G),
+        range: each(2000.0 * DEG),
+        bandwidth_hz: each(256.0),
+        ..Default::default()
+    };
+    let accel = TriadParameters {
+        bias_sigma: Vector3::new(50e-3, 50e-3, 80e-3) * (G / 3.0),
+        random_walk: each(400e-6 * G),
+        scale_factor: each(0.03),
+        misalignment: beside_diagonal(0.02),
+        range: each(16.0 * G),
+        bandwidth_hz: each(260.0),
+        ..Default::default()
+    };
+    (gyro, accel)
+}
 
 /// The errors of the paper's simulation 2, gyros and accelerometers: constant drift 0.01 °/h and bias 1e-5 g, angle
 /// random walk 0.005 °/√h, accelerometer white noise of 5e-6 g.
@@ -10,17 +150,34 @@ use super::parameters::TriadParameters;
 /// Departure: the paper gives the accelerometer noise without a bandwidth. It is read here as the standard deviation in a
 /// band of 1 Hz, 5 µg/√Hz.
 pub fn paper_simulation2() -> (TriadParameters, TriadParameters) {
-    const DEG: f64 = core::f64::consts::PI / 180.0;
-    const G: f64 = 9.80665;
     let gyro = TriadParameters {
-        bias: Vector3::repeat(0.01 * DEG / 3600.0),
-        random_walk: Vector3::repeat(0.005 * DEG / 60.0),
+        bias: each(0.01 * DEG / 3600.0),
+        random_walk: each(0.005 * DEG / 60.0),
         ..Default::default()
     };
-    let accel = TriadParameters {
-        bias: Vector3::repeat(1e-5 * G),
-        random_walk: Vector3::repeat(5e-6 * G),
-        ..Default::default()
-    };
+    let accel = TriadParameters { bias: each(1e-5 * G), random_walk: each(5e-6 * G), ..Default::default() };
     (gyro, accel)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sensors::Sensor;
+
+    /// Each grade is valid, tame, and noisier than the one before.
+    #[test]
+    fn grades_are_in_order() {
+        let grades =
+            [Grade::Strategic, Grade::Navigation, Grade::Tactical, Grade::Industrial, Grade::Consumer];
+        let mut walks = Vec::new();
+        for grade in grades {
+            let (gyro, accel) = grade.parameters();
+            gyro.validate(Sensor::Gyro).unwrap();
+            accel.validate(Sensor::Accelerometer).unwrap();
+            assert!(gyro.is_tame() && accel.is_tame(), "{grade:?}");
+            walks.push(gyro.random_walk.x);
+        }
+        assert!(walks.is_sorted(), "{walks:?}");
+        assert_eq!(Grade::PaperSimulation2.parameters(), paper_simulation2());
+    }
 }

@@ -36,7 +36,7 @@ impl RandomWalk {
     }
 
     /// Adds one increment's noise.
-    #[inline]
+    #[inline(always)]
     pub fn apply(&mut self, measured: &mut Vector3<f64>) {
         for axis in 0..3 {
             if self.step[axis] != 0.0 {

@@ -19,6 +19,8 @@ pub(super) enum Purpose {
     TurnOnBias = 0,
     GaussMarkov = 1,
     RandomWalk = 2,
+    RateRandomWalk = 3,
+    Flicker = 4,
     InitialPosition = 16,
     InitialVelocity = 17,
     InitialMisalignment = 18,

@@ -3,7 +3,7 @@
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::start::{start_errors, with_errors};
-use super::{ErrorSource, Options, SensorSuite, Solution, singular};
+use super::{ErrorSource, Options, Saturation, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
@@ -26,6 +26,8 @@ pub struct ImuInterval {
     pub ideal: Increment,
     /// What the modelled sensors give.
     pub measured: Increment,
+    /// Whether some of that was beyond their range.
+    pub saturation: Saturation,
 }
 
 /// The interval flown last.
@@ -34,6 +36,7 @@ struct LastInterval {
     time_s: f64,
     interval_s: f64,
     sensors_were_ideal: bool,
+    saturation: Saturation,
 }
 
 /// The chain in flight.
@@ -142,16 +145,15 @@ impl Chain {
 
         // Sensors.
         let sensors_were_ideal = sensors.are_ideal();
+        let mut saturation = Saturation::default();
         let increments = if sensors_were_ideal {
             &*ideal
         } else {
-            let dt = t / count as f64;
-            for (measured, ideal) in self.measured.iter_mut().zip(&*ideal) {
-                *measured = sensors.sense(ideal, dt);
-            }
-            &self.measured[..count]
+            let measured = &mut self.measured[..count];
+            saturation = sensors.sense(ideal, t / count as f64, measured);
+            &*measured
         };
-        self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal });
+        self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation });
 
         // Mechanization, and the error-free one beside it.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
@@ -208,13 +210,14 @@ impl Chain {
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let LastInterval { time_s, interval_s, sensors_were_ideal } = self.last?;
+        let LastInterval { time_s, interval_s, sensors_were_ideal, saturation } = self.last?;
         let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
         Some(ImuInterval {
             time_s,
             interval_s,
             ideal: Increment::sum(self.ideal_increments()),
             measured: Increment::sum(&measured[..self.increments()]),
+            saturation,
         })
     }
 

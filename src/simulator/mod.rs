@@ -14,6 +14,7 @@ pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
+pub use suite::Saturation;
 
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
@@ -136,7 +137,7 @@ impl Simulator {
             }
             let mut chain = self.chain_from_first_sample()?;
             let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
-            self.sensors.altimeter.reposition(first.current.sample.place.height_m);
+            self.sensors.reposition(first.current.sample.place.height_m);
             chain.advance(&first, &mut self.sensors)?;
             self.intake.take();
             self.intake.take();

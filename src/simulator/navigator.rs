@@ -56,10 +56,8 @@ impl Navigator {
         let before = (self.mechanization, sensors.clone());
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
-        for (measured, ideal) in measured.iter_mut().zip(increments) {
-            *measured = sensors.sense(ideal, dt);
-        }
-        let measured = &measured[..increments.len()];
+        let measured = &mut measured[..increments.len()];
+        let saturation = sensors.sense(increments, dt, measured);
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {
             (self.mechanization, *sensors) = before;
@@ -68,7 +66,8 @@ impl Navigator {
         let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);
         self.time_s = time_s;
         self.time_carry_s = lost;
-        self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured: Increment::sum(measured) });
+        let measured = Increment::sum(measured);
+        self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured, saturation });
         Ok(())
     }
 

@@ -41,9 +41,9 @@ pub(super) fn start_errors(
         }
         let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
         let force_b = -rotate_inverse(&first.state.q_eb, &first.gravity_e);
-        let gyro_n =
-            rotate(&truth.q_nb, &sensors.gyro.steady_error(&rotate_inverse(&truth.q_nb, &earth_rate_n)));
-        let accel_n = rotate(&truth.q_nb, &sensors.accel.steady_error(&force_b));
+        let rate_b = rotate_inverse(&truth.q_nb, &earth_rate_n);
+        let gyro_n = rotate(&truth.q_nb, &sensors.gyro.steady_error(&rate_b, &force_b));
+        let accel_n = rotate(&truth.q_nb, &sensors.accel.steady_error(&rate_b, &force_b));
         let g = first.gravity_e.norm_squared().sqrt();
         start.misalignment_n += alignment_error(&gyro_n, &accel_n, g, earth_rate_n.y, earth_rate_n.z);
     }

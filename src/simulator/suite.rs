@@ -6,6 +6,15 @@ use crate::sensors::{
 };
 use crate::signal::Increment;
 
+/// Which outputs were beyond their range in an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Saturation {
+    /// A gyro.
+    pub gyro: bool,
+    /// An accelerometer.
+    pub accel: bool,
+}
+
 /// Sensor models and what the host set of them.
 #[derive(Debug, Clone)]
 pub(super) struct SensorSuite {
@@ -45,12 +54,13 @@ impl SensorSuite {
 
     pub fn set_gyro(&mut self, parameters: &TriadParameters) {
         self.gyro_parameters = *parameters;
+        self.is_tame = parameters.is_tame() && self.accel_parameters.is_tame();
         self.gyro.set(parameters);
     }
 
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
-        self.is_tame = parameters.is_tame();
+        self.is_tame = parameters.is_tame() && self.gyro_parameters.is_tame();
         self.accel.set(parameters);
     }
 
@@ -59,16 +69,24 @@ impl SensorSuite {
         self.altimeter.set(parameters);
     }
 
-    /// What the two triads make of an ideal increment over `dt` [s].
-    #[inline]
-    pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Increment {
-        Increment {
-            angle: self.gyro.sense(&ideal.angle, dt),
-            velocity: self.accel.sense(&ideal.velocity, dt),
-        }
+    /// The truth jumped to `height_m`: what follows the signals settles there at once, noise goes on.
+    pub fn reposition(&mut self, height_m: f64) {
+        self.gyro.reposition();
+        self.accel.reposition();
+        self.altimeter.reposition(height_m);
     }
 
-    /// Whether the accelerometers cannot throw a solution out of its range in one interval.
+    /// What the two triads make of the ideal increments of an interval, each over `dt` [s].
+    #[inline]
+    pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> Saturation {
+        for (measured, ideal) in measured.iter_mut().zip(ideal) {
+            *measured =
+                Increment { angle: self.gyro.sense(ideal, dt), velocity: self.accel.sense(ideal, dt) };
+        }
+        Saturation { gyro: self.gyro.take_saturated(), accel: self.accel.take_saturated() }
+    }
+
+    /// Whether gyros and accelerometers cannot throw a solution out of its range in one interval.
     pub fn are_tame(&self) -> bool {
         self.is_tame
     }

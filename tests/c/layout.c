@@ -67,6 +67,7 @@ AT(sins_errors, misalignment_enu_rad, 88);
 AT(sins_errors, flags, 136);
 
 SIZE(sins_imu, 216);
+AT(sins_imu, flags, 4);
 AT(sins_imu, interval_s, 16);
 AT(sins_imu, ideal_angle_rad, 24);
 AT(sins_imu, measured_force_m_s2, 192);

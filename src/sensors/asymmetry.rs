@@ -1,0 +1,31 @@
+//! Scale factor asymmetry.
+
+use nalgebra::Vector3;
+
+use super::parameters::TriadParameters;
+
+/// δ = a/2 |s|: the scale factor of positive signals s is greater by a than that of negative ones, its mean is
+/// unchanged (K' of IEEE Std 1293). Of an increment, exact while the signal keeps its sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Asymmetry {
+    /// a/2
+    half: Vector3<f64>,
+}
+
+impl Asymmetry {
+    pub fn new() -> Self {
+        Self { half: Vector3::zeros() }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.half = parameters.scale_factor_asymmetry * 0.5;
+        self.half != Vector3::zeros()
+    }
+
+    /// Error of a signal [u] or of an increment [u s].
+    #[inline]
+    pub fn error(&self, felt: &Vector3<f64>) -> Vector3<f64> {
+        self.half.component_mul(&felt.abs())
+    }
+}

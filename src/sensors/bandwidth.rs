@@ -1,0 +1,97 @@
+//! Bandwidth: a second-order Butterworth filter.
+
+use nalgebra::Vector3;
+
+use super::parameters::TriadParameters;
+use crate::math::{exp, sin_cos};
+
+/// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is taken constant over
+/// each increment, at its mean; for that the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
+/// c, n = cos, sin (s dt):
+/// ```text
+/// e(dt)  = E ((c + n) e + n w)
+/// w(dt)  = E ((c - n) w - 2 n e)
+/// ∫y dt  = ∫u dt - (y(dt) - y + (w(dt) - w)/2) / s
+/// ```
+/// The last line is the differential equation integrated: whatever the filter holds back it gives out again, and no angle
+/// is lost. It starts in the steady state of its first increment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bandwidth {
+    axes: [Option<Filter>; 3],
+}
+
+/// One axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Filter {
+    /// s [1/s].
+    rate: f64,
+    /// E c, E n.
+    cos: f64,
+    sin: f64,
+    /// y, w [u]; none before the first increment.
+    state: Option<(f64, f64)>,
+}
+
+/// Below it a state is nothing: no arithmetic on denormal numbers.
+const NOTHING: f64 = 1e-300;
+
+impl Filter {
+    fn new(bandwidth_hz: f64) -> Self {
+        let rate = core::f64::consts::SQRT_2 * core::f64::consts::PI * bandwidth_hz;
+        Self { rate, cos: 1.0, sin: 0.0, state: None }
+    }
+
+    fn set_interval(&mut self, dt: f64) {
+        let decay = exp(-self.rate * dt);
+        let (sin, cos) = sin_cos(self.rate * dt);
+        (self.cos, self.sin) = (decay * cos, decay * sin);
+    }
+
+    /// What is left of an increment `felt` over `dt` [s].
+    #[inline]
+    fn filtered(&mut self, dt: f64, felt: f64) -> f64 {
+        let u = felt / dt;
+        let (y, w) = self.state.unwrap_or((u, 0.0));
+        let e = y - u;
+        let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
+        let y1 = flush(u + ((self.cos + self.sin) * e + self.sin * w));
+        let w1 = flush((self.cos - self.sin) * w - 2.0 * self.sin * e);
+        self.state = Some((y1, w1));
+        felt - ((y1 - y) + 0.5 * (w1 - w)) / self.rate
+    }
+}
+
+impl Bandwidth {
+    pub fn new() -> Self {
+        Self { axes: [None; 3] }
+    }
+
+    /// Takes parameters; whether they call for the effect. Another bandwidth goes on from the state of the old one.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        for (filter, &bandwidth_hz) in self.axes.iter_mut().zip(parameters.bandwidth_hz.iter()) {
+            let state = filter.and_then(|filter| filter.state);
+            *filter = (bandwidth_hz != 0.0).then(|| Filter { state, ..Filter::new(bandwidth_hz) });
+        }
+        self.axes.iter().any(Option::is_some)
+    }
+
+    /// Takes the length of the increments to come [s].
+    pub fn set_interval(&mut self, dt: f64) {
+        self.axes.iter_mut().flatten().for_each(|filter| filter.set_interval(dt));
+    }
+
+    /// The signal jumps: the steady state of the next increment.
+    pub fn reposition(&mut self) {
+        self.axes.iter_mut().flatten().for_each(|filter| filter.state = None);
+    }
+
+    /// Acts on an increment over `dt` [s].
+    #[inline]
+    pub fn apply(&mut self, dt: f64, felt: &mut Vector3<f64>) {
+        for (filter, felt) in self.axes.iter_mut().zip(felt.iter_mut()) {
+            if let Some(filter) = filter {
+                *felt = filter.filtered(dt, *felt);
+            }
+        }
+    }
+}

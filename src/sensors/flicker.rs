@@ -1,0 +1,121 @@
+//! Flicker noise: bias instability.
+
+use nalgebra::Vector3;
+
+use super::gauss_markov::MarkovStep;
+use super::parameters::{Sensor, TriadParameters};
+use super::stream::{Purpose, Stream, StreamKey};
+
+/// Correlation times of the processes [s]: one a decade.
+const TIMES_S: [f64; 6] = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5];
+
+/// Their standard deviations at B = 1: √(ln 10 / π), and a variance of 1.25 times that at the ends, which stand for the
+/// decades beyond as well.
+const DEVIATIONS: [f64; 6] = [END, MIDDLE, MIDDLE, MIDDLE, MIDDLE, END];
+const MIDDLE: f64 = 0.856_116_580_191_873_1;
+const END: f64 = 0.957_167_434_986_839_1;
+
+/// Standard deviation of the sum at B = 1: √(6.5 ln 10 / π).
+pub(super) const FLICKER_DEVIATION: f64 = 2.182_677_574_154_341_4;
+
+/// Noise of the two-sided power spectral density B²/(2π f), whose Allan deviation is flat, √(2 ln 2 / π) B = 0.664 B (IEEE
+/// Std 952), as a sum of stationary first-order Gauss-Markov processes, each exact at any step:
+/// ```text
+/// Σ 2 σ² τ / (1 + (2π f τ)²) -> σ²/(2 f ln r) for correlation times τ a factor of r apart: σ² = B² ln r / π
+/// ```
+/// The band: one process a decade, 1 s to 1e5 s. The Allan deviation keeps within -1 % and +2.3 % of 0.664 B for averaging
+/// times of 2 s to 1.8e5 s (50 hours), which the test below computes; the ripple of one process a decade is 1 % of that.
+/// Beyond, it falls by a factor of √10 a decade: shorter averages are white noise's, longer ones rate random walk's.
+///
+/// The step of each process has a draw of its own; what their integrals do not share with their ends is one draw for all.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Flicker {
+    /// B [u].
+    instability: Vector3<f64>,
+    /// Processes of unit variance, by axis.
+    x: [[f64; TIMES_S.len()]; 3],
+    steps: [MarkovStep; TIMES_S.len()],
+    /// Of the integral over a step at B = 1: standard deviation of the part of its own [s].
+    own: f64,
+    streams: [Stream; 3],
+}
+
+impl Flicker {
+    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+        let mut streams = Stream::triad(key, sensor.source(), Purpose::Flicker);
+        let x = core::array::from_fn(|axis| core::array::from_fn(|_| streams[axis].normal()));
+        Self { instability: Vector3::zeros(), x, steps: [MarkovStep::NONE; TIMES_S.len()], own: 0.0, streams }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.instability = parameters.flicker;
+        self.instability != Vector3::zeros()
+    }
+
+    /// Takes the length of the increments to come [s].
+    pub fn set_interval(&mut self, dt: f64) {
+        if self.instability == Vector3::zeros() {
+            return;
+        }
+        self.steps = TIMES_S.map(|time| MarkovStep::new(dt, time));
+        let own = DEVIATIONS.iter().zip(&self.steps).map(|(deviation, step)| deviation * step.integral_own());
+        self.own = own.map(|own| own * own).sum::<f64>().sqrt();
+    }
+
+    /// The bias now [u].
+    pub fn value(&self) -> Vector3<f64> {
+        let sum = |axis: usize| DEVIATIONS.iter().zip(&self.x[axis]).map(|(d, x)| d * x).sum::<f64>();
+        Vector3::from_fn(|axis, _| self.instability[axis] * sum(axis))
+    }
+
+    /// Adds the integral over one increment.
+    #[inline]
+    pub fn apply(&mut self, measured: &mut Vector3<f64>) {
+        for axis in 0..3 {
+            if self.instability[axis] != 0.0 {
+                let stream = &mut self.streams[axis];
+                let mut integral = self.own * stream.normal();
+                for ((deviation, step), x) in DEVIATIONS.iter().zip(&self.steps).zip(&mut self.x[axis]) {
+                    integral += deviation * step.advance_shared(x, stream.normal());
+                }
+                measured[axis] += self.instability[axis] * integral;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::exp;
+
+    /// Allan variance of a Gauss-Markov process of unit variance over an average of `a` correlation times (IEEE Std 952,
+    /// C.13).
+    fn allan_variance(a: f64) -> f64 {
+        2.0 / a * (1.0 - (3.0 - 4.0 * exp(-a) + exp(-2.0 * a)) / (2.0 * a))
+    }
+
+    #[test]
+    fn the_allan_deviation_is_flat_over_the_band_stated() {
+        let flat = (2.0 * core::f64::consts::LN_2 / core::f64::consts::PI).sqrt();
+        let ratio = |average_s: f64| {
+            let sum: f64 = (0..TIMES_S.len())
+                .map(|k| DEVIATIONS[k].powi(2) * allan_variance(average_s / TIMES_S[k]))
+                .sum();
+            sum.sqrt() / flat
+        };
+        let mut average_s = 2.0;
+        while average_s < 1.8e5 {
+            let found = ratio(average_s);
+            assert!((0.99..1.023).contains(&found), "{average_s} s: {found}");
+            average_s *= 1.02;
+        }
+        // Between the ends, the ripple alone.
+        for average_s in [100.0, 180.0, 316.0, 562.0, 1000.0] {
+            assert!((ratio(average_s) - 1.0).abs() < 0.012, "{average_s} s: {}", ratio(average_s));
+        }
+        let all: f64 = (0..TIMES_S.len()).map(|k| DEVIATIONS[k].powi(2)).sum();
+        assert!((all.sqrt() - FLICKER_DEVIATION).abs() < 4.0 * f64::EPSILON * FLICKER_DEVIATION);
+    }
+}

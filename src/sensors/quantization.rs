@@ -1,0 +1,42 @@
+//! Quantization of the output increments.
+
+use nalgebra::Vector3;
+
+use super::parameters::TriadParameters;
+
+/// The output is a whole number of pulses of q [u s], to the nearest; what is left over, at most q/2, is carried to the next
+/// increment, so that the integral is never wrong by more. The quantization noise of IEEE Std 952 is Q = q/√12.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Quantization {
+    /// q [u s].
+    pulse: Vector3<f64>,
+    /// Left over [u s].
+    residual: Vector3<f64>,
+}
+
+impl Quantization {
+    pub fn new() -> Self {
+        Self { pulse: Vector3::zeros(), residual: Vector3::zeros() }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.pulse = parameters.quantization;
+        self.residual =
+            self.residual.zip_map(&self.pulse, |rest, pulse| if pulse == 0.0 { 0.0 } else { rest });
+        self.pulse != Vector3::zeros()
+    }
+
+    /// Acts on an increment.
+    #[inline]
+    pub fn apply(&mut self, measured: &mut Vector3<f64>) {
+        for axis in 0..3 {
+            let pulse = self.pulse[axis];
+            if pulse != 0.0 {
+                let all = measured[axis] + self.residual[axis];
+                measured[axis] = (all / pulse).round() * pulse;
+                self.residual[axis] = all - measured[axis];
+            }
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! Rate random walk, of accelerometers acceleration random walk.
+
+use nalgebra::Vector3;
+
+use super::parameters::{Sensor, TriadParameters};
+use super::stream::{Purpose, Stream, StreamKey};
+
+/// b' = K w, w white noise of density 1 [1/√s], b = 0 at the start of a run. Over dt, n1 and n2 standard normal,
+/// ```text
+/// b(dt) = b + K √dt n1
+/// ∫b dt = b dt + K dt^1.5 (n1/2 + n2/√12)
+/// ```
+/// with the joint covariance [dt, dt²/2; dt²/2, dt³/3] K² of the continuous process at any dt (IEEE Std 952, C.1.5).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct RateRandomWalk {
+    /// K [u/√s].
+    density: Vector3<f64>,
+    /// b [u].
+    value: Vector3<f64>,
+    /// √dt [√s].
+    root: f64,
+    streams: [Stream; 3],
+}
+
+/// 1/√12
+const INTEGRAL_OWN: f64 = 0.288_675_134_594_812_9;
+
+impl RateRandomWalk {
+    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+        Self {
+            density: Vector3::zeros(),
+            value: Vector3::zeros(),
+            root: 0.0,
+            streams: Stream::triad(key, sensor.source(), Purpose::RateRandomWalk),
+        }
+    }
+
+    /// Takes parameters; whether they call for the effect. Another density bends the walk; without one there is no walk.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.density = parameters.rate_random_walk;
+        self.value =
+            self.value.zip_map(&self.density, |value, density| if density == 0.0 { 0.0 } else { value });
+        self.density != Vector3::zeros()
+    }
+
+    /// Takes the length of the increments to come [s].
+    pub fn set_interval(&mut self, dt: f64) {
+        self.root = dt.sqrt();
+    }
+
+    /// b [u]
+    pub fn value(&self) -> Vector3<f64> {
+        self.value
+    }
+
+    /// Adds the integral over one increment of length `dt` [s].
+    #[inline]
+    pub fn apply(&mut self, dt: f64, measured: &mut Vector3<f64>) {
+        for axis in 0..3 {
+            if self.density[axis] != 0.0 {
+                let (n1, n2) = (self.streams[axis].normal(), self.streams[axis].normal());
+                let step = self.density[axis] * self.root;
+                measured[axis] += (self.value[axis] + step * (0.5 * n1 + INTEGRAL_OWN * n2)) * dt;
+                self.value[axis] += step * n1;
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Size effect: accelerometers that do not sit at one point.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::parameters::TriadParameters;
+
+/// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the reference point does (Savage 1998,
+/// part 2; Titterton and Weston). Over an increment,
+/// ```text
+/// ∫ω'×r dt     = (ω(dt) - ω(0))×r
+/// ∫ω×(ω×r) dt  = (m×(m×r) + d×(d×r)/12) dt, m = ∫ω dt / dt, d = ω(dt) - ω(0)
+/// ```
+/// ω at an end is the derivative of the cubic through the angle at it and at the ends of the three increments before, of any
+/// lengths: no latency, an error of h³ω'''/4 in ω at an increment of h, which the velocity has once and does not
+/// accumulate, and one of fourth order in the centripetal part. At the start, and where the truth jumps, from as many
+/// increments as there are: a constant rate has no transient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SizeEffect {
+    /// Row = place of an accelerometer [m].
+    arms: Matrix3<f64>,
+    /// The last increment and the one before, as far as there are any.
+    past: [Option<Past>; 2],
+    /// ω at the end of the last [rad/s].
+    rate: Vector3<f64>,
+}
+
+/// An increment that has gone by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Past {
+    /// Length [s].
+    dt: f64,
+    /// Mean rate [rad/s].
+    mean: Vector3<f64>,
+}
+
+impl SizeEffect {
+    pub fn new() -> Self {
+        Self { arms: Matrix3::zeros(), past: [None; 2], rate: Vector3::zeros() }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.arms = parameters.lever_arm_m;
+        let active = self.arms != Matrix3::zeros();
+        if !active {
+            self.reposition();
+        }
+        active
+    }
+
+    /// The signal jumps: what went before is no guide to it.
+    pub fn reposition(&mut self) {
+        self.past = [None; 2];
+    }
+
+    /// Error [m/s²] at the constant angular rate `rate` [rad/s].
+    pub fn steady_error(&self, rate: &Vector3<f64>) -> Vector3<f64> {
+        self.along_axes(|arm| centripetal(rate, arm))
+    }
+
+    /// Adds the error over an increment of the angle `angle` [rad] in `dt` [s].
+    #[inline]
+    pub fn apply(&mut self, angle: &Vector3<f64>, dt: f64, felt: &mut Vector3<f64>) {
+        let now = Past { dt, mean: angle / dt };
+        let end = self.rate_at_end(&now);
+        let start = if self.past[0].is_some() { self.rate } else { end };
+        let change = end - start;
+        *felt += self.along_axes(|arm| {
+            change.cross(arm) + (centripetal(&now.mean, arm) + centripetal(&change, arm) * (1.0 / 12.0)) * dt
+        });
+        self.past = [Some(now), self.past[0]];
+        self.rate = end;
+    }
+
+    /// ω at the end of the increment `now`, by Newton's divided differences of the angle.
+    fn rate_at_end(&self, now: &Past) -> Vector3<f64> {
+        let [Some(last), before] = self.past else { return now.mean };
+        let two = now.dt + last.dt;
+        let second = (now.mean - last.mean) / two;
+        let Some(before) = before else { return now.mean + second * now.dt };
+        let third = (second - (last.mean - before.mean) / (last.dt + before.dt)) / (two + before.dt);
+        now.mean + (second + third * two) * now.dt
+    }
+
+    /// Of what `acceleration` gives at each accelerometer's arm, the part along its axis.
+    #[inline]
+    fn along_axes(&self, acceleration: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vector3<f64> {
+        Vector3::from_fn(|axis, _| acceleration(&self.arms.row(axis).transpose())[axis])
+    }
+}
+
+/// ω×(ω×r)
+fn centripetal(rate: &Vector3<f64>, arm: &Vector3<f64>) -> Vector3<f64> {
+    rate.cross(&rate.cross(arm))
+}
