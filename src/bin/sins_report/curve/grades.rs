@@ -1,8 +1,7 @@
 //! What the errors of real sensors make of a scene, whatever the mechanization.
 
-use nalgebra::Vector3;
 use sins::recommend::{Refusal, Track};
-use sins::sensors::{StreamKey, TriadParameters, paper_simulation2};
+use sins::sensors::{self, StreamKey, TriadParameters};
 use sins::{Options, Simulator};
 
 use super::matrix::in_parallel;
@@ -19,28 +18,14 @@ pub struct Grade {
     accel: TriadParameters,
 }
 
-/// Navigation grade, the paper's simulation 2 (0.01 °/h, 1e-5 g), and tactical grade (1 °/h, 1e-3 g, the better end of
-/// Groves 2013 table 4.1; 0.1 °/√h, 1e-4 g/√Hz). Biases are drawn anew each run; no errors of scale, alignment or start, which
-/// would add to them.
+/// Navigation and tactical grade, the library's presets: biases are drawn anew each run.
 pub fn grades() -> [Grade; 2] {
-    const DEG: f64 = std::f64::consts::PI / 180.0;
-    const G: f64 = 9.80665;
-    let (gyro, accel) = paper_simulation2();
-    let drawn =
-        |triad: TriadParameters| TriadParameters { bias: Vector3::zeros(), bias_sigma: triad.bias, ..triad };
-    let triad = |bias: f64, random_walk: f64| TriadParameters {
-        bias_sigma: Vector3::repeat(bias),
-        random_walk: Vector3::repeat(random_walk),
-        ..Default::default()
-    };
-    [
-        Grade { name: "navigation", gyro: drawn(gyro), accel: drawn(accel) },
-        Grade {
-            name: "tactical",
-            gyro: triad(1.0 * DEG / 3600.0, 0.1 * DEG / 60.0),
-            accel: triad(1e-3 * G, 1e-4 * G),
+    [("navigation", sensors::Grade::Navigation), ("tactical", sensors::Grade::Tactical)].map(
+        |(name, grade)| {
+            let (gyro, accel) = grade.parameters();
+            Grade { name, gyro, accel }
         },
-    ]
+    )
 }
 
 /// Position error that each grade adds to the solution of ideal sensors, the worst on the way, root mean square over `runs`
