@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::failure::Failure;
 use crate::figures::{Figure, Legend, TIME_TICKS, over_time, panel, time_label};
 use crate::pen::Pen;
-use crate::plot::{Drawing, Panel, Trace};
+use crate::plot::{Drawing, Panel, Trace, WIDTH};
 use crate::run::{EAST_NORTH_UP, Errors, Run};
 use crate::series::{difference, magnitude};
 use crate::units::{self, Family, Unit, fitting, in_unit, usual, with_unit};
@@ -85,7 +85,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             .map(|(pen, values)| Trace::new(pen, over_time(run, &time, values, unit)));
         panels.push(panel(caption("data 2", "minus data 1", unit), 80.0, 4, traces.collect()));
     }
-    Drawing { x_label: time_label(&time), x: time.axis, panels }
+    Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels }
 }
 
 /// What the lines are.

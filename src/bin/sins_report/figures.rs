@@ -4,7 +4,7 @@ use crate::axis::{Axis, TimeAxis};
 use crate::errors::{self, ATTITUDE, POSITION, VELOCITY};
 use crate::failure::Failure;
 use crate::pen::Pen;
-use crate::plot::{Drawing, Panel, Trace};
+use crate::plot::{Drawing, Panel, Trace, WIDTH};
 use crate::run::{Run, SENSOR_AXES};
 use crate::series::{Points, block_means, bounds, magnitude, mean, straight_line, thinned};
 use crate::spectrum;
@@ -103,7 +103,7 @@ fn radial(run: &Run) -> Result<Figure, Failure> {
     }
     let note = format!("Largest: {}. Slope of the straight line: {rate}.", with_unit(largest, units::LENGTH));
     let panels = vec![panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
-    let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
+    let drawing = Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels };
     let svg = drawing.svg(&format!("{title} over time. {note}"))?;
     Ok(Figure { title, legend, drawings: vec![svg], note })
 }
@@ -124,7 +124,8 @@ fn sensor(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<
         ];
         panel(format!("{axis} [{}]", unit.name), 100.0, 5, traces)
     });
-    let drawing = Drawing { x_label: time_label(&time), panels: panels.collect(), x: time.axis };
+    let drawing =
+        Drawing { width: WIDTH, x_label: time_label(&time), panels: panels.collect(), x: time.axis };
     let stretch = time_text(run.duration_s() / MEANS as f64);
     let legend = vec![
         (Pen::Record, "measured minus ideal, each record".to_owned()),

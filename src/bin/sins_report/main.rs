@@ -2,14 +2,18 @@
 //!
 //! A run is what the C example writes: `NAME.csv`, a row for each record, and `NAME_summary.csv`, a row for each
 //! figure. The data flow is `run`, `summary` → `series`, `spectrum` → `axis`, `plot` → `figures` → `page`.
+//!
+//! `allan` is a command of its own: it plots the Allan deviation of an IMU log and fits the noises that explain it.
 #![allow(clippy::disallowed_methods, reason = "a plot needs no bits that are the same on every platform")]
 #![forbid(unsafe_code)]
 
+mod allan;
 mod axis;
 mod comparison;
 mod errors;
 mod failure;
 mod figures;
+mod lines;
 mod overview;
 mod page;
 mod pen;
@@ -32,6 +36,7 @@ use run::Run;
 
 const USAGE: &str = "\
 Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html [--picture PICTURE.svg]
+       sins_report allan LOG.csv -o OUT.svg [...]: noises of an IMU log; sins_report allan --help
 
 Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
 _summary.csv is passed over, so that *.csv means all runs of a folder.
@@ -48,7 +53,11 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let command = match command(std::env::args_os().skip(1)) {
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    if arguments.next_if(|first| first == "allan").is_some() {
+        return allan(arguments);
+    }
+    let command = match command(arguments) {
         Ok(command) => command,
         Err(failure) => {
             eprintln!("sins_report: {failure}\n\n{USAGE}");
@@ -63,6 +72,25 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
             println!("{}", output.display());
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+fn allan(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let order = match allan::order(arguments) {
+        Ok(order) => order,
+        Err(failure) => {
+            eprintln!("sins_report allan: {failure}\n\n{}", allan::USAGE);
+            return ExitCode::from(2);
+        }
+    };
+    match order.map(|order| allan::run(&order)) {
+        None => println!("{}", allan::USAGE),
+        Some(Ok(())) => {}
+        Some(Err(failure)) => {
+            eprintln!("sins_report allan: {failure}");
+            return ExitCode::FAILURE;
         }
     }
     ExitCode::SUCCESS

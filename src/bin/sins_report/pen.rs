@@ -26,10 +26,14 @@ pub enum Pen {
     Start,
     /// What was computed at the end of a long track.
     Late,
+    /// An area where the truth may be.
+    Band,
+    /// What one term alone would make.
+    Asymptote,
 }
 
 impl Pen {
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -46,6 +50,8 @@ impl Pen {
         Self::Day,
         Self::Start,
         Self::Late,
+        Self::Band,
+        Self::Asymptote,
     ];
 
     /// Its class in the style sheet.
@@ -67,6 +73,8 @@ impl Pen {
             Self::Day => "day",
             Self::Start => "start",
             Self::Late => "late",
+            Self::Band => "band",
+            Self::Asymptote => "asymptote",
         }
     }
 

@@ -18,7 +18,7 @@ use crate::series::Points;
 /// Pixels of `plotters` in a drawing unit.
 pub const FINE: f64 = 10.0;
 
-/// Width of a drawing [drawing units]; a phone shows it at two thirds.
+/// Width of a drawing, unless it states another [drawing units]; a phone shows it at two thirds.
 pub const WIDTH: f64 = 520.0;
 
 /// Room for the labels left of the panels, the margin right, the caption above, the marks' texts under it, the x axis
@@ -49,6 +49,22 @@ pub struct Mark {
     pub text: String,
 }
 
+/// A filled or a hollow circle, as its pen has it.
+pub struct Dot {
+    pub at: (f64, f64),
+    pub pen: Pen,
+    /// [drawing units]
+    pub radius: f64,
+}
+
+/// Text with its middle at a point, or so much right of it and below [drawing units].
+pub struct Note {
+    pub at: (f64, f64),
+    pub shift: (f64, f64),
+    pub pen: Pen,
+    pub text: String,
+}
+
 /// One pair of axes.
 pub struct Panel {
     /// What the y axis shows, with its unit.
@@ -56,14 +72,16 @@ pub struct Panel {
     pub y: Axis,
     pub traces: Vec<Trace>,
     pub marks: Vec<Mark>,
-    /// A point to be marked.
-    pub start: Option<(f64, f64)>,
+    pub dots: Vec<Dot>,
+    pub notes: Vec<Note>,
     /// Height of the axes alone [drawing units].
     pub height: f64,
 }
 
 /// Panels from top to bottom.
 pub struct Drawing {
+    /// [drawing units]
+    pub width: f64,
     pub x: Axis,
     pub x_label: String,
     pub panels: Vec<Panel>,
@@ -78,7 +96,15 @@ impl Trace {
 impl Panel {
     /// Lines alone.
     pub fn new(caption: impl Into<String>, y: Axis, height: f64, traces: Vec<Trace>) -> Self {
-        Self { caption: caption.into(), y, traces, marks: Vec::new(), start: None, height }
+        Self {
+            caption: caption.into(),
+            y,
+            traces,
+            marks: Vec::new(),
+            dots: Vec::new(),
+            notes: Vec::new(),
+            height,
+        }
     }
 
     fn above(&self) -> f64 {
@@ -96,12 +122,12 @@ impl Drawing {
     pub fn svg(&self, alt: &str) -> Result<String, Failure> {
         let height = self.height();
         let mut text = String::new();
-        let root = SVGBackend::with_string(&mut text, (size(WIDTH), size(height))).into_drawing_area();
+        let root = SVGBackend::with_string(&mut text, (size(self.width), size(height))).into_drawing_area();
         let mut top = 0.0;
         for (place, panel) in self.panels.iter().enumerate() {
             let below = if place + 1 == self.panels.len() { X_AXIS } else { 0.0 };
             let whole = panel.above() + panel.height + below;
-            let area = root.clone().shrink((0, pixel(top)), (size(WIDTH), size(whole)));
+            let area = root.clone().shrink((0, pixel(top)), (size(self.width), size(whole)));
             self.draw(&area, panel, below)?;
             top += whole + GAP;
         }
@@ -111,7 +137,7 @@ impl Drawing {
         let alt = maud::html! { (alt) }.into_string();
         Ok(format!(
             "<svg class=\"plot\" role=\"img\" aria-label=\"{alt}\" viewBox=\"0 0 {} {}\">\n{}",
-            size(WIDTH),
+            size(self.width),
             size(height),
             with_classes(body)
         ))
@@ -152,8 +178,18 @@ impl Drawing {
         for trace in &panel.traces {
             chart.draw_series(LineSeries::new(trace.points.iter().copied(), style(trace.pen)))?;
         }
-        let dot = ShapeStyle { filled: true, ..style(Pen::Start) };
-        chart.draw_series(panel.start.iter().map(|place| Circle::new(*place, size(6.0), dot)))?;
+        let filled = |pen: Pen| ShapeStyle { filled: true, ..style(pen) };
+        chart.draw_series(
+            panel.dots.iter().map(|dot| Circle::new(dot.at, size(dot.radius), filled(dot.pen))),
+        )?;
+        let (left, top) = area.get_base_pixel();
+        for note in &panel.notes {
+            let (x, y) = chart.backend_coord(&note.at);
+            let place = (x - left + pixel(note.shift.0), y - top + pixel(note.shift.1));
+            let centred = text_style(HPos::Center).pos(Pos::new(HPos::Center, VPos::Center));
+            let style = TextStyle { color: note.pen.colour().to_backend_color(), ..centred };
+            area.draw(&Text::new(note.text.clone(), place, style))?;
+        }
         Ok(())
     }
 }
@@ -231,9 +267,10 @@ mod tests {
         let traces = vec![Trace::new(Pen::East, vec![(0.0, -1.0), (10.0, 1.0)])];
         let mut panel = Panel::new("east <m>", y, 100.0, traces);
         panel.marks.push(Mark { at: 5.0, pen: Pen::Schuler, text: "Schuler".into() });
-        panel.start = Some((0.0, 0.0));
-        let drawing =
-            Drawing { x: Axis::linear(0.0, 10.0, 5), x_label: "time [s]".into(), panels: vec![panel] };
+        panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 });
+        panel.notes.push(Note { at: (0.0, 0.0), shift: (0.0, 0.0), pen: Pen::Text, text: "begin".into() });
+        let x = Axis::linear(0.0, 10.0, 5);
+        let drawing = Drawing { width: WIDTH, x, x_label: "time [s]".into(), panels: vec![panel] };
         let svg = drawing.svg("a \"line\"").unwrap();
         assert!(
             svg.starts_with("<svg class=\"plot\" role=\"img\" aria-label=\"a &quot;line&quot;\" viewBox=")

@@ -8,7 +8,7 @@ use crate::axis::Axis;
 use crate::failure::Failure;
 use crate::figures::Figure;
 use crate::pen::Pen;
-use crate::plot::{Drawing, Mark, PANEL_WIDTH, Panel, Trace};
+use crate::plot::{Drawing, Mark, PANEL_WIDTH, Panel, Trace, WIDTH};
 use crate::run::Run;
 use crate::series::{Points, mean, straight_line};
 use crate::units::{SPEED, fitting, time_text, with_unit};
@@ -141,7 +141,7 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
         2.0 * 3600.0 / duration_s,
     );
     let x = Axis::periods(low, high, (high - low) * TICK_ROOM / PANEL_WIDTH);
-    let drawing = Drawing { x, x_label: "period".to_owned(), panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, x, x_label: "period".to_owned(), panels: vec![panel] };
     let title = "Spectrum of the horizontal velocity errors".to_owned();
     let svg = drawing.svg(&format!("{title}, amplitude over period. {note}"))?;
     Ok(Some(Figure { title, legend, drawings: vec![svg], note }))

@@ -8,7 +8,7 @@ use crate::axis::Axis;
 use crate::failure::Failure;
 use crate::figures::{Figure, TIME_TICKS, over_time, time_label};
 use crate::pen::Pen;
-use crate::plot::{Drawing, PANEL_WIDTH, Panel, Trace};
+use crate::plot::{Dot, Drawing, PANEL_WIDTH, Panel, Trace, WIDTH};
 use crate::run::{Places, Run};
 use crate::series::{Points, bounds, magnitude, outline};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, time_text, with_unit};
@@ -104,9 +104,9 @@ fn track(
     let traces = lines.into_iter().map(|(pen, points)| Trace::new(pen, scaled(points))).collect();
     let caption = format!("north of the start [{}]", unit.name);
     let mut panel = Panel::new(caption, centred(north, height), height, traces);
-    panel.start = Some((0.0, 0.0));
+    panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 });
     let x_label = format!("east of the start [{}]", unit.name);
-    let drawing = Drawing { x: centred(east, width), x_label, panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, x: centred(east, width), x_label, panels: vec![panel] };
     let far = truth.0.iter().zip(&truth.1).fold(0.0, |most: f64, (e, n)| most.max(e.hypot(*n)));
     let note = format!(
         "Farthest from the start: {}. Start at latitude {:.4}°, longitude {:.4}°.",
@@ -132,7 +132,7 @@ fn height(run: &Run, shown_s: f64) -> Result<(String, String), Failure> {
     let panels = vec![Panel::new(format!("height above the ellipsoid [{}]", unit.name), y, 120.0, traces)];
     let (low, high) = range(&run.truth.height_m);
     let note = format!("Heights {low:.1} m to {high:.1} m.");
-    let drawing = Drawing { x_label: time_label(&time), x: time.axis, panels };
+    let drawing = Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels };
     Ok((drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?, note))
 }
 

@@ -36,11 +36,6 @@ impl Covariance {
         Self { size, forms }
     }
 
-    /// Number of averaging times.
-    pub fn size(&self) -> usize {
-        self.size
-    }
-
     /// The covariance at two averaging times is the form between the squares of the coefficients.
     pub fn form(&self, i: usize, j: usize) -> &Form {
         &self.forms[i * self.size + j]

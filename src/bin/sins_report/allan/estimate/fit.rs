@@ -10,6 +10,9 @@ type Vector = SVector<f64, TERMS>;
 /// Rounds of weighting by the variances that the last fit implies; three digits of the weights stand after two.
 const ROUNDS: usize = 4;
 
+/// How well the five terms are trusted to describe a variance, relatively.
+const TRUSTED: f64 = 0.05;
+
 /// A fit to the variances of one record.
 #[derive(Debug, Clone)]
 pub struct Fit {
@@ -23,13 +26,17 @@ pub struct Fit {
 
 impl Fit {
     /// Fits `variances` at `taus_s`, with the weights 1 / var(σ²) of the fit itself; `covariance` is that of the record.
+    /// The shortest times, known to a thousandth, must not decide on the longest by what no model has so exactly: no
+    /// variance counts as known better than to [`TRUSTED`]. The intervals take the weights as they are.
     pub fn new(taus_s: &[f64], variances: &[f64], covariance: &Covariance) -> Self {
-        // To begin with, the relative errors of rate random walk: independent pieces of the record.
-        let mut deviations: Vec<f64> = taus_s.iter().zip(variances).map(|(tau, v)| v * tau.sqrt()).collect();
+        // To begin with, the relative errors of independent pieces of the record.
+        let longest = taus_s.last().copied().unwrap_or(1.0);
+        let mut deviations: Vec<f64> =
+            taus_s.iter().zip(variances).map(|(tau, v)| v * (tau / longest).sqrt().max(TRUSTED)).collect();
         let mut squares = Equations::new(taus_s, variances, &deviations).constrained();
         for _ in 0..ROUNDS {
             for (i, deviation) in deviations.iter_mut().enumerate() {
-                *deviation = covariance.variance(i, &squares).sqrt();
+                *deviation = covariance.variance(i, &squares).sqrt().hypot(TRUSTED * variances[i]);
             }
             squares = Equations::new(taus_s, variances, &deviations).constrained();
         }
