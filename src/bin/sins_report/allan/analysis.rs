@@ -106,8 +106,8 @@ impl Analysis {
         let missed = self.estimates.iter().filter(|estimate| {
             let sum = estimate.degrees * (estimate.deviation / estimate.fitted).powi(2);
             let end = |probability: f64| chi_square_quantile(probability, estimate.degrees);
-            let usual = end(0.5 - 0.5 * CERTAIN)..=end(0.5 + 0.5 * CERTAIN);
-            !usual.contains(&sum) && ratio(estimate) > VISIBLE.ln()
+            let usual = Interval { low: end(0.5 - 0.5 * CERTAIN), high: end(0.5 + 0.5 * CERTAIN) };
+            !usual.contains(sum) && ratio(estimate) > VISIBLE.ln()
         });
         missed.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))
     }

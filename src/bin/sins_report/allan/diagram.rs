@@ -6,15 +6,16 @@ use super::sheet;
 use crate::axis::Axis;
 use crate::figures::Legend;
 use crate::pen::Pen;
-use crate::plot::{Drawing, Note, Panel, Trace, WIDTH};
+use crate::plot::{Drawing, Note, PANEL_WIDTH, Panel, Trace, WIDTH};
 use crate::series::{Points, bounds};
 use crate::units::in_unit;
 
 /// Height of the axes [drawing units].
 const HEIGHT: f64 = 300.0;
 
-/// Room beyond the curve [decades].
-const MARGIN: f64 = 0.12;
+/// Room below the curve, for labels, and above it, as parts of the height of the curve.
+const ROOM_BELOW: f64 = 0.2;
+const ROOM_ABOVE: f64 = 0.04;
 
 /// An asymptote is drawn where its term is more than this part of the fitted deviation.
 const SHARE: f64 = 0.3;
@@ -22,18 +23,19 @@ const SHARE: f64 = 0.3;
 /// Points of a smooth line.
 const SMOOTH: usize = 100;
 
-/// From the middle of a label to the line that it stands below [drawing units], and the least distance of the middle from
-/// the edges, as a part of the width.
+/// From the middle of a label to the line that it stands below, the room it needs there, and the width of a letter [drawing
+/// units].
 const BELOW: f64 = 13.0;
-const EDGE: f64 = 0.16;
+const LABEL: f64 = 24.0;
+const LETTER: f64 = 8.0;
 
 /// What the lines are.
 pub fn legend() -> Legend {
     let entry = |pen, text: &str| (pen, text.to_owned());
     vec![
-        entry(Pen::Computed, "Allan deviation"),
+        entry(Pen::Computed, "deviation"),
         entry(Pen::Band, "95 % interval"),
-        entry(Pen::Fit, "fit of all terms"),
+        entry(Pen::Fit, "fit"),
         entry(Pen::Asymptote, "one term"),
     ]
 }
@@ -47,12 +49,12 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
     band.extend(low.iter().rev());
     band.extend(high.first());
     let (bottom, top) = bounds([&low, &high]);
-    let (bottom, top) = (bottom - MARGIN, top + MARGIN);
+    let (bottom, top) = (bottom - ROOM_BELOW * (top - bottom), top + ROOM_ABOVE * (top - bottom));
     let (left, right) = (measured[0].0, measured[measured.len() - 1].0);
     let mut traces = vec![Trace::new(Pen::Band, band)];
     let mut notes = Vec::new();
     for coefficient in analysis.coefficients.iter().filter(|coefficient| coefficient.is_resolved()) {
-        let line = asymptote(analysis, coefficient, (left, right), bottom);
+        let line = asymptote(analysis, coefficient, (left, right), bottom + LABEL / HEIGHT * (top - bottom));
         notes.extend(label(analysis, coefficient, &line, (left, right)));
         traces.push(Trace::new(Pen::Asymptote, line));
     }
@@ -88,7 +90,7 @@ fn asymptote(analysis: &Analysis, coefficient: &Coefficient, ends: (f64, f64), b
     places(ends).filter_map(at).collect()
 }
 
-/// The value, below the low end of the line, or below the middle of a level one.
+/// The value, where the term makes most of the deviation or else at the low end of its line, on the empty side of that.
 fn label(
     analysis: &Analysis,
     coefficient: &Coefficient,
@@ -96,19 +98,27 @@ fn label(
     (left, right): (f64, f64),
 ) -> Option<Note> {
     let term = coefficient.term;
-    let last = line.len().checked_sub(1)?;
-    let lowest = match term {
-        Term::Quantization | Term::RandomWalk => last,
-        Term::Flicker => last / 2,
-        Term::RateRandomWalk | Term::Ramp => 0,
+    let share = |place: f64| {
+        let tau_s = 10f64.powf(place);
+        coefficient.value.powi(2) * term.shape(tau_s) / analysis.fit.variance(tau_s)
     };
-    let room = EDGE * (right - left);
-    // Moved along the line from the edge inwards.
-    let inside = line[lowest].0.clamp(left + room, right - room);
-    let at = *line.iter().min_by(|a, b| (a.0 - inside).abs().total_cmp(&(b.0 - inside).abs()))?;
+    let main: Vec<f64> = line.iter().map(|point| point.0).filter(|place| share(*place) > 0.5).collect();
+    let ends = [line.first()?, line.last()?];
+    let lowest = if ends[0].1 < ends[1].1 { ends[0].0 } else { ends[1].0 };
+    let wanted = main.get(main.len() / 2).copied().unwrap_or(lowest);
     let value = in_unit(coefficient.value, sheet::coefficient(analysis.sensor, term));
     let text = format!("{} {value}", term.letter());
-    Some(Note { at, shift: (0.0, BELOW), pen: Pen::Text, text })
+    let half = 0.5 * LETTER * text.chars().count() as f64;
+    let aside = match term {
+        Term::Quantization | Term::RandomWalk => -half,
+        Term::Flicker => 0.0,
+        Term::RateRandomWalk | Term::Ramp => half,
+    };
+    let at = *line.iter().min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()))?;
+    // The text stays within the axes.
+    let middle = (at.0 - left) / (right - left) * PANEL_WIDTH;
+    let aside = (middle + aside).clamp(half, PANEL_WIDTH - half) - middle;
+    Some(Note { at, shift: (aside, BELOW), pen: Pen::Text, text })
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ type Vector = SVector<f64, TERMS>;
 const ROUNDS: usize = 4;
 
 /// How well the five terms are trusted to describe a variance, relatively.
-const TRUSTED: f64 = 0.05;
+const TRUSTED: f64 = 0.01;
 
 /// A fit to the variances of one record.
 #[derive(Debug, Clone)]
