@@ -17,14 +17,14 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// Errors of rounding to a thousandth of a degree of a turn at 10 °/s that nothing disturbs but its own sinusoid: Q is
-/// 0.001° / √12 = 1.04 arcsec. Row `gap` and those after it are `late` steps late.
+/// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes; what it shakes is taken off
+/// again. Q is 0.001° / √12. Row `gap` and those after it are `late` steps late.
 fn log(path: &Path, rows: u32, gap: u32, late: u32) {
     let mut text = "# a turntable\ntime_s,gyro_z_deg_s,mode\n".to_owned();
     let angle = |k: u32| {
         let t = f64::from(k) * 0.01;
-        ((10.0 * t + 3.0 * (0.7 * t).sin() + 0.012_34 * (61.8 * t).sin()) * 1e3).round() / 1e3
-            - 3.0 * (0.7 * t).sin()
+        let shaking = 3.0 * (0.7 * t).sin() + 0.012_34 * (61.8 * t).sin();
+        ((10.0 * t + shaking) * 1e3).round() / 1e3 - shaking
     };
     for k in 0..rows {
         let stamp = f64::from(k + if k < gap { 0 } else { late }) * 0.01;
@@ -52,7 +52,8 @@ fn a_log_becomes_a_picture_a_page_and_tables() {
     let curve = std::fs::read_to_string(&points).unwrap();
     assert!(curve.starts_with("column,averaging_time_s,deviation,low,high,degrees_of_freedom,fit\n"));
 
-    let output = run(&path, &["-o", page.to_str().unwrap(), "--columns", "gyro_z_deg_s:deg_h", "--rate", "100"]);
+    let output =
+        run(&path, &["-o", page.to_str().unwrap(), "--columns", "gyro_z_deg_s:deg_h", "--rate", "100"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     for (file, begin) in [(picture, "<svg"), (page, "<!DOCTYPE html>")] {
         assert!(std::fs::read_to_string(&file).unwrap().starts_with(begin), "{}", file.display());
@@ -69,7 +70,10 @@ fn bad_logs_and_orders_are_told() {
     log(&path, 500, 321, 1);
     let output = run(&path, &["-o", out]);
     let errors = text(&output.stderr);
-    assert!(output.status.code() == Some(1) && errors.contains("gap.csv, line 324: column time_s"), "{errors}");
+    assert!(
+        output.status.code() == Some(1) && errors.contains("gap.csv, line 324: column time_s"),
+        "{errors}"
+    );
     log(&path, 500, 321, 0);
     for (arguments, code, expected) in [
         (&["-o", out, "--columns", "gyro_z_deg_s,mode:deg_s"][..], 1, "line 3: column 3 (mode)"),

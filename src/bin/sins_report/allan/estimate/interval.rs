@@ -1,4 +1,5 @@
-//! Confidence intervals of Allan variances and of the coefficients.
+//! Confidence intervals of Allan variances and of the coefficients. `tests/allan_estimator.rs` counts how often those of 95 %
+//! hold the truth: 93 to 98.5 % for normal noises, more where a ramp is.
 
 use nalgebra::SVector;
 
