@@ -87,7 +87,7 @@ fn interval(
     let stamps = table.take(name)?;
     let steps: Vec<f64> = stamps.windows(2).map(|pair| (pair[1] - pair[0]) * unit).collect();
     let usual = rate_hz.map_or_else(|| usual(&steps), |rate_hz| 1.0 / rate_hz);
-    if let Some(row) = steps.iter().position(|step| !((step - usual).abs() < JITTER * usual)) {
+    if let Some(row) = steps.iter().position(|step| (step - usual).abs() >= JITTER * usual) {
         let what = format!(
             "column {name}: expected a step of about {usual:.6} s, found {:.6} s; an Allan deviation needs equal steps",
             steps[row]

@@ -35,9 +35,9 @@ pub fn coefficients(analyses: &[Analysis]) -> Result<String, Failure> {
     text(std::iter::once(header.to_vec()).chain(rows))
 }
 
-fn text(rows: impl Iterator<Item = Vec<String>>) -> Result<String, Failure> {
+fn text(mut rows: impl Iterator<Item = Vec<String>>) -> Result<String, Failure> {
     let mut writer = Writer::from_writer(Vec::new());
-    let written = rows.map(|row| writer.write_record(&row)).collect::<Result<(), _>>();
+    let written = rows.try_for_each(|row| writer.write_record(&row));
     let failure = |error: &dyn std::fmt::Display| Failure::new(format!("no CSV could be made: {error}"));
     written.map_err(|error| failure(&error))?;
     let bytes = writer.into_inner().map_err(|error| failure(&error))?;

@@ -138,9 +138,10 @@ mod tests {
     fn exact_variances_give_their_coefficients_back() {
         let squares = [1e-14, 2e-12, 3e-14, 1e-15, 4e-18];
         let fit = fitted(squares);
-        for p in 0..TERMS {
-            assert!((fit.free[p] / squares[p] - 1.0).abs() < 1e-6, "{p}: {:?}", fit.free);
-            assert!((fit.squares[p] / squares[p] - 1.0).abs() < 1e-6, "{p}: {:?}", fit.squares);
+        for found in [fit.free, fit.squares] {
+            let are_right =
+                found.iter().zip(&squares).all(|(found, square)| (found / square - 1.0).abs() < 1e-6);
+            assert!(are_right, "{found:?}");
         }
     }
 
