@@ -1,14 +1,35 @@
 #!/usr/bin/env bash
-# Instructions a step of the whole chain through sins_run, by callgrind: they do not depend on the machine's mood.
+# Instructions a step, by callgrind: they do not depend on the machine's mood. Without an argument of the whole chain through
+# sins_run; with `matrix` of push and step for each scheme, number of subsamples and axes, as CSV for
+# `sins_report curve --instructions`.
 set -eu
 cd "$(dirname "$0")"
 cargo build --release --quiet --bin steps
-count() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null target/release/steps "$1" "$2" 2>&1 |
-        sed -n 's/.*Collected : //p'
+# per_step SHORT LONG WHAT...: the difference of two runs.
+per_step() {
+    local short=$1 long=$2 count first second
+    shift 2
+    for count in "$short" "$long"; do
+        first=${second:-}
+        second=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null target/release/steps "$@" "$count" 2>&1 |
+            sed -n 's/.*Collected : //p')
+    done
+    echo $(((second - first) / (long - short)))
 }
-for what in simulation2 ideal free; do
-    short=$(count $what 10000)
-    long=$(count $what 20000)
-    echo "$what: $(((long - short) / 10000)) instructions a step"
-done
+row() {
+    echo "$1,$(per_step 500 1500 "$1")"
+}
+if [ "${1:-}" = matrix ]; then
+    echo scheme,subsamples,updates_per_sample,frame,instructions_per_step
+    for frame in Earth-fixed geographic; do
+        for rung in paper,{1,2},1 exact,{1..5},1 polynomial,{1..5},1; do
+            row "$rung,$frame"
+        done
+    done
+    row exact,2,2,Earth-fixed
+    row polynomial,4,2,Earth-fixed
+else
+    for what in simulation2 ideal free; do
+        echo "$what: $(per_step 10000 20000 $what) instructions a step"
+    done
+fi

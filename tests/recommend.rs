@@ -128,7 +128,7 @@ fn scenes() -> Vec<Scene> {
                 Manoeuvre::Roll { duration_s: 5.0, turns: -2.0 },
             ],
             50.0,
-            Requirement { position_m: 0.005, velocity_m_s: 0.01, attitude_rad: 1e-3, ..nothing },
+            Requirement { position_m: 5e-6, velocity_m_s: 0.01, attitude_rad: 1e-3, ..nothing },
         ),
         scene(
             "vibration",
@@ -152,7 +152,7 @@ fn scenes() -> Vec<Scene> {
                 Manoeuvre::Turn { heading_change_rad: 1.0, bank_rad: 0.5, ramp_s: 4.0 },
             ],
             50.0,
-            Requirement { position_m: 1e-7, ..nothing },
+            Requirement { position_m: 1e-7, attitude_rad: 2e-12, ..nothing },
         ),
     ]
 }

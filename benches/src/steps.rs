@@ -1,22 +1,67 @@
-//! Flies a number of steps through `sins_run`, for an instruction counter: the difference between two numbers of steps is
-//! the cost of a step. `steps WHAT COUNT`, WHAT = simulation2 | ideal | free.
+//! Flies a number of steps, for an instruction counter: the difference between two numbers of steps is the cost of a step.
+//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`, or SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed)
+//! by push and step of the Rust simulator.
 
 mod scene;
 
 use std::ptr::null_mut;
 
 use sins::abi::*;
+use sins::mechanization::{Frame, Scheme};
+use sins::truth::{FlightSample, IntakeLimits};
+use sins::{Options, Simulator};
+
+/// Samples that are made whatever the count: outside of what is counted.
+const SAMPLES: usize = 20_001;
+const FEW_SAMPLES: usize = 2_001;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
-    let (Some(what), Some(Ok(count))) =
-        (arguments.get(1), arguments.get(2).map(|count| count.parse::<usize>()))
-    else {
-        eprintln!("usage: steps simulation2|ideal|free COUNT");
-        std::process::exit(2);
+    let what = arguments.get(1).map(String::as_str).unwrap_or_default();
+    let count = arguments.get(2).and_then(|count| count.parse::<usize>().ok());
+    match (what, options(what), count) {
+        ("simulation2" | "ideal" | "free", _, Some(count)) => run(what, count),
+        (_, Some(options), Some(count)) => {
+            let samples = scene::patrol(FEW_SAMPLES);
+            push_and_step(&options, &samples[..=count.min(samples.len() - 1)]);
+        }
+        _ => {
+            eprintln!("usage: steps simulation2|ideal|free|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT");
+            std::process::exit(2);
+        }
+    }
+}
+
+/// The options that `what` spells.
+fn options(what: &str) -> Option<Options> {
+    let mut words = what.split(',');
+    let mut word = || words.next();
+    let (scheme, subsamples, updates, frame) = (word()?, word()?, word()?, word()?);
+    let (subsamples, updates_per_sample) = (subsamples.parse().ok()?, updates.parse().ok()?);
+    let scheme = match scheme {
+        "paper" => Scheme::Paper,
+        "exact" => Scheme::Exact,
+        "polynomial" => Scheme::Polynomial,
+        _ => return None,
     };
-    // The same samples whatever the count: they are made outside of what is counted.
-    let samples = scene::c_samples(&scene::patrol(20_001));
+    let frame = match frame {
+        "Earth-fixed" => Frame::EarthFixed,
+        "geographic" => Frame::Geographic,
+        _ => return None,
+    };
+    let intake = IntakeLimits { period_s: Some(scene::PERIOD_S), ..Default::default() };
+    Some(Options { scheme, subsamples, updates_per_sample, frame, intake, ..Default::default() })
+}
+
+fn push_and_step(options: &Options, samples: &[FlightSample]) {
+    let simulator = Simulator::new(options);
+    assert!(simulator.is_ok_and(|mut simulator| {
+        samples.iter().all(|sample| simulator.push_sample(sample).is_ok() && simulator.step().is_ok())
+    }));
+}
+
+fn run(what: &str, count: usize) {
+    let samples = scene::c_samples(&scene::patrol(SAMPLES));
     let mut options = scene::c_options();
     if what != "simulation2" {
         options.error_model = SINS_ERROR_MODEL_OFF;

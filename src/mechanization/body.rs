@@ -22,14 +22,24 @@ pub struct BodyMotion {
     pub s3: Vector3<f64>,
 }
 
-/// Coefficients k of the coning and sculling terms for n subsamples, least drift under small coning of any frequency
-/// (Miller 1983, Ignagni 1996): φ = Σ Δθ_i + (Σ k_i Δθ_i) × Δθ_n.
-const CONING: [&[f64]; MAX_SUBSAMPLES] = [
+/// Coefficients K of the coning and sculling terms for n subsamples, φ = Σ Δθ_i + Σ_{i<j} K_ij Δθ_i × Δθ_j; row by row, j = 2 to
+/// n, in each i = 1 to j - 1.
+///
+/// The sums along each diagonal j - i are those of least drift under small coning of any frequency (Miller 1983, Ignagni 1996).
+/// The literature puts them all on the last increment, which is as good where the motion is the same in each part of the
+/// update. Here they lie symmetric in time, so that the even orders of any other motion vanish, and from four subsamples on
+/// the fifth is exact as well: the attitude after two minutes of 4 Hz at 50 Hz is right to 2e-10 rad instead of 1e-5.
+const CONING: [&[&[f64]]; MAX_SUBSAMPLES] = [
     &[],
-    &[2.0 / 3.0],
-    &[9.0 / 20.0, 27.0 / 20.0],
-    &[54.0 / 105.0, 92.0 / 105.0, 214.0 / 105.0],
-    &[250.0 / 504.0, 525.0 / 504.0, 650.0 / 504.0, 1375.0 / 504.0],
+    &[&[2.0 / 3.0]],
+    &[&[27.0 / 40.0], &[9.0 / 20.0, 27.0 / 40.0]],
+    &[&[232.0 / 315.0], &[46.0 / 105.0, 178.0 / 315.0], &[18.0 / 35.0, 46.0 / 105.0, 232.0 / 315.0]],
+    &[
+        &[475.0 / 576.0],
+        &[1325.0 / 4032.0, 725.0 / 1344.0],
+        &[25.0 / 48.0, 425.0 / 672.0, 725.0 / 1344.0],
+        &[125.0 / 252.0, 25.0 / 48.0, 1325.0 / 4032.0, 475.0 / 576.0],
+    ],
 ];
 
 /// ∫ (1 - u) of the polynomial through the increments, less half of their sum.
@@ -61,33 +71,52 @@ impl ConingAndSculling {
     #[inline]
     fn of(increments: &[Increment]) -> Self {
         let sum = Increment::sum(increments);
-        let Some((last, before)) = increments.split_last() else {
-            return Self { sum, rotation: sum.angle, sculling: Vector3::zeros() };
-        };
-        let mut angle = Vector3::zeros();
-        let mut velocity = Vector3::zeros();
-        for (increment, &k) in before.iter().zip(CONING[before.len()]) {
-            angle += increment.angle * k;
-            velocity += increment.velocity * k;
+        let (mut rotation, mut sculling) = (sum.angle, Vector3::zeros());
+        let coefficients = CONING[increments.len().clamp(1, MAX_SUBSAMPLES) - 1];
+        for (later, row) in increments.iter().skip(1).zip(coefficients) {
+            let mut angle = Vector3::zeros();
+            let mut velocity = Vector3::zeros();
+            for (increment, &k) in increments.iter().zip(*row) {
+                angle += increment.angle * k;
+                velocity += increment.velocity * k;
+            }
+            rotation += angle.cross(&later.angle);
+            sculling += angle.cross(&later.velocity) + velocity.cross(&later.angle);
         }
-        Self {
-            sum,
-            rotation: sum.angle + angle.cross(&last.angle),
-            sculling: angle.cross(&last.velocity) + velocity.cross(&last.angle),
-        }
+        Self { sum, rotation, sculling }
     }
 }
 
+/// ∫ (u - ½) of rate and force.
+#[inline]
+fn first_moment(increments: &[Increment]) -> Increment {
+    let weights = FIRST_MOMENT[increments.len().clamp(1, MAX_SUBSAMPLES) - 1];
+    increments.iter().zip(weights).fold(Increment::ZERO, |sum, (increment, &weight)| Increment {
+        angle: sum.angle - increment.angle * weight,
+        velocity: sum.velocity - increment.velocity * weight,
+    })
+}
+
 impl BodyMotion {
-    /// With the full rotation of the velocity increment (Savage 1998): V + (1 - cos a)/a² θ×V +
-    /// (1 - sin a / a)/a² θ×(θ×V) + sculling. The last term but one, which textbook two-sample formulas drop, is
-    /// their largest error: 2e-3 m in an hour of figure-eights, where this leaves 6e-6 m.
+    /// With the full rotation of the velocity increment (Savage 1998), for constant rate and force to all orders:
+    /// V + (1 - cos a)/a² θ×V + (1 - sin a / a)/a² θ×(θ×V) + sculling; the last term but one, which textbook two-sample
+    /// formulas drop, is their largest error. And with the first moments Θ, Φ = ∫ (u - ½) of rate and force what the triple
+    /// products have of their change: ½ θ×(θ×Φ) - ½ Θ×(θ×V).
+    ///
+    /// Derivation of the latter: the second Picard iterate of C has ∫ α×(ω×) dt, in which rate a + b τ and force p + q τ about
+    /// the middle leave T⁴/24 (a×(a×q) - b×(a×p)); Θ = b T²/12, Φ = q T²/12. Evidence: 10 min of S-turns at 100 Hz go
+    /// from 2.7e-5 to 7e-7 m, of order 4 instead of 3.
     #[inline]
     pub fn exact(increments: &[Increment]) -> Self {
         let ConingAndSculling { sum, rotation, sculling } = ConingAndSculling::of(increments);
         let series = RotationSeries::new(sum.angle.norm_squared());
         let cross = sum.angle.cross(&sum.velocity);
-        let s1 = sum.velocity + series.square * cross + series.cubic * sum.angle.cross(&cross) + sculling;
+        let moment = first_moment(increments);
+        let s1 = sum.velocity
+            + series.square * cross
+            + sum.angle.cross(&(series.cubic * cross + 0.5 * sum.angle.cross(&moment.velocity)))
+            - 0.5 * moment.angle.cross(&cross)
+            + sculling;
 
         // Each increment turned back to the start by the rotation up to its middle.
         let n = increments.len();

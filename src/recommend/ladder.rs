@@ -24,21 +24,18 @@ impl Rung {
         Options { scheme, subsamples, updates_per_sample, ..*options }
     }
 
-    /// Instructions of a step that the algorithm has a part in, as `benches/instructions.sh` counts them on x86-64: the
-    /// signal generator's for each sub-increment, the body-frame part, the navigation-frame part.
+    /// Instructions of a step that the algorithm has a part in, within 2 % as `benches/instructions.sh matrix` counts them on
+    /// x86-64: the mechanization's, and of the signal generator's those for each sub-increment. The rest of a step takes 2900.
     pub fn instructions(&self, frame: Frame) -> f64 {
-        let n = self.subsamples as f64;
-        let body = match self.scheme {
-            Scheme::Exact | Scheme::Paper => 80.0 + 100.0 * n,
-            Scheme::Polynomial => 1500.0 + 300.0 * n,
+        let (update, subsample) = match (frame, self.scheme) {
+            (Frame::EarthFixed, Scheme::Paper) => (460.0, 470.0),
+            (Frame::EarthFixed, Scheme::Exact) => (650.0, 573.0),
+            (Frame::EarthFixed, Scheme::Polynomial) => (1820.0, 790.0),
+            (Frame::Geographic, Scheme::Paper) => (1130.0, 470.0),
+            (Frame::Geographic, Scheme::Exact) => (2155.0, 573.0),
+            (Frame::Geographic, Scheme::Polynomial) => (3330.0, 790.0),
         };
-        let axes = match (frame, self.scheme) {
-            (Frame::EarthFixed, Scheme::Paper) => 650.0,
-            (Frame::EarthFixed, _) => 800.0,
-            (Frame::Geographic, Scheme::Paper) => 700.0,
-            (Frame::Geographic, _) => 2500.0,
-        };
-        self.updates_per_sample as f64 * (300.0 * n + body + axes)
+        self.updates_per_sample as f64 * (update + subsample * self.subsamples as f64)
     }
 }
 

@@ -13,6 +13,6 @@ pub use choice::{Recommendation, recommend};
 pub use growth::Growth;
 pub use ladder::{Rung, ladder};
 pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Piece, Refusal};
-pub use reference::{Reference, SolutionError, Track, fly};
+pub use reference::{Reference, SolutionError, Track, fly, track};
 pub use requirement::Requirement;
 pub use timing::step_time_ns;

@@ -60,15 +60,12 @@ impl Track {
     }
 }
 
-/// Flies `samples` with ideal sensors and looks at the simulator after each step, of the sample that ends it, until told to
-/// stop.
+/// Flies `samples` and looks at the simulator after each step, of the sample that ends it, until told to stop.
 fn fly_looking(
-    options: &Options,
+    simulator: &mut Simulator,
     samples: &[FlightSample],
     mut look: impl FnMut(usize, &Simulator) -> Result<ControlFlow<()>, Error>,
 ) -> Result<(), Refusal> {
-    let mut memory = heap_simulator(options)?;
-    let [simulator] = &mut *memory else { return Ok(()) };
     for (index, sample) in samples.iter().enumerate() {
         let mut step = || {
             simulator.push_sample(sample)?;
@@ -87,10 +84,21 @@ fn fly_looking(
 /// Flies `samples` with ideal sensors and looks at the navigated solution at each of `instants`, indices of samples that
 /// ascend from 1.
 pub fn fly(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Track, Refusal> {
-    let earth = options.earth();
+    let mut memory = heap_simulator(options)?;
+    let [simulator] = &mut *memory else { return Ok(Track { states: Vec::new() }) };
+    track(simulator, samples, instants)
+}
+
+/// The same with a simulator before its first sample, which may have sensor errors set.
+pub fn track(
+    simulator: &mut Simulator,
+    samples: &[FlightSample],
+    instants: &[usize],
+) -> Result<Track, Refusal> {
+    let earth = simulator.options().earth();
     let mut states = room(instants.len())?;
     let mut instants = instants.iter().peekable();
-    fly_looking(options, samples, |index, simulator| {
+    fly_looking(simulator, samples, |index, simulator| {
         if instants.next_if(|&&instant| instant == index).is_some()
             && let Some(solution) = simulator.navigation()?
         {
@@ -139,9 +147,11 @@ impl Reference {
         mut give_up: impl FnMut(&SolutionError) -> bool,
     ) -> Result<SolutionError, Refusal> {
         let earth = options.earth();
+        let mut memory = heap_simulator(&physical(options))?;
         let mut worst = SolutionError::default();
+        let [simulator] = &mut *memory else { return Ok(worst) };
         let mut states = self.track.states.iter();
-        fly_looking(&physical(options), samples, |_, simulator| {
+        fly_looking(simulator, samples, |_, simulator| {
             if let (Some(state), Some(solution)) = (states.next(), simulator.navigation()?) {
                 worst.include(&solution.navigation.earth_fixed(&earth), state);
             }

@@ -29,6 +29,18 @@ impl fmt::Display for Failure {
     }
 }
 
+impl From<sins::recommend::Refusal> for Failure {
+    fn from(refusal: sins::recommend::Refusal) -> Self {
+        Self(refusal.to_string())
+    }
+}
+
+impl From<sins::Error> for Failure {
+    fn from(error: sins::Error) -> Self {
+        Self(error.to_string())
+    }
+}
+
 impl From<lexopt::Error> for Failure {
     fn from(error: lexopt::Error) -> Self {
         Self(error.to_string())

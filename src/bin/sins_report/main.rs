@@ -4,12 +4,14 @@
 //! figure. The data flow is `run`, `summary` → `series`, `spectrum` → `axis`, `plot` → `figures` → `page`.
 //!
 //! `allan` is a command of its own: it plots the Allan deviation of an IMU log and fits the noises that explain it.
+//! `curve` is a command of its own: it flies and times the mechanization and draws what accuracy costs.
 #![allow(clippy::disallowed_methods, reason = "a plot needs no bits that are the same on every platform")]
 #![forbid(unsafe_code)]
 
 mod allan;
 mod axis;
 mod comparison;
+mod curve;
 mod errors;
 mod failure;
 mod figures;
@@ -37,6 +39,7 @@ use run::Run;
 const USAGE: &str = "\
 Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html [--picture PICTURE.svg]
        sins_report allan LOG.csv -o OUT.svg [...]: noises of an IMU log; sins_report allan --help
+       sins_report curve -o DIR [...]: what accuracy costs; sins_report curve --help
 
 Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
 _summary.csv is passed over, so that *.csv means all runs of a folder.
@@ -55,7 +58,10 @@ enum Command {
 fn main() -> ExitCode {
     let mut arguments = std::env::args_os().skip(1).peekable();
     if arguments.next_if(|first| first == "allan").is_some() {
-        return allan(arguments);
+        return of_its_own("allan", allan::USAGE, allan::order(arguments), allan::run);
+    }
+    if arguments.next_if(|first| first == "curve").is_some() {
+        return of_its_own("curve", curve::USAGE, curve::order(arguments), curve::run);
     }
     let command = match command(arguments) {
         Ok(command) => command,
@@ -77,19 +83,25 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn allan(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let order = match allan::order(arguments) {
+/// Carries out the order of the command `name`; none: tells how it is used.
+fn of_its_own<Order>(
+    name: &str,
+    usage: &str,
+    order: Result<Option<Order>, Failure>,
+    run: impl Fn(&Order) -> Result<(), Failure>,
+) -> ExitCode {
+    let order = match order {
         Ok(order) => order,
         Err(failure) => {
-            eprintln!("sins_report allan: {failure}\n\n{}", allan::USAGE);
+            eprintln!("sins_report {name}: {failure}\n\n{usage}");
             return ExitCode::from(2);
         }
     };
-    match order.map(|order| allan::run(&order)) {
-        None => println!("{}", allan::USAGE),
+    match order.map(|order| run(&order)) {
+        None => println!("{usage}"),
         Some(Ok(())) => {}
         Some(Err(failure)) => {
-            eprintln!("sins_report allan: {failure}");
+            eprintln!("sins_report {name}: {failure}");
             return ExitCode::FAILURE;
         }
     }

@@ -129,7 +129,7 @@ pub fn figure(figure: &Figure) -> Markup {
 pub fn swatch(pen: Pen) -> Markup {
     html! {
         svg.swatch aria-hidden="true" viewBox="0 0 340 140" {
-            @if pen == Pen::Start {
+            @if pen.is_dot() {
                 circle class=(pen.class()) cx="170" cy="70" r="60" {}
             } @else {
                 line class=(pen.class()) x1="0" y1="70" x2="340" y2="70" {}

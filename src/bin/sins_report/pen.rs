@@ -26,6 +26,26 @@ pub enum Pen {
     Start,
     /// What was computed at the end of a long track.
     Late,
+    /// Points of a scheme, and the line that joins them.
+    PaperScheme,
+    ExactScheme,
+    PolynomialScheme,
+    /// The same where samples are too few.
+    PaperHollow,
+    ExactHollow,
+    PolynomialHollow,
+    /// In a dot.
+    Digit,
+    /// The Pareto front.
+    Front,
+    /// Round the points of one configuration, and the words at them.
+    DefaultRing,
+    PaperRing,
+    /// What sensors of a grade err.
+    Navigation,
+    Tactical,
+    /// The least that a reference can tell.
+    Floor,
     /// An area where the truth may be.
     Band,
     /// What one term alone would make.
@@ -33,7 +53,7 @@ pub enum Pen {
 }
 
 impl Pen {
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 31] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -50,6 +70,19 @@ impl Pen {
         Self::Day,
         Self::Start,
         Self::Late,
+        Self::PaperScheme,
+        Self::ExactScheme,
+        Self::PolynomialScheme,
+        Self::PaperHollow,
+        Self::ExactHollow,
+        Self::PolynomialHollow,
+        Self::Digit,
+        Self::Front,
+        Self::DefaultRing,
+        Self::PaperRing,
+        Self::Navigation,
+        Self::Tactical,
+        Self::Floor,
         Self::Band,
         Self::Asymptote,
     ];
@@ -73,9 +106,39 @@ impl Pen {
             Self::Day => "day",
             Self::Start => "start",
             Self::Late => "late",
+            Self::PaperScheme => "paper-scheme",
+            Self::ExactScheme => "exact-scheme",
+            Self::PolynomialScheme => "polynomial-scheme",
+            Self::PaperHollow => "paper-hollow",
+            Self::ExactHollow => "exact-hollow",
+            Self::PolynomialHollow => "polynomial-hollow",
+            Self::Digit => "digit",
+            Self::Front => "front",
+            Self::DefaultRing => "default-ring",
+            Self::PaperRing => "paper-ring",
+            Self::Navigation => "navigation",
+            Self::Tactical => "tactical",
+            Self::Floor => "floor",
             Self::Band => "band",
             Self::Asymptote => "asymptote",
         }
+    }
+
+    /// Whether it draws dots, not lines.
+    pub fn is_dot(self) -> bool {
+        use Pen::*;
+        matches!(
+            self,
+            Start
+                | PaperScheme
+                | ExactScheme
+                | PolynomialScheme
+                | PaperHollow
+                | ExactHollow
+                | PolynomialHollow
+                | DefaultRing
+                | PaperRing
+        )
     }
 
     /// Its number as a colour, for `plotters`.

@@ -268,7 +268,7 @@ mod tests {
         let mut panel = Panel::new("east <m>", y, 100.0, traces);
         panel.marks.push(Mark { at: 5.0, pen: Pen::Schuler, text: "Schuler".into() });
         panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 });
-        panel.notes.push(Note { at: (0.0, 0.0), shift: (0.0, 0.0), pen: Pen::Text, text: "begin".into() });
+        panel.notes.push(Note { at: (0.0, 0.0), shift: (0.0, 0.0), pen: Pen::Digit, text: "begin".into() });
         let x = Axis::linear(0.0, 10.0, 5);
         let drawing = Drawing { width: WIDTH, x, x_label: "time [s]".into(), panels: vec![panel] };
         let svg = drawing.svg("a \"line\"").unwrap();
@@ -276,7 +276,7 @@ mod tests {
             svg.starts_with("<svg class=\"plot\" role=\"img\" aria-label=\"a &quot;line&quot;\" viewBox=")
         );
         assert!(svg.ends_with("</svg>\n"));
-        for class in ["text", "grid", "axis", "east", "schuler", "start"] {
+        for class in ["text", "grid", "axis", "east", "schuler", "start", "digit"] {
             assert!(svg.contains(&format!("class=\"{class}\"")), "{class}");
         }
         for look in ["#", "opacity", "stroke", "fill", "font"] {

@@ -1,0 +1,93 @@
+//! What the errors of real sensors make of a scene, whatever the mechanization.
+
+use nalgebra::Vector3;
+use sins::recommend::{Refusal, Track};
+use sins::sensors::{StreamKey, TriadParameters, paper_simulation2};
+use sins::{Options, Simulator};
+
+use super::matrix::in_parallel;
+use super::scene::{Rate, Scene};
+
+/// At which rate the sensors are flown [Hz]: the one nearest to it.
+const RATE_HZ: f64 = 100.0;
+
+/// A grade of sensors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grade {
+    pub name: &'static str,
+    gyro: TriadParameters,
+    accel: TriadParameters,
+}
+
+/// Navigation grade, the paper's simulation 2 (0.01 °/h, 1e-5 g), and tactical grade (1 °/h, 1e-3 g, the better end of
+/// Groves 2013 table 4.1; 0.1 °/√h, 1e-4 g/√Hz). Biases are drawn anew each run; no errors of scale, alignment or start, which
+/// would add to them.
+pub fn grades() -> [Grade; 2] {
+    const DEG: f64 = std::f64::consts::PI / 180.0;
+    const G: f64 = 9.80665;
+    let (gyro, accel) = paper_simulation2();
+    let drawn =
+        |triad: TriadParameters| TriadParameters { bias: Vector3::zeros(), bias_sigma: triad.bias, ..triad };
+    let triad = |bias: f64, random_walk: f64| TriadParameters {
+        bias_sigma: Vector3::repeat(bias),
+        random_walk: Vector3::repeat(random_walk),
+        ..Default::default()
+    };
+    [
+        Grade { name: "navigation", gyro: drawn(gyro), accel: drawn(accel) },
+        Grade {
+            name: "tactical",
+            gyro: triad(1.0 * DEG / 3600.0, 0.1 * DEG / 60.0),
+            accel: triad(1e-3 * G, 1e-4 * G),
+        },
+    ]
+}
+
+/// Position error that each grade adds to the solution of ideal sensors, the worst on the way, root mean square over `runs`
+/// [m].
+pub fn effects(scene: &Scene, runs: u64) -> Result<[f64; 2], Refusal> {
+    let Some(rate) = scene.rates.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
+        return Ok([0.0; 2]);
+    };
+    let ideal = Grade { name: "ideal", gyro: Default::default(), accel: Default::default() };
+    let [navigation, tactical] = grades();
+    let mut flights = vec![(ideal, 0)];
+    flights.extend((1..=runs).map(|run| (navigation, run)).chain((1..=runs).map(|run| (tactical, run))));
+    let samples = scene.samples_at(rate);
+    let instants = scene.instants_at(rate);
+    let tracks = in_parallel(&flights, |(grade, run)| {
+        let key = StreamKey { run: *run, ..Default::default() };
+        let mut simulator = Simulator::new(&rate.applied_to(&Options { key, ..Default::default() }))?;
+        simulator.set_gyro(&grade.gyro)?;
+        simulator.set_accel(&grade.accel)?;
+        sins::recommend::track(&mut simulator, &samples, &instants)
+    });
+    let tracks = tracks.into_iter().collect::<Result<Vec<Track>, Refusal>>()?;
+    let (ideal, noisy) = (&tracks[0], &tracks[1..]);
+    let rms = |tracks: &[Track]| {
+        let squares = tracks.iter().map(|track| track.minus(ideal).position_m.powi(2));
+        (squares.sum::<f64>() / tracks.len() as f64).sqrt()
+    };
+    let (navigation, tactical) = noisy.split_at(runs as usize);
+    Ok([rms(navigation), rms(tactical)])
+}
+
+fn distance(rate: &Rate) -> f64 {
+    (rate.hz / RATE_HZ).ln().abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::embedded;
+
+    /// Two minutes at rest: an accelerometer bias of 1e-5 g over one of 1e-3 g.
+    #[test]
+    fn better_sensors_err_less() {
+        let scene = embedded::ALL[0].scene(120.0).unwrap();
+        let [navigation, tactical] = effects(&scene, 4).unwrap();
+        // ½ a t² for a = 1e-5 g is 0.7 m, the other axis and the drawing of the bias make a factor of it.
+        assert!(navigation > 0.1 && navigation < 7.0, "{navigation}");
+        assert!(tactical > 20.0 * navigation && tactical < 1e3, "{tactical}");
+    }
+}

@@ -1,0 +1,177 @@
+//! Who judges the solutions, and how well that is known.
+
+use nalgebra::Vector3;
+use sins::Options;
+use sins::earth::Earth;
+use sins::flight::Flight;
+use sins::math::{Compensated, attitude_from_euler};
+use sins::recommend::{Reference, SolutionError, Track};
+use sins::state::{BodyAxes, EarthFixedState, Navigation};
+use sins::truth::FlightSample;
+
+use crate::failure::Failure;
+
+/// A point is told only down to so many times the reference's own uncertainty.
+const MARGIN: f64 = 100.0;
+
+/// Longest step of the quadrature that checks a flight [s]: at 4 Hz half a radian, which five nodes integrate to 1e-16.
+const STEP_S: f64 = 0.02;
+
+/// Nodes and weights of Gauss-Legendre quadrature on 0..1.
+const GAUSS5: [(f64, f64); 5] = [
+    (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
+    (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
+    (0.5, 0.284_444_444_444_444_44),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+];
+
+/// 2π over Schuler's period [rad/s]: what a position error makes of velocity.
+const SCHULER_RAD_S: f64 = 1.24e-3;
+
+/// A reference solution.
+pub struct Judge {
+    track: Track,
+    /// Its own.
+    pub uncertainty: SolutionError,
+    /// What it is and how the uncertainty was found.
+    pub words: &'static str,
+}
+
+/// Errors no smaller than the reference can tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Judgement {
+    pub error: SolutionError,
+    /// Position, velocity, attitude: whether it is the floor that is told.
+    pub at_floor: [bool; 3],
+}
+
+impl Judge {
+    /// The flight itself. Velocity and attitude are closed forms of time; the position is an integral, and what it differs
+    /// from an independent quadrature of the velocity is its uncertainty, with the rounding of the coordinates.
+    pub fn of_flight(
+        earth: &Earth,
+        flight: &Flight,
+        samples: &[FlightSample],
+        instants: &[usize],
+    ) -> Result<Self, Failure> {
+        let states: Vec<EarthFixedState> = instants.iter().map(|&k| state(earth, &samples[k])).collect();
+        let mut moved = Compensated::new(Vector3::zeros());
+        let (start, mut time_s) = (state(earth, &samples[0]), samples[0].time_s);
+        let (mut inconsistency, mut speed): (f64, f64) = (0.0, 0.0);
+        for (state, &instant) in states.iter().zip(instants) {
+            let span = samples[instant].time_s - time_s;
+            let steps = (span / STEP_S).ceil().max(1.0);
+            let step = span / steps;
+            for k in 0..steps as usize {
+                for (node, weight) in GAUSS5 {
+                    let sample = flight.sample_at(time_s + (k as f64 + node) * step)?;
+                    moved.add(&(velocity(earth, &sample) * (weight * step)));
+                }
+            }
+            time_s = samples[instant].time_s;
+            inconsistency = inconsistency.max(moved.minus(&(state.r_e - start.r_e)).norm());
+            speed = speed.max(state.v_e.norm());
+        }
+        let uncertainty = of_inconsistency(inconsistency, earth.equatorial_radius_m, speed);
+        let words = "the flight in closed form; uncertainty: its position against a quadrature of its velocity, and rounding";
+        Ok(Self { track: Track { states }, uncertainty, words })
+    }
+
+    /// The finest solution that the samples of a log allow; what lies between them nobody knows.
+    pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Failure> {
+        let Reference { track, uncertainty } = Reference::new(options, samples, instants)?;
+        let rounding = of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0);
+        let uncertainty = SolutionError {
+            position_m: uncertainty.position_m.max(rounding.position_m),
+            velocity_m_s: uncertainty.velocity_m_s.max(rounding.velocity_m_s),
+            attitude_rad: uncertainty.attitude_rad.max(rounding.attitude_rad),
+        };
+        let words = "polynomials through 5 subsamples, 16 updates a sample of the log; uncertainty: against 8 updates";
+        Ok(Self { track, uncertainty, words })
+    }
+
+    /// The smallest errors that are told.
+    pub fn floor(&self) -> SolutionError {
+        let SolutionError { position_m, velocity_m_s, attitude_rad } = self.uncertainty;
+        SolutionError {
+            position_m: MARGIN * position_m,
+            velocity_m_s: MARGIN * velocity_m_s,
+            attitude_rad: MARGIN * attitude_rad,
+        }
+    }
+
+    /// The errors of `track`.
+    pub fn judge(&self, track: &Track) -> Judgement {
+        clamped(&track.minus(&self.track), &self.floor())
+    }
+}
+
+/// `error`, but no smaller than `floor`.
+fn clamped(error: &SolutionError, floor: &SolutionError) -> Judgement {
+    Judgement {
+        error: SolutionError {
+            position_m: error.position_m.max(floor.position_m),
+            velocity_m_s: error.velocity_m_s.max(floor.velocity_m_s),
+            attitude_rad: error.attitude_rad.max(floor.attitude_rad),
+        },
+        at_floor: [
+            error.position_m < floor.position_m,
+            error.velocity_m_s < floor.velocity_m_s,
+            error.attitude_rad < floor.attitude_rad,
+        ],
+    }
+}
+
+/// With the rounding of coordinates of the size `radius` [m], of velocities of the size `speed` [m/s] and of attitudes: four
+/// units in the last place where sines and cosines multiply.
+fn of_inconsistency(inconsistency_m: f64, radius: f64, speed: f64) -> SolutionError {
+    let position_m = inconsistency_m + f64::EPSILON * radius;
+    SolutionError {
+        position_m,
+        velocity_m_s: SCHULER_RAD_S * position_m + 4.0 * f64::EPSILON * speed,
+        attitude_rad: 4.0 * f64::EPSILON,
+    }
+}
+
+fn state(earth: &Earth, sample: &FlightSample) -> EarthFixedState {
+    let v_n = sample.v_n.unwrap_or_default();
+    Navigation::new(sample.place, v_n, attitude_from_euler(&sample.euler), BodyAxes::default())
+        .earth_fixed(earth)
+}
+
+fn velocity(earth: &Earth, sample: &FlightSample) -> Vector3<f64> {
+    let (east, north, up) = earth.east_north_up(&sample.place);
+    let v_n = sample.v_n.unwrap_or_default();
+    east * v_n.x + north * v_n.y + up * v_n.z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sins::flight::{FlightStart, Manoeuvre};
+
+    #[test]
+    fn nothing_below_the_floor_is_claimed() {
+        let floor = SolutionError { position_m: 1e-6, velocity_m_s: 1e-9, attitude_rad: 1e-13 };
+        let error = SolutionError { position_m: 1e-7, velocity_m_s: 2e-9, attitude_rad: 0.0 };
+        let Judgement { error, at_floor } = clamped(&error, &floor);
+        assert_eq!((error.position_m, error.velocity_m_s, error.attitude_rad), (1e-6, 2e-9, 1e-13));
+        assert_eq!(at_floor, [true, false, true]);
+    }
+
+    /// A loop's position is the integral of its velocity to some roundings; with samples of another flight it is not.
+    #[test]
+    fn a_flight_that_contradicts_itself_is_found() {
+        let start = FlightStart { speed_m_s: 150.0, height_m: 1e3, latitude_rad: 0.8, ..Default::default() };
+        let flight = |duration_s| {
+            Flight::new(&start, &[Manoeuvre::Loop { duration_s, turns: 1.0, ramp_s: 4.0 }]).unwrap()
+        };
+        let (flown, other) = (flight(30.0), flight(30.01));
+        let samples: Vec<_> = (0..=30).map(|k| flown.sample_at(f64::from(k)).unwrap()).collect();
+        let judge = |flight| Judge::of_flight(&Earth::default(), flight, &samples, &[10, 20, 30]).unwrap();
+        let own = judge(&flown).uncertainty.position_m;
+        assert!(own < 20.0 * f64::EPSILON * 6.4e6, "{own:e}");
+        assert!(judge(&other).uncertainty.position_m > 1e-3);
+    }
+}

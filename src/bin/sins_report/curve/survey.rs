@@ -1,0 +1,98 @@
+//! What was found out about a scene.
+
+use sins::recommend::SolutionError;
+
+use super::command::Effort;
+use super::configuration::Configuration;
+use super::matrix::Outcome;
+use super::reference::Judgement;
+use super::scene::{Rate, Scene};
+use super::timing::Course;
+use super::{front, grades, matrix};
+use crate::failure::Failure;
+
+/// A configuration at a rate, with what it costs and what it leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    pub configuration: Configuration,
+    pub rate_hz: f64,
+    /// Whether the scene vibrates faster than the samples can tell.
+    pub is_undersampled: bool,
+    /// Time for a simulated second [ns] and errors, or why there are none.
+    pub measured: Result<Measured, String>,
+    /// Whether it is on the Pareto front.
+    pub is_on_front: bool,
+}
+
+/// Cost and errors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Time for a simulated second [ns]; NaN until it is timed.
+    pub cost_ns: f64,
+    pub judgement: Judgement,
+}
+
+/// A scene surveyed.
+pub struct Survey {
+    pub name: String,
+    pub title: String,
+    pub duration_s: f64,
+    pub uncertainty: SolutionError,
+    pub floor: SolutionError,
+    /// What the reference is.
+    pub reference: &'static str,
+    pub points: Vec<Point>,
+    /// Position errors that the grades of sensors make [m].
+    pub sensors_m: [f64; 2],
+}
+
+impl Measured {
+    pub fn position_m(&self) -> f64 {
+        self.judgement.error.position_m
+    }
+}
+
+impl Point {
+    /// Cost and errors where they can be believed.
+    pub fn eligible(&self) -> Option<&Measured> {
+        self.measured.as_ref().ok().filter(|_| !self.is_undersampled)
+    }
+}
+
+impl Survey {
+    /// Flies all of `scene`: what it leaves, and what is yet to be timed.
+    pub fn flown(scene: &Scene, effort: &Effort) -> Result<(Self, Course), Failure> {
+        let outcomes = matrix::outcomes(scene, &Configuration::all());
+        let candidates = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
+        let course = Course::new(scene, candidates.map(|(rate, which, _)| (*rate, *which)).collect());
+        let point = |(rate, configuration, outcome): (Rate, Configuration, Outcome)| Point {
+            configuration,
+            rate_hz: rate.hz,
+            is_undersampled: scene.is_undersampled(&rate),
+            measured: outcome
+                .map(|judgement| Measured { cost_ns: f64::NAN, judgement })
+                .map_err(|error| error.to_string()),
+            is_on_front: false,
+        };
+        let survey = Self {
+            name: scene.name.clone(),
+            title: scene.title.clone(),
+            duration_s: scene.duration_s(),
+            uncertainty: scene.judge.uncertainty,
+            floor: scene.judge.floor(),
+            reference: scene.judge.words,
+            points: outcomes.into_iter().map(point).collect(),
+            sensors_m: grades::effects(scene, effort.sensor_runs)?,
+        };
+        Ok((survey, course))
+    }
+
+    /// Enters what its course cost.
+    pub fn set_costs(&mut self, costs: &[f64]) {
+        let measured = self.points.iter_mut().filter_map(|point| point.measured.as_mut().ok());
+        for (measured, cost_ns) in measured.zip(costs) {
+            measured.cost_ns = *cost_ns;
+        }
+        front::mark(&mut self.points);
+    }
+}
