@@ -25,9 +25,9 @@ static int library_fits(void)
     return version == SINS_ABI_VERSION;
 }
 
-/* Puts both files in place. */
+/* Puts all files in place. */
 static int finish(sins_sim *sim, const struct settings *set, const struct scene *scene, const struct flown *flown,
-                  struct whole_file *records)
+                  struct flight_files *files)
 {
     static struct summary sum;
     struct whole_file figures;
@@ -37,7 +37,8 @@ static int finish(sins_sim *sim, const struct settings *set, const struct scene 
         return FAILED;
     }
     summary_write(&sum, &figures);
-    if (whole_file_check(&figures) != 0 || whole_file_commit(records) != 0) {
+    if (whole_file_check(&figures) != 0 || (files->imu.stream != NULL && whole_file_commit(&files->imu) != 0)
+        || whole_file_commit(&files->records) != 0) {
         whole_file_discard(&figures);
         return FAILED;
     }
@@ -45,14 +46,14 @@ static int finish(sins_sim *sim, const struct settings *set, const struct scene 
         return FAILED;
     }
     if (!set->quiet) {
-        summary_print(&sum, records->path);
+        summary_print(&sum, files->records.path);
     }
     return DONE;
 }
 
 static int fly_and_write(sins_sim *sim, struct scene *scene, const struct settings *set)
 {
-    struct whole_file records;
+    struct flight_files files;
     struct flown flown;
     int code;
 
@@ -60,19 +61,25 @@ static int fly_and_write(sins_sim *sim, struct scene *scene, const struct settin
         report("--out %s: cannot make the folder: %s", set->out, strerror(errno));
         return FAILED;
     }
-    if (whole_file_open(&records, set->out, set->name, ".csv") != 0) {
+    files.imu.stream = NULL;
+    if (whole_file_open(&files.records, set->out, set->name, ".csv") != 0) {
         return FAILED;
     }
-    code = fly(sim, scene, set, &records, &flown);
-    if (code != BAD_INPUT && flown.records > 0 && !ferror(records.stream)) {
+    if (set->imu != NULL && whole_file_open_path(&files.imu, set->imu) != 0) {
+        whole_file_discard(&files.records);
+        return FAILED;
+    }
+    code = fly(sim, scene, set, &files, &flown);
+    if (code != BAD_INPUT && flown.records > 0 && !ferror(files.records.stream)) {
         /* Also what was flown before Ctrl-C, or before the solution left its range. */
         int finished;
 
         flown.interrupted = code != DONE;
-        finished = finish(sim, set, scene, &flown, &records);
+        finished = finish(sim, set, scene, &flown, &files);
         code = finished == DONE ? code : finished;
     }
-    whole_file_discard(&records);
+    whole_file_discard(&files.records);
+    whole_file_discard(&files.imu);
     return code;
 }
 

@@ -159,6 +159,28 @@ fn the_harness_flies_and_refuses() {
         assert!(figures.starts_with("key,value,unit,label\n"));
     }
 
+    // The log of the IMU: a row each sample interval; at rest a g over the interval upwards.
+    let imu = folder.join("imu.csv");
+    let (code, _, errors) = run(&[
+        "simulation1",
+        "--motion",
+        "rest",
+        "--hours",
+        "0.01",
+        "--quiet",
+        "--imu",
+        imu.to_str().unwrap(),
+    ]);
+    assert_eq!(code, Some(0), "{errors}");
+    let csv = std::fs::read_to_string(&imu).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!((rows.len(), rows[0][0], rows[0][6]), (1 + 3600, "time_s", "velocity_increment_z_m_s"));
+    assert!(rows.iter().all(|row| row.len() == 7));
+    let [time, up] = [0, 6].map(|column| rows[3600][column].parse::<f64>().unwrap());
+    assert!((time - 36.0).abs() < 1e-9 && (9.78e-2..9.84e-2).contains(&up), "{time} {up}");
+    let (code, _, errors) = run(&["simulation1", "--imu", folder.join("none/imu.csv").to_str().unwrap()]);
+    assert!(code == Some(1) && errors.contains("imu.csv"), "{errors}");
+
     // Bad logs: file, line and column, and what was expected.
     let header = "time_s,latitude_rad,longitude_rad,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_rad,pitch_rad,heading_rad\n";
     let row = "0.00,0.7,0.1,100,0,0,0,0,0,0\n";

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "host.h"
+#include "imu_file.h"
 #include "progress.h"
 #include "report.h"
 
@@ -23,11 +24,11 @@ struct sensor_sum {
 struct run {
     sins_sim *sim;
     struct scene *scene;
-    struct whole_file *file;
+    struct flight_files *files;
     struct flown *result;
     struct progress progress;
     struct sensor_sum sum;
-    int is_ideal; /* the sensors have no errors */
+    int by_sample; /* the increments of each sample are wanted: for their errors or for their file */
     int is_at_end;
 };
 
@@ -78,7 +79,7 @@ static void keep_record(struct run *run, const sins_record *record, const struct
     const sins_record_errors *data1 = &record->model_errors, *data2 = &record->navigation_errors;
     int has_model = (data1->flags & SINS_ERRORS_NOT_COMPUTED) == 0;
 
-    record_file_row(run->file, record, mean);
+    record_file_row(&run->files->records, record, mean);
     result->records++;
     result->max_position_m = fmax(result->max_position_m, length(data2->position_enu_m));
     if (has_model) {
@@ -96,10 +97,10 @@ static void keep_record(struct run *run, const sins_record *record, const struct
     }
 }
 
-/* Flies the chunk: in one call, or with sensor errors sample by sample, to have their mean. *made: records. */
+/* Flies the chunk: in one call, or sample by sample where the increments are wanted. *made: records. */
 static sins_status fly_samples(struct run *run, size_t count, size_t *made)
 {
-    size_t piece = run->is_ideal ? count : 1, i;
+    size_t piece = run->by_sample ? 1 : count, i;
     sins_imu imu;
 
     imu.struct_size = sizeof imu;
@@ -109,11 +110,14 @@ static sins_status fly_samples(struct run *run, size_t count, size_t *made)
         sins_status status = sins_run(run->sim, &samples[i], piece, (size_t)run->result->every, &records[*made],
                                       SCENE_CHUNK - *made, &written);
 
-        if (status >= 0 && !run->is_ideal) {
+        if (status >= 0 && run->by_sample) {
             status = sins_get_imu(run->sim, &imu);
         }
-        if (status >= 0 && !run->is_ideal) {
+        if (status >= 0 && run->by_sample) {
             add_sensors(&run->sum, &imu);
+            if (run->files->imu.stream != NULL) {
+                imu_file_row(&run->files->imu, &imu);
+            }
             if (written > 0) {
                 sensors[*made] = take_mean(&run->sum);
             }
@@ -195,7 +199,10 @@ static int begin(struct run *run)
         return FAILED;
     }
     memset(&none, 0, sizeof none);
-    record_file_header(run->file);
+    record_file_header(&run->files->records);
+    if (run->files->imu.stream != NULL) {
+        imu_file_header(&run->files->imu);
+    }
     keep_record(run, &records[0], &none);
     return DONE;
 }
@@ -224,10 +231,14 @@ static int fly_chunk(struct run *run)
         return report_failure(run, status, flown_samples);
     }
     progress_show(&run->progress, samples[got - 1].time_s - run->scene->first_time_s);
-    return whole_file_check(run->file) == 0 ? DONE : FAILED;
+    if (whole_file_check(&run->files->records) != 0) {
+        return FAILED;
+    }
+    return run->files->imu.stream == NULL || whole_file_check(&run->files->imu) == 0 ? DONE : FAILED;
 }
 
-int fly(sins_sim *sim, struct scene *scene, const struct settings *set, struct whole_file *file, struct flown *result)
+int fly(sins_sim *sim, struct scene *scene, const struct settings *set, struct flight_files *files,
+        struct flown *result)
 {
     struct run run;
     size_t i;
@@ -237,9 +248,9 @@ int fly(sins_sim *sim, struct scene *scene, const struct settings *set, struct w
     memset(result, 0, sizeof *result);
     run.sim = sim;
     run.scene = scene;
-    run.file = file;
+    run.files = files;
     run.result = result;
-    run.is_ideal = settings_has_ideal_sensors(set);
+    run.by_sample = files->imu.stream != NULL || !settings_has_ideal_sensors(set);
     result->every = spacing(scene, set);
     if (result->every == 0) {
         return BAD_INPUT;

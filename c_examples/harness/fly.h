@@ -17,8 +17,14 @@ struct flown {
     double max_model_position_m, max_model_velocity_m_s;           /* error data 1 less 2, likewise */
 };
 
-/* DONE, INTERRUPTED, or FAILED or BAD_INPUT reported. What was flown before is in records and result in any case. */
-int fly(sins_sim *sim, struct scene *scene, const struct settings *set, struct whole_file *records,
+/* The files that are written on the way. */
+struct flight_files {
+    struct whole_file records;
+    struct whole_file imu; /* without a stream: not wanted */
+};
+
+/* DONE, INTERRUPTED, or FAILED or BAD_INPUT reported. What was flown before is in files and result in any case. */
+int fly(sins_sim *sim, struct scene *scene, const struct settings *set, struct flight_files *files,
         struct flown *result);
 
 #endif

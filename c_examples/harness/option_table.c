@@ -15,6 +15,7 @@
 const struct option option_table[] = {
     WORD(GROUP_RUN, OPTION_TEXT, "--out", "DIR", "folder of the output files; default sins_out", out),
     WORD(GROUP_RUN, OPTION_TEXT, "--name", "NAME", "base name of the output files; default from the scene", name),
+    WORD(GROUP_RUN, OPTION_TEXT, "--imu", "FILE.csv", "also the measured increments of every sample interval", imu),
     NUMBERS(GROUP_RUN, OPTION_NUMBER, "--hours", "H", "duration; default the scene's own",
             hours, 1, "h", 1e-5, 1e5),
     NUMBERS(GROUP_RUN, OPTION_NUMBER, "--rate", "HZ", "sample rate, default 100; a log has its own time stamps",

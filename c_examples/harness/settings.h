@@ -17,6 +17,7 @@ struct settings {
     const char *motion_name; /* of a log its file, of an embedded flight its name */
     const char *out;
     const char *name; /* base name of the output files */
+    const char *imu;  /* file of the measured increments; NULL: none */
     char default_name[256];
     double hours;   /* 0: the scene's own */
     double rate_hz; /* 0: a log's own time stamps */

@@ -12,6 +12,13 @@ static int cannot_write(const struct whole_file *file)
     return -1;
 }
 
+static int open_temporary(struct whole_file *file)
+{
+    snprintf(file->temporary, sizeof file->temporary, "%s.part", file->path);
+    file->stream = fopen(file->temporary, "wb");
+    return file->stream == NULL ? cannot_write(file) : 0;
+}
+
 int whole_file_open(struct whole_file *file, const char *directory, const char *name, const char *ending)
 {
     int length = snprintf(file->path, sizeof file->path, "%s/%s%s", directory, name, ending);
@@ -22,9 +29,20 @@ int whole_file_open(struct whole_file *file, const char *directory, const char *
                (int)sizeof file->path - 1);
         return -1;
     }
-    snprintf(file->temporary, sizeof file->temporary, "%s.part", file->path);
-    file->stream = fopen(file->temporary, "wb");
-    return file->stream == NULL ? cannot_write(file) : 0;
+    return open_temporary(file);
+}
+
+int whole_file_open_path(struct whole_file *file, const char *path)
+{
+    size_t length = strlen(path);
+
+    file->stream = NULL;
+    if (length >= sizeof file->path) {
+        report("%s: the path is longer than %d characters", path, (int)sizeof file->path - 1);
+        return -1;
+    }
+    memcpy(file->path, path, length + 1);
+    return open_temporary(file);
 }
 
 int whole_file_check(struct whole_file *file)

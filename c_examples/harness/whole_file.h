@@ -11,8 +11,9 @@ struct whole_file {
     char temporary[1040];
 };
 
-/* DIRECTORY/NAME.ending. These report what goes wrong and give 0 or -1. */
+/* DIRECTORY/NAME.ending, or a path. These report what goes wrong and give 0 or -1. */
 int whole_file_open(struct whole_file *file, const char *directory, const char *name, const char *ending);
+int whole_file_open_path(struct whole_file *file, const char *path);
 int whole_file_check(struct whole_file *file);
 int whole_file_commit(struct whole_file *file);
 

@@ -3,16 +3,19 @@
 //! A run is what the C example writes: `NAME.csv`, a row for each record, and `NAME_summary.csv`, a row for each
 //! figure. The data flow is `run`, `summary` → `series`, `spectrum` → `axis`, `plot` → `figures` → `page`.
 //!
+//! `allan` is a command of its own: it plots the Allan deviation of an IMU log and fits the noises that explain it.
 //! `curve` is a command of its own: it flies and times the mechanization and draws what accuracy costs.
 #![allow(clippy::disallowed_methods, reason = "a plot needs no bits that are the same on every platform")]
 #![forbid(unsafe_code)]
 
+mod allan;
 mod axis;
 mod comparison;
 mod curve;
 mod errors;
 mod failure;
 mod figures;
+mod lines;
 mod overview;
 mod page;
 mod pen;
@@ -35,6 +38,7 @@ use run::Run;
 
 const USAGE: &str = "\
 Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html [--picture PICTURE.svg]
+       sins_report allan LOG.csv -o OUT.svg [...]: noises of an IMU log; sins_report allan --help
        sins_report curve -o DIR [...]: what accuracy costs; sins_report curve --help
 
 Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
@@ -53,8 +57,11 @@ enum Command {
 
 fn main() -> ExitCode {
     let mut arguments = std::env::args_os().skip(1).peekable();
+    if arguments.next_if(|first| first == "allan").is_some() {
+        return of_its_own("allan", allan::USAGE, allan::order(arguments), allan::run);
+    }
     if arguments.next_if(|first| first == "curve").is_some() {
-        return curve(arguments);
+        return of_its_own("curve", curve::USAGE, curve::order(arguments), curve::run);
     }
     let command = match command(arguments) {
         Ok(command) => command,
@@ -76,19 +83,25 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn curve(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let order = match curve::order(arguments) {
+/// Carries out the order of the command `name`; none: tells how it is used.
+fn of_its_own<Order>(
+    name: &str,
+    usage: &str,
+    order: Result<Option<Order>, Failure>,
+    run: impl Fn(&Order) -> Result<(), Failure>,
+) -> ExitCode {
+    let order = match order {
         Ok(order) => order,
         Err(failure) => {
-            eprintln!("sins_report curve: {failure}\n\n{}", curve::USAGE);
+            eprintln!("sins_report {name}: {failure}\n\n{usage}");
             return ExitCode::from(2);
         }
     };
-    match order.map(|order| curve::run(&order)) {
-        None => println!("{}", curve::USAGE),
+    match order.map(|order| run(&order)) {
+        None => println!("{usage}"),
         Some(Ok(())) => {}
         Some(Err(failure)) => {
-            eprintln!("sins_report curve: {failure}");
+            eprintln!("sins_report {name}: {failure}");
             return ExitCode::FAILURE;
         }
     }

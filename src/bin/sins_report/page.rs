@@ -20,6 +20,22 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
     };
     let sections =
         runs.iter().enumerate().map(|(place, run)| section(place, run)).collect::<Result<Vec<_>, _>>()?;
+    let body = html! {
+        header {
+            h1 { (title) }
+            p { "How far a simulated strapdown inertial navigation system strays from the truth it flies along." }
+        }
+        main {
+            (overview::overview(runs))
+            @for section in &sections { (section) }
+            @if runs.len() > 1 { (comparison(runs)) }
+        }
+    };
+    Ok(document(&title, &body))
+}
+
+/// `body` as a page that needs nothing from outside.
+pub fn document(title: &str, body: &Markup) -> String {
     let markup = html! {
         (DOCTYPE)
         html lang="en" {
@@ -31,20 +47,12 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
                 style { (PreEscaped(STYLE)) }
             }
             body {
-                header {
-                    h1 { (title) }
-                    p { "How far a simulated strapdown inertial navigation system strays from the truth it flies along." }
-                }
-                main {
-                    (overview::overview(runs))
-                    @for section in &sections { (section) }
-                    @if runs.len() > 1 { (comparison(runs)) }
-                }
+                (body)
                 footer { p { "Written by sins_report " (env!("CARGO_PKG_VERSION")) "." } }
             }
         }
     };
-    Ok(markup.into_string())
+    markup.into_string()
 }
 
 fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
@@ -104,7 +112,7 @@ fn remarks(run: &Run) -> Vec<String> {
     remarks
 }
 
-fn figure(figure: &Figure) -> Markup {
+pub fn figure(figure: &Figure) -> Markup {
     html! {
         figure {
             h3 { (figure.title) }

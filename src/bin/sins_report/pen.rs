@@ -46,10 +46,14 @@ pub enum Pen {
     Tactical,
     /// The least that a reference can tell.
     Floor,
+    /// An area where the truth may be.
+    Band,
+    /// What one term alone would make.
+    Asymptote,
 }
 
 impl Pen {
-    pub const ALL: [Self; 29] = [
+    pub const ALL: [Self; 31] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -79,6 +83,8 @@ impl Pen {
         Self::Navigation,
         Self::Tactical,
         Self::Floor,
+        Self::Band,
+        Self::Asymptote,
     ];
 
     /// Its class in the style sheet.
@@ -113,6 +119,8 @@ impl Pen {
             Self::Navigation => "navigation",
             Self::Tactical => "tactical",
             Self::Floor => "floor",
+            Self::Band => "band",
+            Self::Asymptote => "asymptote",
         }
     }
 

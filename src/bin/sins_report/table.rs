@@ -6,30 +6,50 @@ use std::path::{Path, PathBuf};
 use csv::{ReaderBuilder, StringRecord};
 
 use crate::failure::Failure;
+use crate::lines::Lines;
 
 /// The columns of a file.
 pub struct Table {
     path: PathBuf,
     columns: Vec<(String, Vec<f64>)>,
+    /// Of each row, its line in the file.
+    lines: Vec<u64>,
 }
 
 impl Table {
     /// Reads all of `input`; `path` is for the errors.
     pub fn read(path: &Path, input: impl Read) -> Result<Self, Failure> {
+        Self::read_some(path, input, |names| Ok(names.to_vec()))
+    }
+
+    /// Reads the columns that `choose` chooses of those in the header; what the others hold does not matter.
+    pub fn read_some(
+        path: &Path,
+        input: impl Read,
+        choose: impl FnOnce(&[String]) -> Result<Vec<String>, Failure>,
+    ) -> Result<Self, Failure> {
         // Flexible: a row of the wrong length shall be told in our words, with the expected number.
-        let mut reader = ReaderBuilder::new().flexible(true).from_reader(input);
+        let mut reader = ReaderBuilder::new().flexible(true).from_reader(Lines::new(input));
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
-        let mut columns: Vec<(String, Vec<f64>)> =
-            header.iter().map(|name| (name.trim().to_owned(), Vec::new())).collect();
+        let names: Vec<String> =
+            header.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
+        let chosen = choose(&names)?;
+        let is_chosen: Vec<bool> = names.iter().map(|name| chosen.contains(name)).collect();
+        let mut columns: Vec<(String, Vec<f64>)> = names.into_iter().map(|name| (name, Vec::new())).collect();
+        let mut rows = 0;
         let mut row = StringRecord::new();
         while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
-            let line = row.position().map_or(0, csv::Position::line);
+            rows += 1;
+            let line = reader.get_ref().numbers().get(rows).copied().unwrap_or(0);
             if row.len() != columns.len() {
                 let what =
                     format!("expected {} columns as in the header, found {}", columns.len(), row.len());
                 return Err(Failure::of_line(path, line, &what));
             }
             for (place, ((name, values), text)) in columns.iter_mut().zip(&row).enumerate() {
+                if !is_chosen[place] {
+                    continue;
+                }
                 match text.trim().parse::<f64>() {
                     Ok(value) if value.is_finite() => values.push(value),
                     _ => {
@@ -42,7 +62,18 @@ impl Table {
                 }
             }
         }
-        Ok(Self { path: path.to_owned(), columns })
+        let lines = reader.get_ref().numbers().iter().skip(1).copied().collect();
+        Ok(Self { path: path.to_owned(), columns, lines })
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The line of a row, counted from 0, in the file.
+    pub fn line(&self, row: usize) -> u64 {
+        self.lines[row]
     }
 
     /// Takes the column `name` out.
@@ -92,6 +123,15 @@ mod tests {
         assert_eq!(read("t,x\n0,1\n1,one\n").err(), Some(format!("{expected} \"one\"")));
         assert_eq!(read("t,x\n0,1\n1,nan\n").err(), Some(format!("{expected} \"nan\"")));
         assert_eq!(read("t,x\n0,1\n1,\n").err(), Some(format!("{expected} \"\"")));
+    }
+
+    #[test]
+    fn columns_that_nobody_wants_may_hold_anything() {
+        let text = "\u{feff}t,note,x\n# later\n0,take-off,1\n1,,2\n";
+        let choose = |names: &[String]| Ok(vec![names[0].clone(), names[2].clone()]);
+        let mut table = Table::read_some(Path::new("log.csv"), text.as_bytes(), choose).unwrap();
+        assert_eq!((table.rows(), table.line(0), table.line(1)), (2, 3, 4));
+        assert_eq!((table.take("t").unwrap(), table.take("x").unwrap()), (vec![0.0, 1.0], vec![1.0, 2.0]));
     }
 
     #[test]

@@ -1,0 +1,142 @@
+//! Quantiles of the normal and the chi-square distribution.
+
+use std::f64::consts::{PI, SQRT_2};
+
+/// Above so many degrees of freedom the cube of Wilson and Hilferty (1931) stands alone: its error is below 2e-4 of the
+/// quantile there, from 0.1 % to 99.9 %.
+const MANY: f64 = 300.0;
+
+/// z with Φ(z) = `probability`.
+pub fn normal_quantile(probability: f64) -> f64 {
+    // Abramowitz and Stegun 26.2.23, good to 4.5e-4, then Newton's steps.
+    let tail = probability.min(1.0 - probability);
+    let t = (-2.0 * tail.ln()).sqrt();
+    let start = t
+        - (2.515_517 + t * (0.802_853 + t * 0.010_328))
+            / (1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308)));
+    let z = (0..3).fold(start, |z, _| {
+        let excess = 0.5 * libm::erfc(z / SQRT_2) - tail;
+        z + excess * (2.0 * PI).sqrt() * (0.5 * z * z).exp()
+    });
+    if probability < 0.5 { -z } else { z }
+}
+
+/// χ² with so many `degrees` of freedom, any positive number, that stays below it with `probability`; to 1e-9 of itself.
+pub fn chi_square_quantile(probability: f64, degrees: f64) -> f64 {
+    let spread = 2.0 / (9.0 * degrees);
+    let cube = degrees * (1.0 - spread + normal_quantile(probability) * spread.sqrt()).powi(3);
+    if degrees > MANY {
+        return cube;
+    }
+    // The logarithm of P is concave over that of x: Newton's steps reach the root from any start.
+    let a = 0.5 * degrees;
+    let mut logarithm = (0.5 * cube).max(1e-3 * a).ln();
+    for _ in 0..100 {
+        let x = logarithm.exp();
+        let p = lower_gamma(a, x);
+        let density = (a * logarithm - x - libm::lgamma(a)).exp();
+        let step = p / density * (p / probability).ln();
+        logarithm -= step;
+        if step.abs() < 1e-10 {
+            break;
+        }
+    }
+    2.0 * logarithm.exp()
+}
+
+/// Where `below` turns false between `low` and `high`.
+pub fn bisected(mut low: f64, mut high: f64, below: impl Fn(f64) -> bool) -> f64 {
+    while high - low > 1e-10 * low.abs().max(high.abs()) {
+        let middle = 0.5 * (low + high);
+        if below(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// Incomplete gamma function P(a, x): its series for small x, Lentz's continued fraction of 1 - P for large (Abramowitz and
+/// Stegun 6.5.29, 6.5.31).
+fn lower_gamma(a: f64, x: f64) -> f64 {
+    if x <= 0.0 {
+        return 0.0;
+    }
+    let factor = (a * x.ln() - x - libm::lgamma(a)).exp();
+    if x < a + 1.0 {
+        let (mut term, mut sum, mut n) = (1.0 / a, 1.0 / a, a);
+        while term > 1e-16 * sum {
+            n += 1.0;
+            term *= x / n;
+            sum += term;
+        }
+        return factor * sum;
+    }
+    let mut b = x + 1.0 - a;
+    let (mut c, mut d) = (1e300, 1.0 / b);
+    let mut fraction = d;
+    for k in 1..1000 {
+        let k = f64::from(k);
+        let numerator = -k * (k - a);
+        b += 2.0;
+        d = 1.0 / (numerator * d + b);
+        c = b + numerator / c;
+        fraction *= c * d;
+        if (c * d - 1.0).abs() < 1e-15 {
+            break;
+        }
+    }
+    1.0 - factor * fraction
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normal_quantiles_are_those_of_the_tables() {
+        for (probability, z) in
+            [(0.5, 0.0), (0.975, 1.959_963_984_540), (0.025, -1.959_963_984_540), (0.999, 3.090_232_306_168)]
+        {
+            assert!((normal_quantile(probability) - z).abs() < 1e-11, "{probability}");
+        }
+    }
+
+    /// Abramowitz and Stegun, table 26.8.
+    #[test]
+    fn quantiles_are_those_of_the_tables() {
+        for (probability, degrees, value) in [
+            (0.005, 1.0, 3.927_042_22e-5),
+            (0.025, 1.0, 9.820_691_17e-4),
+            (0.975, 1.0, 5.023_886_19),
+            (0.025, 3.0, 0.215_795_283),
+            (0.025, 10.0, 3.246_972_78),
+            (0.975, 10.0, 20.483_177_4),
+            (0.975, 100.0, 129.561_197),
+        ] {
+            let found = chi_square_quantile(probability, degrees);
+            assert!((found / value - 1.0).abs() < 1e-8, "{probability} {degrees}: {found}");
+        }
+    }
+
+    /// Two degrees of freedom are an exponential distribution.
+    #[test]
+    fn two_degrees_are_in_closed_form() {
+        for probability in [1e-9, 1e-4, 0.3, 0.7, 0.9999] {
+            let found = chi_square_quantile(probability, 2.0);
+            assert!((found / (-2.0 * (-probability).ln_1p()) - 1.0).abs() < 1e-9, "{probability}");
+        }
+    }
+
+    #[test]
+    fn both_methods_meet() {
+        for probability in [0.001, 0.025, 0.5, 0.975, 0.999] {
+            let (exact, cube) = (
+                chi_square_quantile(probability, MANY),
+                chi_square_quantile(probability, MANY * (1.0 + 1e-12)),
+            );
+            assert!((cube / exact - 1.0).abs() < 2e-4, "{probability}: {cube} {exact}");
+        }
+    }
+}

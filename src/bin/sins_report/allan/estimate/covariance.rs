@@ -1,0 +1,165 @@
+//! Covariances of the Allan variances of one record: neighbouring averaging times share the same samples.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::lags::Pair;
+use super::terms::{NOISES, TERMS, Term};
+
+/// A quadratic form in the squares of the coefficients.
+pub type Form = SMatrix<f64, TERMS, TERMS>;
+
+/// Second differences d of Gaussian noise with the covariance c between them and the means µ of a ramp have squares with the
+/// covariance 2 c² + 4 µ µ' c. An Allan variance is the mean of M of these squares, halved:
+/// ```text
+/// cov(σ²(τ), σ²(τ')) = Σ times(l) (2 c(l)² + 4 µ µ' c(l)) / (4 M M')
+/// ```
+/// and c is linear in the squares of the coefficients, as is µ µ' = R² τ τ'. Exact for Gaussian noises (Greenhall and Riley,
+/// PTTI 2003, for τ = τ'); depends on the length of the record and not on what is in it.
+#[derive(Debug, Clone)]
+pub struct Covariance {
+    size: usize,
+    forms: Vec<Form>,
+}
+
+impl Covariance {
+    /// For records of `count` samples with the averaging times `factors`.
+    pub fn new(count: usize, interval_s: f64, factors: &[usize]) -> Self {
+        let size = factors.len();
+        let mut forms = vec![Form::zeros(); size * size];
+        for (i, &a) in factors.iter().enumerate() {
+            for (j, &b) in factors.iter().enumerate().skip(i) {
+                let form = form(Pair { count, a, b }, interval_s);
+                forms[i * size + j] = form;
+                forms[j * size + i] = form;
+            }
+        }
+        Self { size, forms }
+    }
+
+    /// The covariance at two averaging times is the form between the squares of the coefficients.
+    pub fn form(&self, i: usize, j: usize) -> &Form {
+        &self.forms[i * self.size + j]
+    }
+
+    /// Variance of σ² at an averaging time.
+    pub fn variance(&self, i: usize, squares: &[f64; TERMS]) -> f64 {
+        let x = SVector::from(*squares);
+        x.dot(&(self.form(i, i) * x))
+    }
+}
+
+/// Covariance of two second differences over their averaging times, `samples` apart.
+pub fn of_differences(pair: &Pair, interval_s: f64, samples: f64, covariance: impl Fn(f64) -> f64) -> f64 {
+    let sum: f64 = pair
+        .meetings()
+        .map(|(meeting, factor)| factor * covariance((samples - meeting as f64) * interval_s))
+        .sum();
+    sum / (pair.a as f64 * pair.b as f64 * interval_s * interval_s)
+}
+
+/// The smooth noises by their integrals over the lags, the white error of quantization where its points meet.
+fn form(pair: Pair, interval_s: f64) -> Form {
+    const RAMP: usize = NOISES;
+    const QUANTIZATION: usize = 0;
+    let taus = pair.a as f64 * pair.b as f64 * interval_s * interval_s;
+    let noises = |samples: f64| -> [f64; NOISES] {
+        std::array::from_fn(|p| match Term::ALL[p] {
+            Term::Quantization => 0.0,
+            term => of_differences(&pair, interval_s, samples, |t| term.covariance(t)),
+        })
+    };
+    let mut form = Form::zeros();
+    for lag in pair.lags() {
+        let c = noises(lag.samples);
+        for p in 1..NOISES {
+            for q in 1..NOISES {
+                form[(p, q)] += lag.weight * c[p] * c[q];
+            }
+            form[(p, RAMP)] += lag.weight * taus * c[p];
+        }
+    }
+    let mut meetings: Vec<(i64, f64)> = pair.meetings().collect();
+    meetings.sort_unstable_by_key(|meeting| meeting.0);
+    for group in meetings.chunk_by(|a, b| a.0 == b.0) {
+        let samples = group[0].0 as f64;
+        let (times, mut c) = (pair.times(samples), noises(samples));
+        c[QUANTIZATION] = group.iter().map(|meeting| meeting.1).sum::<f64>() / taus;
+        for p in 0..NOISES {
+            form[(QUANTIZATION, p)] += times * c[QUANTIZATION] * c[p];
+        }
+        form[(QUANTIZATION, RAMP)] += times * taus * c[QUANTIZATION];
+    }
+    for p in 0..NOISES {
+        form[(p, QUANTIZATION)] = form[(QUANTIZATION, p)];
+        form[(RAMP, p)] = form[(p, RAMP)];
+    }
+    let (first, second) = pair.starts();
+    form / (2.0 * first as f64 * second as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::deviation::factors;
+    use super::*;
+
+    /// Degrees of freedom 2 σ⁴ / var of pure noise against the approximations of NIST SP 1065, table 5 (Howe, Allan and Barnes
+    /// 1981), n points of the integral; they are good to a few per cent.
+    #[test]
+    fn degrees_of_freedom_are_those_of_sp_1065() {
+        let count = 1000;
+        let factors = factors(count);
+        let covariance = Covariance::new(count, 1.0, &factors);
+        let n = count as f64 + 1.0;
+        for (i, &factor) in factors.iter().enumerate() {
+            let m = factor as f64;
+            let quantization = (n + 1.0) * (n - 2.0 * m) / (2.0 * (n - m));
+            let white =
+                (3.0 * (n - 1.0) / (2.0 * m) - 2.0 * (n - 2.0) / n) * 4.0 * m * m / (4.0 * m * m + 5.0);
+            let flicker = if factor == 1 {
+                2.0 * (n - 2.0).powi(2) / (2.3 * n - 4.9)
+            } else {
+                5.0 * n * n / (4.0 * m * (n + 3.0 * m))
+            };
+            let walk =
+                (n - 2.0) / m * ((n - 1.0).powi(2) - 3.0 * m * (n - 1.0) + 4.0 * m * m) / (n - 3.0).powi(2);
+            for (p, expected) in [quantization, white, flicker, walk].into_iter().enumerate() {
+                let mut squares = [0.0; TERMS];
+                squares[p] = 1.0;
+                let variance = Term::ALL[p].shape(m).powi(2);
+                let degrees = 2.0 * variance / covariance.variance(i, &squares);
+                println!("{:?} m = {m}: {degrees:.1} SP 1065 {expected:.1}", Term::ALL[p]);
+                assert!(
+                    (degrees / expected - 1.0).abs() < 0.15,
+                    "{:?} {m}: {degrees} {expected}",
+                    Term::ALL[p]
+                );
+            }
+        }
+    }
+
+    /// The definition, with all pairs of differences: for every two noises and the ramp, at equal and unequal times.
+    #[test]
+    fn sums_over_lags_are_those_over_all_pairs() {
+        let (count, interval_s) = (120, 0.5);
+        let squares = [0.3, 1.0, 0.7, 0.05, 1e-3];
+        for (a, b) in [(1, 1), (1, 2), (2, 7), (13, 13), (3, 13)] {
+            let pair = Pair { count, a, b };
+            let (first, second) = pair.starts();
+            let mean = squares[4] * (a * b) as f64 * interval_s * interval_s;
+            let mut exact = 0.0;
+            for k in 0..first {
+                for l in 0..second {
+                    let samples = l as f64 - k as f64;
+                    let total = |t: f64| -> f64 {
+                        Term::ALL.iter().zip(squares).map(|(term, square)| square * term.covariance(t)).sum()
+                    };
+                    let c = of_differences(&pair, interval_s, samples, total);
+                    exact += (2.0 * c * c + 4.0 * mean * c) / (4 * first * second) as f64;
+                }
+            }
+            let x = SVector::from(squares);
+            let found = x.dot(&(form(pair, interval_s) * x));
+            assert!((found / exact - 1.0).abs() < 2e-3, "{a} {b}: {found} {exact}");
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The coefficients whose terms add up to the measured Allan variances.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::covariance::{Covariance, Form};
+use super::terms::{TERMS, Term, total};
+
+type Vector = SVector<f64, TERMS>;
+
+/// Rounds of weighting by the variances that the last fit implies; three digits of the weights stand after two.
+const ROUNDS: usize = 4;
+
+/// How well the five terms are trusted to describe a variance, relatively.
+const TRUSTED: f64 = 0.01;
+
+/// A fit to the variances of one record.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// Squares of the coefficients, none negative: weighted least squares under that constraint.
+    pub squares: [f64; TERMS],
+    /// The same without the constraint: linear in the variances and without bias, but now and then negative.
+    pub free: [f64; TERMS],
+    /// Variance of each of `free`, a form between the squares of the coefficients.
+    pub spread: [Form; TERMS],
+}
+
+impl Fit {
+    /// Fits `variances` at `taus_s`, with the weights 1 / var(σ²) of the fit itself; `covariance` is that of the record.
+    /// The shortest times, known to a thousandth, must not decide on the longest by what no model has so exactly: no
+    /// variance counts as known better than to [`TRUSTED`]. The intervals take the weights as they are.
+    pub fn new(taus_s: &[f64], variances: &[f64], covariance: &Covariance) -> Self {
+        // To begin with, the relative errors of independent pieces of the record.
+        let longest = taus_s.last().copied().unwrap_or(1.0);
+        let mut deviations: Vec<f64> =
+            taus_s.iter().zip(variances).map(|(tau, v)| v * (tau / longest).sqrt().max(TRUSTED)).collect();
+        let mut squares = Equations::new(taus_s, variances, &deviations).constrained();
+        for _ in 0..ROUNDS {
+            for (i, deviation) in deviations.iter_mut().enumerate() {
+                *deviation = covariance.variance(i, &squares).sqrt().hypot(TRUSTED * variances[i]);
+            }
+            squares = Equations::new(taus_s, variances, &deviations).constrained();
+        }
+        let gains = Equations::new(taus_s, variances, &deviations).gains();
+        let free = gains.iter().zip(variances).map(|(gain, variance)| gain * *variance).sum::<Vector>();
+        Self { squares, free: free.into(), spread: spread(&gains, covariance) }
+    }
+
+    /// σ²(τ) of the fit.
+    pub fn variance(&self, tau_s: f64) -> f64 {
+        total(&self.squares, tau_s)
+    }
+}
+
+/// Of each coefficient Σ g g' cov(σ², σ²') over all pairs of averaging times, g its gains.
+fn spread(gains: &[Vector], covariance: &Covariance) -> [Form; TERMS] {
+    let mut spread = [Form::zeros(); TERMS];
+    for i in 0..gains.len() {
+        for j in 0..gains.len() {
+            for (p, form) in spread.iter_mut().enumerate() {
+                *form += covariance.form(i, j) * (gains[i][p] * gains[j][p]);
+            }
+        }
+    }
+    spread
+}
+
+/// Normal equations of the variances over their standard deviations, the columns scaled to unit length.
+struct Equations {
+    rows: Vec<Vector>,
+    scale: Vector,
+    normal: SMatrix<f64, TERMS, TERMS>,
+    right: Vector,
+    /// Standard deviations of the variances.
+    deviations: Vec<f64>,
+}
+
+impl Equations {
+    fn new(taus_s: &[f64], variances: &[f64], deviations: &[f64]) -> Self {
+        let row =
+            |(tau_s, deviation): (&f64, &f64)| Vector::from(Term::ALL.map(|t| t.shape(*tau_s) / deviation));
+        let mut rows: Vec<Vector> = taus_s.iter().zip(deviations).map(row).collect();
+        let scale = rows.iter().map(|row| row.component_mul(row)).sum::<Vector>().map(f64::sqrt);
+        rows.iter_mut().for_each(|row| row.component_div_assign(&scale));
+        let normal = rows.iter().map(|row| row * row.transpose()).sum();
+        let right =
+            rows.iter().zip(variances.iter().zip(deviations)).map(|(row, (v, d))| row * (v / d)).sum();
+        Self { rows, scale, normal, right, deviations: deviations.to_vec() }
+    }
+
+    /// Of all sets of terms whose solution has no negative one, that with the least squares: there are but 31.
+    fn constrained(&self) -> [f64; TERMS] {
+        let candidates = (1..1_usize << TERMS).filter_map(|set| self.solved(set));
+        // The sum of squares is that without any term less the inner product with the right side.
+        let best = candidates
+            .filter(|x| x.min() >= 0.0)
+            .max_by(|a, b| a.dot(&self.right).total_cmp(&b.dot(&self.right)));
+        best.unwrap_or_else(Vector::zeros).component_div(&self.scale).into()
+    }
+
+    /// The solution with the terms whose bits are in `set`, the others zero.
+    fn solved(&self, set: usize) -> Option<Vector> {
+        let mut normal = self.normal;
+        let mut right = self.right;
+        for p in (0..TERMS).filter(|p| set >> p & 1 == 0) {
+            normal.row_mut(p).fill(0.0);
+            normal.column_mut(p).fill(0.0);
+            normal[(p, p)] = 1.0;
+            right[p] = 0.0;
+        }
+        Some(normal.cholesky()?.solve(&right))
+    }
+
+    /// What each variance counts in each coefficient of the solution with all terms.
+    fn gains(&self) -> Vec<Vector> {
+        let Some(factors) = self.normal.cholesky() else {
+            return vec![Vector::zeros(); self.rows.len()];
+        };
+        let gain =
+            |(row, deviation): (&Vector, &f64)| factors.solve(row).component_div(&self.scale) / *deviation;
+        self.rows.iter().zip(&self.deviations).map(gain).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::deviation::factors;
+    use super::*;
+
+    fn fitted(squares: [f64; TERMS]) -> Fit {
+        let (count, interval_s) = (100_000, 0.01);
+        let factors = factors(count);
+        let taus_s: Vec<f64> = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
+        let variances: Vec<f64> = taus_s.iter().map(|tau_s| total(&squares, *tau_s)).collect();
+        Fit::new(&taus_s, &variances, &Covariance::new(count, interval_s, &factors))
+    }
+
+    #[test]
+    fn exact_variances_give_their_coefficients_back() {
+        let squares = [1e-14, 2e-12, 3e-14, 1e-15, 4e-18];
+        let fit = fitted(squares);
+        for found in [fit.free, fit.squares] {
+            let are_right =
+                found.iter().zip(&squares).all(|(found, square)| (found / square - 1.0).abs() < 1e-6);
+            assert!(are_right, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn no_coefficient_is_negative() {
+        // Below white noise at long averaging times: the free fit wants a negative term, the constrained one has none.
+        let fit = fitted([0.0, 1e-10, -1e-13, 0.0, 0.0]);
+        assert!(fit.free[2] < -0.99e-13, "{:?}", fit.free);
+        assert!(fit.squares.iter().all(|square| *square >= 0.0), "{:?}", fit.squares);
+        assert!((fit.squares[1] / 1e-10 - 1.0).abs() < 0.01);
+    }
+}

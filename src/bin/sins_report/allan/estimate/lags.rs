@@ -1,0 +1,124 @@
+//! Sums over the distances of two second differences of a record, each distance as often as the record has it.
+
+/// Longest piece between two corners that is summed term by term.
+const SUMMED: i64 = 16;
+
+/// Abscissae and weights of Gauss and Legendre's quadrature with eight places on (-1, 1) (Abramowitz and Stegun 25.4.30).
+const GAUSS: [(f64, f64); 4] = [
+    (0.183_434_642_495_650, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887),
+    (0.796_666_477_413_627, 0.222_381_034_453_374),
+    (0.960_289_856_497_536, 0.101_228_536_290_376),
+];
+
+/// Second differences with steps of `a` and of `b` samples in one record.
+#[derive(Debug, Clone, Copy)]
+pub struct Pair {
+    /// Samples of the record; its integral has one more.
+    pub count: usize,
+    pub a: usize,
+    pub b: usize,
+}
+
+/// A distance in samples from the start of the first difference to that of the second, and its weight in a sum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lag {
+    pub samples: f64,
+    pub weight: f64,
+}
+
+impl Pair {
+    /// How many second differences of either kind the record has.
+    pub fn starts(&self) -> (usize, usize) {
+        (self.count + 1 - 2 * self.a, self.count + 1 - 2 * self.b)
+    }
+
+    /// How often the record has the distance `lag`.
+    pub fn times(&self, lag: f64) -> f64 {
+        let (first, second) = self.starts();
+        ((first as f64).min(second as f64 - lag) - (-lag).max(0.0)).max(0.0)
+    }
+
+    /// Places and weights that give Σ times(l) f(l) over all whole l, for an f that is smooth but for the distances at which
+    /// two points of the differences meet, and that dies away beyond the differences: squares of covariances of noise.
+    pub fn lags(&self) -> Vec<Lag> {
+        let (a, b) = (self.a as i64, self.b as i64);
+        let (first, second) = (self.starts().0 as i64, self.starts().1 as i64);
+        // A covariance of flicker falls with the square of the distance: what is left out is 2e-4 of the sum.
+        let (middle, reach) = (a - b, 3 * (a + b));
+        let (low, high) = ((middle - reach).max(-first), (middle + reach).min(second));
+        let mut corners = vec![low, high, 0, second - first];
+        corners.extend(self.meetings().map(|(lag, _)| lag));
+        corners.retain(|corner| (low..=high).contains(corner));
+        corners.sort_unstable();
+        corners.dedup();
+        let mut lags = Vec::new();
+        for ends in corners.windows(2) {
+            self.piece(ends[0], ends[1], &mut lags);
+        }
+        lags
+    }
+
+    /// Distances at which two points of the differences meet, with the product of their factors 1, -2, 1.
+    pub fn meetings(&self) -> impl Iterator<Item = (i64, f64)> {
+        const FACTORS: [f64; 3] = [1.0, -2.0, 1.0];
+        let (a, b) = (self.a as i64, self.b as i64);
+        (0..9_usize).map(move |k| (k as i64 / 3 * a - k as i64 % 3 * b, FACTORS[k / 3] * FACTORS[k % 3]))
+    }
+
+    /// The sum from corner to corner, half of each: term by term, or as an integral.
+    fn piece(&self, from: i64, to: i64, lags: &mut Vec<Lag>) {
+        let mut push = |samples: f64, weight: f64| {
+            lags.push(Lag { samples, weight: weight * self.times(samples) });
+        };
+        if to - from <= SUMMED {
+            for lag in from..=to {
+                push(lag as f64, if lag == from || lag == to { 0.5 } else { 1.0 });
+            }
+            return;
+        }
+        let (middle, half) = (0.5 * (from + to) as f64, 0.5 * (to - from) as f64);
+        for (place, weight) in GAUSS {
+            push(middle - half * place, half * weight);
+            push(middle + half * place, half * weight);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_has_each_pair_of_starts_once() {
+        let pair = Pair { count: 40, a: 3, b: 7 };
+        let (first, second) = pair.starts();
+        let mut counts = std::collections::HashMap::new();
+        for k in 0..first as i64 {
+            for l in 0..second as i64 {
+                *counts.entry(l - k).or_insert(0_u32) += 1;
+            }
+        }
+        for lag in -50..50 {
+            let expected = f64::from(counts.get(&lag).copied().unwrap_or(0));
+            assert_eq!(pair.times(lag as f64), expected, "{lag}");
+        }
+    }
+
+    /// Against the sum term by term, for the squared covariance of a triangle, as that of white noise is; the integral leaves
+    /// out 1/12 of the jumps of slope, less than 1 / SUMMED².
+    #[test]
+    fn pieces_make_the_whole_sum() {
+        for (count, a, b) in [(100, 1, 1), (100, 2, 5), (2000, 30, 200), (2000, 200, 200), (1000, 111, 90)] {
+            let pair = Pair { count, a, b };
+            let covariance = |lag: f64| {
+                pair.meetings().map(|(meeting, factor)| factor * (lag - meeting as f64).abs()).sum::<f64>()
+            };
+            let (first, second) = pair.starts();
+            let all = -(first as i64)..=second as i64;
+            let exact: f64 = all.map(|l| pair.times(l as f64) * covariance(l as f64).powi(2)).sum();
+            let sum: f64 = pair.lags().iter().map(|lag| lag.weight * covariance(lag.samples).powi(2)).sum();
+            assert!((sum / exact - 1.0).abs() < 1.0 / 256.0, "{count} {a} {b}: {sum} {exact}");
+        }
+    }
+}
