@@ -105,7 +105,7 @@ fn scenes() -> Vec<Scene> {
             &REST,
             &[Manoeuvre::Rest { duration_s: 120.0 }],
             50.0,
-            Requirement { velocity_m_s: 1e-10, ..nothing },
+            Requirement { velocity_m_s: 4e-11, ..nothing },
         ),
         scene(
             "cruise",

@@ -29,10 +29,10 @@ impl Rung {
     pub fn instructions(&self, frame: Frame) -> f64 {
         let (update, subsample) = match (frame, self.scheme) {
             (Frame::EarthFixed, Scheme::Paper) => (460.0, 470.0),
-            (Frame::EarthFixed, Scheme::Exact) => (650.0, 573.0),
+            (Frame::EarthFixed, Scheme::Exact) => (735.0, 586.0),
             (Frame::EarthFixed, Scheme::Polynomial) => (1820.0, 790.0),
             (Frame::Geographic, Scheme::Paper) => (1130.0, 470.0),
-            (Frame::Geographic, Scheme::Exact) => (2155.0, 573.0),
+            (Frame::Geographic, Scheme::Exact) => (2240.0, 586.0),
             (Frame::Geographic, Scheme::Polynomial) => (3330.0, 790.0),
         };
         self.updates_per_sample as f64 * (update + subsample * self.subsamples as f64)
