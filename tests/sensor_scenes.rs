@@ -115,7 +115,7 @@ fn every_steady_effect(size: f64) -> (TriadParameters, TriadParameters) {
 #[test]
 fn both_error_data_agree_to_second_order_in_every_steady_effect() {
     let [(once, _), (twice, size)] =
-        [1.0, 2.0].map(|size| every_steady_effect(size)).map(|(gyro, accel)| gap_and_size(&gyro, &accel));
+        [1.0, 2.0].map(every_steady_effect).map(|(gyro, accel)| gap_and_size(&gyro, &accel));
     for (label, i) in [("position", 0), ("velocity", 1), ("misalignment", 2)] {
         let ratio = twice[i] / once[i];
         println!(
