@@ -1,0 +1,11 @@
+/* The nearest name to a misspelt one. */
+
+#ifndef NEAREST_H
+#define NEAREST_H
+
+#include <stddef.h>
+
+/* Letters to insert, drop, replace or swap with their neighbours to make one name of the other; names of up to 63 letters. */
+size_t name_distance(const char *a, const char *b);
+
+#endif
