@@ -77,19 +77,19 @@ static void set_names(struct settings *set)
 {
     static const char *const scenes[] = { "simulation1", "simulation2", "flight", "embedded", "manoeuvres" };
     const char *source = set->scene_file[0] != '\0' ? set->scene_file : set->log;
+    const char *motion = set->motion == MOTION_REST ? "rest" : "patrol";
     char *ending;
 
     set->scene = scenes[set->kind];
     set->motion_name = set->kind == SCENE_FLIGHT     ? without_folders(set->log)
                      : set->kind == SCENE_EMBEDDED   ? set->builtin
                      : set->kind == SCENE_MANOEUVRES ? without_folders(set->scene_file)
-                     : set->motion == MOTION_REST    ? "rest"
-                                                     : "patrol";
+                                                     : motion;
     if (set->name[0] != '\0') {
         return;
     }
     if (set->kind < SCENE_FLIGHT) {
-        snprintf(set->name, sizeof set->name, "%s_%s", set->scene, set->motion_name);
+        snprintf(set->name, sizeof set->name, "%s_%s", set->scene, motion);
         return;
     }
     snprintf(set->name, sizeof set->name, "%s", source[0] != '\0' ? without_folders(source) : set->builtin);
