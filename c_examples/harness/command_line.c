@@ -18,6 +18,9 @@ static int read_option(struct settings *set, const struct option *option, const 
     } else {
         value_of_argument(&value, argument);
     }
+    if (option->kind == OPTION_TEXT) {
+        value.type = VALUE_TEXT; /* a number is a name, too */
+    }
     set->line[option - option_table] = SET_BY_COMMAND;
     if (option_set(set, option, &value, expected, sizeof expected) == 0) {
         return 0;

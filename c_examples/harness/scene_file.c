@@ -198,7 +198,7 @@ static int place_log(struct settings *set)
     while (folder > 0 && strchr("/\\", set->scene_file[folder - 1]) == NULL) {
         folder--;
     }
-    if (strchr("/\\", set->log[0]) != NULL || set->log[1] == ':') {
+    if (strchr("/\\", set->log[0]) != NULL || (set->log[1] == ':' && strchr("/\\", set->log[2]) != NULL)) {
         return 0; /* from the root, or on a drive */
     }
     if (folder + length >= sizeof set->log) {

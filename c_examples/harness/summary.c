@@ -107,7 +107,9 @@ static void rows_of_setting(const struct summary *sum, struct whole_file *file)
     text_row(file, "name", set->name, "name");
     text_row(file, "scene", set->scene, "scene");
     text_row(file, "motion", set->motion_name, "motion");
-    text_row(file, "scene_file", set->scene_file, "scene file");
+    if (set->scene_file[0] != '\0') {
+        text_row(file, "scene_file", set->scene_file, "scene file");
+    }
     text_row(file, "scene_text", sum->scene_text, "scene in words");
     text_row(file, "scheme", sum->scheme, "mechanization scheme");
     text_row(file, "frame", sum->frame, "navigation frame");
