@@ -36,7 +36,7 @@ static void begin_at(const struct settings *set, long line)
 static void begin(const struct settings *set, const struct option *option, long line)
 {
     if (line == SET_BY_COMMAND || (line == SET_NOWHERE && set->scene_file[0] == '\0')) {
-        fprintf(stderr, "sins_harness: %s%s", option->name != NULL ? option->name : "", option->name != NULL ? ": " : "");
+        fprintf(stderr, option->name != NULL ? "sins_harness: %s: " : "sins_harness: ", option->name);
         return;
     }
     begin_at(set, line != SET_NOWHERE ? line : set->section_line[option->group]);

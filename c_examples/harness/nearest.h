@@ -5,7 +5,8 @@
 
 #include <stddef.h>
 
-/* Letters to insert, drop, replace or swap with their neighbours to make one name of the other; names of up to 63 letters. */
+/* Letters to insert, drop, replace or swap with their neighbours to make one name of the other. Of longer names the
+ * first 63 letters count. */
 size_t name_distance(const char *a, const char *b);
 
 #endif

@@ -57,7 +57,8 @@ void options_print_help(void)
                 printf("\n%s\n", group == GROUP_FLIGHT ? "flight" : option_sections[group].heading);
             }
             snprintf(usage, sizeof usage, "%s %s", option->name, operand_of(option));
-            printf(strlen(usage) > 42 ? "  %s\n%45s%s" : "  %-42s%1s%s", usage, "", option->noun);
+            printf("  %-42s", usage);
+            printf(strlen(usage) > 42 ? "\n%45s%s" : "%1s%s", "", option->noun);
             printf(option->unit_text[0] != '\0' ? " [%s]\n" : "\n", option->unit_text);
         }
     }
@@ -99,7 +100,9 @@ static void print_key(const struct option *option)
     if (option->unit_text[0] != '\0') {
         printf(" [%s]", option->unit_text);
     }
-    printf(is_librarys ? "; %s" : "%.0s", option->field);
+    if (is_librarys) {
+        printf("; %s", option->field);
+    }
     if (option->name != NULL) {
         printf("; %s", option->name);
     }

@@ -41,6 +41,7 @@ int scene_file_load(struct scene_text *text, const char *path)
     return failed ? -1 : 0;
 }
 
+/* The key that a misspelt one may have been meant for: every section has one. */
 static const struct option *nearest_key(enum option_group group, const char *name)
 {
     const struct option *nearest = NULL;
@@ -63,9 +64,16 @@ static const struct option *nearest_key(enum option_group group, const char *nam
 
 static const struct option *find_key(enum option_group group, const char *name)
 {
-    const struct option *nearest = nearest_key(group, name);
+    size_t i;
 
-    return nearest != NULL && strcmp(nearest->key, name) == 0 ? nearest : NULL;
+    for (i = 0; i < option_table_length; i++) {
+        const struct option *option = &option_table[i];
+
+        if (option->group == group && option->key != NULL && strcmp(option->key, name) == 0) {
+            return option;
+        }
+    }
+    return NULL;
 }
 
 static void refuse_key(struct reading *reading)

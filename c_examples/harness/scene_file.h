@@ -14,8 +14,8 @@ struct scene_text {
 /* Reads the file. 0, or -1 reported. */
 int scene_file_load(struct scene_text *text, const char *path);
 
-/* Sets what the text says in settings that have begun, scene_file its path. 0, or -1: up to 20 faults reported, the whole text read
- * up to the first that is no TOML. */
+/* Sets what the text says in settings that have begun, with the path in scene_file. 0, or -1: up to 20 faults reported,
+ * none behind what is no TOML. */
 int scene_file_apply(struct settings *set, const char *bytes, size_t length);
 
 #endif

@@ -68,7 +68,8 @@ struct settings {
 /* Everything off, or the recommended. 0, or -1 reported. */
 int settings_begin(struct settings *set, const int32_t *grades);
 
-/* Completes what was left open, and checks what single options cannot tell: whether they go together. 0, or -1 reported. */
+/* Completes what was left open, and checks what single options cannot tell: whether they go together. 0, or -1
+ * reported. */
 int settings_complete(struct settings *set);
 
 /* Whether neither gyros nor accelerometers have errors. */

@@ -27,7 +27,8 @@ void toml_skip_comment(struct toml_reader *reader)
 
 int toml_skip_line_end(struct toml_reader *reader)
 {
-    size_t length = toml_peek(reader, 0) == '\n' ? 1 : toml_peek(reader, 0) == '\r' && toml_peek(reader, 1) == '\n' ? 2 : 0;
+    int first = toml_peek(reader, 0);
+    size_t length = first == '\n' ? 1 : first == '\r' && toml_peek(reader, 1) == '\n' ? 2 : 0;
 
     reader->at += length;
     reader->line += length > 0;

@@ -2,8 +2,8 @@
  * for the caller to refuse. A pure function of the bytes, which need no terminator; nothing is allocated.
  *
  * Taken: comments; [table] and [[array of tables]], their names bare words with dots between; key = value, the key one
- * bare word; "basic" and 'literal' strings on one line; decimal numbers, true, false; arrays of numbers, on several lines
- * too. A byte order mark before it all is passed over. Whatever else TOML has is refused by name. */
+ * bare word; "basic" and 'literal' strings on one line; decimal numbers, true, false; arrays of numbers, on several
+ * lines too. A byte order mark before it all is passed over. Whatever else TOML has is refused by name. */
 
 #ifndef TOML_H
 #define TOML_H

@@ -80,7 +80,7 @@ static int read_string(struct toml_reader *reader, struct value *value)
             uint32_t code = read_escape(reader);
 
             if (code == 0) {
-                return toml_refuse(reader, "\\ with no escape that is accepted behind it; 'single quotes' take it as it is");
+                return toml_refuse(reader, "\\ with no escape that is accepted; 'single quotes' take it as it is");
             }
             has_room = append_character(value, code) == 0;
         } else {
@@ -242,7 +242,7 @@ static int read_array(struct toml_reader *reader, struct value *array)
             break;
         }
         if (toml_peek(reader, 0) == '[') {
-            return toml_refuse(reader, "arrays in arrays are not accepted; write the nine numbers of a matrix row by row");
+            return toml_refuse(reader, "arrays in arrays are not accepted; nine numbers are a matrix, row by row");
         }
         if (count == VALUE_NUMBERS) {
             return toml_refuse(reader, "an array of more than 9 numbers");

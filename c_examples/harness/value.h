@@ -24,7 +24,7 @@ struct value {
     char text[VALUE_TEXT_SIZE]; /* never with a zero byte inside */
 };
 
-/* An argument of the command line: numbers with commas between them if it is so, else text; too long a text is empty. */
+/* An argument of the command line: numbers with commas between them, or text, which is empty if it was too long. */
 void value_of_argument(struct value *value, const char *argument);
 
 /* A value for a sentence: "text", true, 3, an array of 4. */

@@ -1,4 +1,5 @@
-/* Scene files and the command line into settings: each key in SI, shapes, presets, manoeuvres; the TOML reader by itself. */
+/* Scene files and the command line into settings: each key in SI, shapes, presets, manoeuvres; the reader of TOML by
+ * itself. */
 
 #include <stdint.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Reads texts from standard input, each behind its length in four bytes, the lowest first, and says of each whether it is a
- * scene: 1 or 0. */
+/* Reads texts from standard input, each behind its length in four bytes, the lowest first, and says of each whether it
+ * is a scene: 1 or 0. */
 
 #include <stdlib.h>
 
