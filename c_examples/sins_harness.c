@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "harness/command_line.h"
 #include "harness/flight_plan.h"
 #include "harness/fly.h"
 #include "harness/host.h"
@@ -65,7 +66,7 @@ static int fly_and_write(sins_sim *sim, struct scene *scene, const struct settin
     if (whole_file_open(&files.records, set->out, set->name, ".csv") != 0) {
         return FAILED;
     }
-    if (set->imu != NULL && whole_file_open_path(&files.imu, set->imu) != 0) {
+    if (set->imu[0] != '\0' && whole_file_open_path(&files.imu, set->imu) != 0) {
         whole_file_discard(&files.records);
         return FAILED;
     }
@@ -106,12 +107,14 @@ static int run_command(int count, char **arguments)
     static struct settings set;
     int code = DONE;
 
-    if (settings_read(&set, count, arguments) != 0) {
+    if (command_line_read(&set, count, arguments) != 0) {
         return BAD_INPUT;
     }
     if (set.help) {
         options_print_help();
-    } else if (set.kind == SCENE_EMBEDDED && strcmp(set.operand, "list") == 0) {
+    } else if (set.keys) {
+        options_print_keys();
+    } else if (set.kind == SCENE_EMBEDDED && strcmp(set.builtin, "list") == 0) {
         flight_plan_print_names();
     } else {
         host_catch_interrupt();

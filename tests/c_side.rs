@@ -5,7 +5,9 @@ mod c_side;
 
 use std::process::Command;
 
-use c_side::{STRICT, c_compiler, cpp_compiler, library_folder, link, project_file, succeed};
+use c_side::{
+    STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, project_file, succeed,
+};
 
 #[test]
 fn structs_are_laid_out_alike_under_every_packing_and_language() {
@@ -57,20 +59,6 @@ fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
 #[test]
 fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
     run_test_program("recommend");
-}
-
-/// The harness: its main file and the folder beside it.
-fn harness_sources() -> Vec<String> {
-    let folder = project_file("c_examples/harness");
-    let mut sources: Vec<String> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(".c"))
-        .map(|name| format!("c_examples/harness/{name}"))
-        .collect();
-    sources.sort();
-    sources.insert(0, "c_examples/sins_harness.c".to_owned());
-    sources
 }
 
 #[test]

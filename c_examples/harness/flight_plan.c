@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "manoeuvres.h"
-#include "report.h"
 
 static void begin(struct flight_plan *plan, double latitude_deg, double longitude_deg, double height_m,
                   double speed_m_s, double heading_deg)
@@ -176,9 +175,8 @@ int flight_plan_named(struct flight_plan *plan, const char *name, double duratio
     for (i = 0; i < NAMED_PLANS; i++) {
         if (strcmp(named_plans[i].name, name) == 0) {
             named_plans[i].fill(plan, duration_s > 0 ? duration_s : 3600);
-            return DONE;
+            return 0;
         }
     }
-    report("embedded %s: no such flight; \"embedded list\" names them", name);
-    return BAD_INPUT;
+    return -1;
 }

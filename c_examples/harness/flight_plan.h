@@ -13,7 +13,7 @@ struct flight_plan {
     size_t count;
 };
 
-/* Flights that repeat themselves last for duration_s, 0: an hour. DONE, or BAD_INPUT: no such name, reported. */
+/* Flights that repeat themselves last for duration_s, 0: an hour. 0, or -1: no such name. */
 int flight_plan_named(struct flight_plan *plan, const char *name, double duration_s);
 
 /* The simulations' motions. */

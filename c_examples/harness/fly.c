@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "complain.h"
 #include "host.h"
 #include "imu_file.h"
 #include "progress.h"
@@ -174,7 +175,7 @@ static uint64_t spacing(const struct scene *scene, const struct settings *set)
     }
     intervals = floor(set->every_s / scene->period_s + 0.5);
     if (intervals < 1) {
-        report("--every %g: expected at least the sample interval, %.6g s", set->every_s, scene->period_s);
+        complain(set, "every_s", "%g: expected at least the sample interval, %.6g s", set->every_s, scene->period_s);
         return 0;
     }
     return (uint64_t)intervals;

@@ -1,114 +1,232 @@
 #include "option_table.h"
 
-#define AT(member) offsetof(struct settings, member)
+#include <string.h>
 
-/* Name, operand, what it is, where it goes; of numbers also unit, its name and the limits in it. */
-#define WORD(group, kind, name, operand, noun, member) \
-    { group, kind, name, operand, noun, "", AT(member), 0, 0, 1, 0, 0 }
-#define COUNT(name, operand, noun, member, high) \
-    { GROUP_MODEL, OPTION_COUNT, name, operand, noun, "", AT(member), 0, 0, 1, 1, high }
-#define NUMBERS(group, kind, name, operand, noun, member, unit, unit_text, low, high) \
-    { group, kind, name, operand, noun, unit_text, AT(member), 0, 0, unit, low, high }
-#define MARKOV(group, name, operand, noun, member, time, count, unit, unit_text, high) \
-    { group, OPTION_MARKOV, name, operand, noun, unit_text, AT(member), AT(time), count, unit, 0, high }
+const struct option_section option_sections[OPTION_GROUPS] = {
+    { "flight", 0, "the flight: file, builtin or [[manoeuvre]]; where it starts, with [[manoeuvre]]" },
+    { "manoeuvre", 1, "one after the other; angles right and up positive" },
+    { "manoeuvre.sinusoid", 1, "behind a manoeuvre of kind sinusoids, up to 6" },
+    { "options", 0, "simulator" },
+    { "gyro", 0, "gyro errors: preset, and what differs from it; one number for all axes or three" },
+    { "accelerometer", 0, "accelerometer errors: likewise" },
+    { "altimeter", 0, "altimeter errors, with the damped vertical channel" },
+    { "start", 0, "errors at the start: computed less true" },
+    { "output", 0, "output" }
+};
+
+#define AT(member) #member, offsetof(struct settings, member)
+#define GRADES "ideal|strategic|navigation|tactical|industrial|consumer|paper2"
+
+/* Section, name on the command line, key in a file, what it is, where it goes; then SI per unit and the unit. */
+#define NUMBERS(group, kind, name, key, noun, member, unit, unit_text) \
+    { group, kind, name, key, NULL, noun, AT(member), unit, unit_text, 0, 0 }
+#define NUMBER(group, name, key, noun, member, unit, unit_text) \
+    NUMBERS(group, OPTION_NUMBER, name, key, noun, member, unit, unit_text)
+#define AXES(group, name, key, noun, member, unit, unit_text) \
+    NUMBERS(group, OPTION_AXES, name, key, noun, member, unit, unit_text)
+/* A number of the harness itself, with its limits. */
+#define WITHIN(group, name, key, noun, member, unit_text, low, high) \
+    { group, OPTION_NUMBER, name, key, NULL, noun, AT(member), 1, unit_text, low, high }
+#define WORD(group, kind, name, key, operand, noun, member) \
+    { group, kind, name, key, operand, noun, AT(member), 1, "", 0, 0 }
+#define FLAG(group, name, key, noun, member, constant) \
+    { group, OPTION_FLAG, name, key, "", noun, AT(member), constant, "", 0, 0 }
 
 const struct option option_table[] = {
-    WORD(GROUP_RUN, OPTION_TEXT, "--out", "DIR", "folder of the output files; default sins_out", out),
-    WORD(GROUP_RUN, OPTION_TEXT, "--name", "NAME", "base name of the output files; default from the scene", name),
-    WORD(GROUP_RUN, OPTION_TEXT, "--imu", "FILE.csv", "also the measured increments of every sample interval", imu),
-    NUMBERS(GROUP_RUN, OPTION_NUMBER, "--hours", "H", "duration; default the scene's own",
-            hours, 1, "h", 1e-5, 1e5),
-    NUMBERS(GROUP_RUN, OPTION_NUMBER, "--rate", "HZ", "sample rate, default 100; a log has its own time stamps",
-            rate_hz, 1, "Hz", 0.4, 1e4),
-    NUMBERS(GROUP_RUN, OPTION_NUMBER, "--every", "SECONDS", "spacing of the records; default about 2000 of them",
-            every_s, 1, "s", 5e-5, 1e7),
-    WORD(GROUP_RUN, OPTION_CHOICE, "--motion", "rest|patrol", "motion of a simulation; default patrol", motion),
-    WORD(GROUP_RUN, OPTION_SEED, "--seed", "N", "seed of all random streams", options.seed),
-    WORD(GROUP_RUN, OPTION_SEED, "--run", "N", "number of the run in an ensemble", options.run),
-    WORD(GROUP_RUN, OPTION_FLAG, "--quiet", "", "neither progress nor summary table", quiet),
-    WORD(GROUP_RUN, OPTION_FLAG, "--help", "", "this page", help),
+    WORD(GROUP_FLIGHT, OPTION_TEXT, NULL, "file", "LOG.csv", "flight log, seen from the scene file's folder", log),
+    WORD(GROUP_FLIGHT, OPTION_TEXT, NULL, "builtin", "NAME", "built-in flight", builtin),
+    WORD(GROUP_FLIGHT, OPTION_TEXT, NULL, "title", "TEXT", "the flight in words", title),
+    WITHIN(GROUP_FLIGHT, "--hours", "hours", "duration; default the scene's own", hours, "h", 1e-5, 1e5),
+    WITHIN(GROUP_FLIGHT, "--rate", "rate_hz", "sample rate, default 100; a log has its own time stamps", rate_hz, "Hz",
+           0.4, 1e4),
+    WORD(GROUP_FLIGHT, OPTION_CHOICE, "--motion", NULL, "rest|patrol", "motion of a simulation; default patrol",
+         motion),
+    NUMBER(GROUP_FLIGHT, NULL, "latitude_deg", "latitude", start.latitude_rad, SINS_DEG, "deg"),
+    NUMBER(GROUP_FLIGHT, NULL, "longitude_deg", "longitude, east positive", start.longitude_rad, SINS_DEG, "deg"),
+    NUMBER(GROUP_FLIGHT, NULL, "height_m", "height above the ellipsoid", start.height_m, 1, "m"),
+    NUMBER(GROUP_FLIGHT, NULL, "speed_m_s", "speed", start.speed_m_s, 1, "m/s"),
+    NUMBER(GROUP_FLIGHT, NULL, "heading_deg", "course and heading", start.heading_rad, SINS_DEG, "deg"),
+    NUMBER(GROUP_FLIGHT, NULL, "roll_deg", "roll against the path, all the way", start.roll_rad, SINS_DEG, "deg"),
+    NUMBER(GROUP_FLIGHT, NULL, "pitch_deg", "pitch against the path, all the way", start.pitch_rad, SINS_DEG, "deg"),
 
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--scheme", "exact|paper|polynomial", "mechanization", options.scheme),
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--frame", "earth|geographic", "axes to navigate in", options.frame),
-    COUNT("--subsamples", "N", "sub-increments of an update, default 2", options.subsamples, 5),
-    COUNT("--updates", "N", "updates in a sample interval, default 1", options.updates_per_sample, 16),
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--vertical", "damped|follow|free", "vertical channel; default follow",
-         options.vertical),
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--gravity", "normal|somigliana", "gravity", options.gravity),
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--earth", "wgs84|cgcs2000|grs80|krassovsky", "ellipsoid", options.earth),
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--axes", "rfu|frd", "right-forward-up or forward-right-down", options.axes),
-    WORD(GROUP_MODEL, OPTION_CHOICE, "--signal", "physical|closed-loop",
+    WORD(GROUP_MANOEUVRE, OPTION_CHOICE, NULL, "kind",
+         "rest|straight|accelerate|climb|turn|roll|loop|s_turn|sinusoids", "kind", manoeuvre.kind),
+    NUMBER(GROUP_MANOEUVRE, NULL, "duration_s", "duration; of a turn it follows", manoeuvre.duration_s, 1, "s"),
+    NUMBER(GROUP_MANOEUVRE, NULL, "ramp_s", "time to set in and to end; default 5", manoeuvre.ramp_s, 1, "s"),
+    NUMBER(GROUP_MANOEUVRE, NULL, "speed_change_m_s", "accelerate", manoeuvre.speed_change_m_s, 1, "m/s"),
+    NUMBER(GROUP_MANOEUVRE, NULL, "height_change_m", "climb", manoeuvre.height_change_m, 1, "m"),
+    NUMBER(GROUP_MANOEUVRE, NULL, "heading_change_deg", "turn; s_turn to both sides", manoeuvre.heading_change_rad,
+           SINS_DEG, "deg"),
+    NUMBER(GROUP_MANOEUVRE, NULL, "bank_deg", "turn", manoeuvre.bank_rad, SINS_DEG, "deg"),
+    NUMBER(GROUP_MANOEUVRE, NULL, "turns", "whole rolls or loops; swings of an s_turn", manoeuvre.turns, 1, ""),
+
+    WORD(GROUP_SINUSOID, OPTION_CHOICE, NULL, "channel", "course|climb|speed|roll|pitch|heading", "what it moves",
+         sinusoid.channel),
+    NUMBER(GROUP_SINUSOID, NULL, "amplitude_deg", "amplitude of an angle", sinusoid.amplitude_rad, SINS_DEG, "deg"),
+    NUMBER(GROUP_SINUSOID, NULL, "amplitude_m_s", "amplitude of the speed", sinusoid.amplitude_m_s, 1, "m/s"),
+    NUMBER(GROUP_SINUSOID, NULL, "frequency_hz", "frequency", sinusoid.frequency_hz, 1, "Hz"),
+    NUMBER(GROUP_SINUSOID, NULL, "phase_deg", "phase at the begin of the manoeuvre", sinusoid.phase_rad, SINS_DEG,
+           "deg"),
+
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--scheme", "scheme", "exact|paper|polynomial", "mechanization", options.scheme),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--frame", "frame", "earth|geographic", "axes to navigate in", options.frame),
+    WORD(GROUP_MODEL, OPTION_COUNT, "--subsamples", "subsamples", "N", "sub-increments of an update, default 2",
+         options.subsamples),
+    WORD(GROUP_MODEL, OPTION_COUNT, "--updates", "updates_per_sample", "N", "updates in a sample interval, default 1",
+         options.updates_per_sample),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--vertical", "vertical", "damped|follow|free",
+         "vertical channel; default follow", options.vertical),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--error-model", "error_model", "off|rk4", "error data 1; default rk4",
+         options.error_model),
+    FLAG(GROUP_MODEL, "--no-model", NULL, "without error data 1", options.error_model, SINS_ERROR_MODEL_OFF),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--earth", "earth", "wgs84|cgcs2000|grs80|krassovsky", "ellipsoid",
+         options.earth),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--gravity", "gravity", "normal|somigliana", "gravity", options.gravity),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--axes", "axes", "rfu|frd", "right-forward-up or forward-right-down",
+         options.axes),
+    WORD(GROUP_MODEL, OPTION_CHOICE, "--signal", "signal", "physical|closed-loop",
          "ideal signals, or with a trim that holds an error-free navigator", options.signal),
-    NUMBERS(GROUP_MODEL, OPTION_NUMBER, "--closed-loop-time", "S", "time constant of that trim, default 30",
-            options.closed_loop_time_s, 1, "s", 1, 1e4),
-    WORD(GROUP_MODEL, OPTION_FLAG, "--no-model", "", "without error data 1", no_model),
+    NUMBER(GROUP_MODEL, "--closed-loop-time", "closed_loop_time_s", "time constant of that trim, default 30",
+           options.closed_loop_time_s, 1, "s"),
+    WORD(GROUP_MODEL, OPTION_SEED, "--seed", "seed", "N", "seed of all random streams", options.seed),
+    WORD(GROUP_MODEL, OPTION_SEED, "--run", "run", "N", "number of the run in an ensemble", options.run),
+    NUMBER(GROUP_MODEL, NULL, "sample_period_s", "stated period of a log; default its own time stamps",
+           options.sample_period_s, 1, "s"),
+    NUMBER(GROUP_MODEL, NULL, "max_gap_s", "longest interval between samples, default 2.5", options.max_gap_s, 1, "s"),
+    NUMBER(GROUP_MODEL, NULL, "max_acceleration_m_s2", "beyond it truth has jumped, default 2000",
+           options.max_acceleration_m_s2, 1, "m/s2"),
 
-    WORD(GROUP_GYRO, OPTION_PRESET, "--preset", "paper2", "gyro and accelerometer errors of simulation2", gyro),
-    NUMBERS(GROUP_GYRO, OPTION_AXES, "--gyro-bias", "DEG_PER_HOUR", "bias",
-            gyro.bias_rad_s, SINS_DEG_PER_HOUR, "deg/h", -1e7, 1e7),
-    NUMBERS(GROUP_GYRO, OPTION_AXES, "--gyro-bias-sigma", "DEG_PER_HOUR", "turn-on bias sigma",
-            gyro.bias_sigma_rad_s, SINS_DEG_PER_HOUR, "deg/h", 0, 1e7),
-    NUMBERS(GROUP_GYRO, OPTION_AXES, "--gyro-arw", "DEG_PER_SQRT_HOUR", "angle random walk",
-            gyro.random_walk_rad_sqrt_s, SINS_DEG_PER_SQRT_HOUR, "deg/sqrt(h)", 0, 1e5),
-    MARKOV(GROUP_GYRO, "--gyro-markov", "SIGMA_DEG_PER_HOUR,TIME_S", "Markov bias sigma",
-           gyro.markov_sigma_rad_s, gyro.markov_time_s, 3, SINS_DEG_PER_HOUR, "deg/h", 1e7),
-    NUMBERS(GROUP_GYRO, OPTION_AXES, "--gyro-scale", "PPM", "scale factor error",
-            gyro.scale_factor, SINS_PPM, "ppm", -1e6, 1e6),
-    NUMBERS(GROUP_GYRO, OPTION_MATRIX, "--gyro-misalignment", "ARCSEC", "misalignment",
-            gyro.misalignment_rad, SINS_ARCSEC, "arcsec", -2e5, 2e5),
+    WORD(GROUP_GYRO, OPTION_GRADES, "--preset", NULL, GRADES, "errors of gyros and accelerometers to begin with",
+         grades),
+    WORD(GROUP_GYRO, OPTION_CHOICE, "--gyro-preset", "preset", GRADES, "errors to begin with", grades[0]),
+    AXES(GROUP_GYRO, "--gyro-bias", "bias_deg_h", "bias", gyro.bias_rad_s, SINS_DEG_PER_HOUR, "deg/h"),
+    AXES(GROUP_GYRO, "--gyro-bias-sigma", "bias_sigma_deg_h", "turn-on bias sigma", gyro.bias_sigma_rad_s,
+         SINS_DEG_PER_HOUR, "deg/h"),
+    AXES(GROUP_GYRO, "--gyro-markov-sigma", "markov_sigma_deg_h", "Markov bias sigma", gyro.markov_sigma_rad_s,
+         SINS_DEG_PER_HOUR, "deg/h"),
+    AXES(GROUP_GYRO, "--gyro-markov-time", "markov_time_s", "Markov bias time", gyro.markov_time_s, 1, "s"),
+    AXES(GROUP_GYRO, "--gyro-arw", "random_walk_deg_sqrt_h", "angle random walk", gyro.random_walk_rad_sqrt_s,
+         SINS_DEG_PER_SQRT_HOUR, "deg/sqrt(h)"),
+    AXES(GROUP_GYRO, NULL, "rate_random_walk_deg_h_sqrt_h", "rate random walk", gyro.rate_random_walk_rad_s_sqrt_s,
+         SINS_DEG_PER_HOUR / 60, "deg/h/sqrt(h)"),
+    AXES(GROUP_GYRO, NULL, "rate_ramp_deg_h2", "rate ramp", gyro.rate_ramp_rad_s2, SINS_DEG_PER_HOUR / 3600,
+         "deg/h/h"),
+    AXES(GROUP_GYRO, NULL, "flicker_deg_h", "bias instability B", gyro.flicker_rad_s, SINS_DEG_PER_HOUR, "deg/h"),
+    AXES(GROUP_GYRO, NULL, "quantization_arcsec", "pulse", gyro.quantization_rad, SINS_ARCSEC, "arcsec"),
+    AXES(GROUP_GYRO, "--gyro-scale", "scale_factor_ppm", "scale factor error", gyro.scale_factor, SINS_PPM, "ppm"),
+    AXES(GROUP_GYRO, NULL, "scale_factor_asymmetry_ppm", "scale factor asymmetry", gyro.scale_factor_asymmetry,
+         SINS_PPM, "ppm"),
+    AXES(GROUP_GYRO, NULL, "scale_factor_nonlinearity_ppm_per_deg_s", "scale factor nonlinearity",
+         gyro.scale_factor_nonlinearity_s_rad, SINS_PPM / SINS_DEG, "ppm/(deg/s)"),
+    NUMBERS(GROUP_GYRO, OPTION_CROSS, "--gyro-misalignment", "misalignment_arcsec", "misalignment",
+            gyro.misalignment_rad, SINS_ARCSEC, "arcsec"),
+    NUMBERS(GROUP_GYRO, OPTION_DIAGONAL, NULL, "g_sensitivity_deg_h_per_g", "g-sensitivity",
+            gyro.g_sensitivity_rad_s_per_m_s2, SINS_DEG_PER_HOUR / SINS_STANDARD_GRAVITY, "deg/h/g"),
+    AXES(GROUP_GYRO, NULL, "range_deg_s", "range", gyro.range_rad_s, SINS_DEG, "deg/s"),
+    AXES(GROUP_GYRO, NULL, "bandwidth_hz", "bandwidth", gyro.bandwidth_hz, 1, "Hz"),
+    AXES(GROUP_GYRO, NULL, "dead_zone_deg_h", "half the dead zone", gyro.dead_zone_rad_s, SINS_DEG_PER_HOUR, "deg/h"),
 
-    NUMBERS(GROUP_ACCEL, OPTION_AXES, "--accel-bias", "MICRO_G", "bias",
-            accel.bias_m_s2, SINS_MICRO_G, "micro-g", -1e9, 1e9),
-    NUMBERS(GROUP_ACCEL, OPTION_AXES, "--accel-bias-sigma", "MICRO_G", "turn-on bias sigma",
-            accel.bias_sigma_m_s2, SINS_MICRO_G, "micro-g", 0, 1e9),
-    NUMBERS(GROUP_ACCEL, OPTION_AXES, "--accel-vrw", "MICRO_G_PER_SQRT_HZ", "white noise",
-            accel.velocity_random_walk_m_s_sqrt_s, SINS_MICRO_G_PER_SQRT_HZ, "micro-g/sqrt(Hz)", 0, 1e8),
-    MARKOV(GROUP_ACCEL, "--accel-markov", "SIGMA_MICRO_G,TIME_S", "Markov bias sigma",
-           accel.markov_sigma_m_s2, accel.markov_time_s, 3, SINS_MICRO_G, "micro-g", 1e9),
-    NUMBERS(GROUP_ACCEL, OPTION_AXES, "--accel-scale", "PPM", "scale factor error",
-            accel.scale_factor, SINS_PPM, "ppm", -1e6, 1e6),
-    NUMBERS(GROUP_ACCEL, OPTION_MATRIX, "--accel-misalignment", "ARCSEC", "misalignment",
-            accel.misalignment_rad, SINS_ARCSEC, "arcsec", -2e5, 2e5),
+    WORD(GROUP_ACCEL, OPTION_CHOICE, "--accel-preset", "preset", GRADES, "errors to begin with", grades[1]),
+    AXES(GROUP_ACCEL, "--accel-bias", "bias_micro_g", "bias", accel.bias_m_s2, SINS_MICRO_G, "micro-g"),
+    AXES(GROUP_ACCEL, "--accel-bias-sigma", "bias_sigma_micro_g", "turn-on bias sigma", accel.bias_sigma_m_s2,
+         SINS_MICRO_G, "micro-g"),
+    AXES(GROUP_ACCEL, "--accel-markov-sigma", "markov_sigma_micro_g", "Markov bias sigma", accel.markov_sigma_m_s2,
+         SINS_MICRO_G, "micro-g"),
+    AXES(GROUP_ACCEL, "--accel-markov-time", "markov_time_s", "Markov bias time", accel.markov_time_s, 1, "s"),
+    AXES(GROUP_ACCEL, "--accel-vrw", "random_walk_micro_g_sqrt_hz", "white noise",
+         accel.velocity_random_walk_m_s_sqrt_s, SINS_MICRO_G_PER_SQRT_HZ, "micro-g/sqrt(Hz)"),
+    AXES(GROUP_ACCEL, NULL, "acceleration_random_walk_micro_g_sqrt_h", "acceleration random walk",
+         accel.acceleration_random_walk_m_s2_sqrt_s, SINS_MICRO_G / 60, "micro-g/sqrt(h)"),
+    AXES(GROUP_ACCEL, NULL, "ramp_micro_g_h", "ramp", accel.ramp_m_s3, SINS_MICRO_G / 3600, "micro-g/h"),
+    AXES(GROUP_ACCEL, NULL, "flicker_micro_g", "bias instability B", accel.flicker_m_s2, SINS_MICRO_G, "micro-g"),
+    AXES(GROUP_ACCEL, NULL, "quantization_mm_s", "pulse", accel.quantization_m_s, 1e-3, "mm/s"),
+    AXES(GROUP_ACCEL, "--accel-scale", "scale_factor_ppm", "scale factor error", accel.scale_factor, SINS_PPM, "ppm"),
+    AXES(GROUP_ACCEL, NULL, "scale_factor_asymmetry_ppm", "scale factor asymmetry", accel.scale_factor_asymmetry,
+         SINS_PPM, "ppm"),
+    AXES(GROUP_ACCEL, NULL, "scale_factor_nonlinearity_ppm_per_g", "scale factor nonlinearity",
+         accel.scale_factor_nonlinearity_s2_m, SINS_PPM / SINS_STANDARD_GRAVITY, "ppm/g"),
+    NUMBERS(GROUP_ACCEL, OPTION_CROSS, "--accel-misalignment", "misalignment_arcsec", "misalignment",
+            accel.misalignment_rad, SINS_ARCSEC, "arcsec"),
+    AXES(GROUP_ACCEL, NULL, "range_g", "range", accel.range_m_s2, SINS_STANDARD_GRAVITY, "g"),
+    AXES(GROUP_ACCEL, NULL, "bandwidth_hz", "bandwidth", accel.bandwidth_hz, 1, "Hz"),
+    AXES(GROUP_ACCEL, NULL, "dead_zone_micro_g", "half the dead zone", accel.dead_zone_m_s2, SINS_MICRO_G, "micro-g"),
+    NUMBERS(GROUP_ACCEL, OPTION_MATRIX, NULL, "lever_arm_mm", "place of x, y and z sensor", accel.lever_arm_m, 1e-3,
+            "mm"),
+    AXES(GROUP_ACCEL, NULL, "vibration_rectification_micro_g_per_g2", "vibration rectification",
+         accel.vibration_rectification_s2_m, 1e-6 / SINS_STANDARD_GRAVITY, "micro-g/g2"),
 
-    NUMBERS(GROUP_ALTIMETER, OPTION_NUMBER, "--baro-bias", "M", "bias",
-            altimeter.bias_m, 1, "m", -1e5, 1e5),
-    NUMBERS(GROUP_ALTIMETER, OPTION_NUMBER, "--baro-noise", "M", "noise of each sample",
-            altimeter.noise_m, 1, "m", 0, 1e5),
-    MARKOV(GROUP_ALTIMETER, "--baro-markov", "SIGMA_M,TIME_S", "Markov error sigma",
-           altimeter.markov_sigma_m, altimeter.markov_time_s, 1, 1, "m", 1e5),
-    NUMBERS(GROUP_ALTIMETER, OPTION_NUMBER, "--baro-scale", "PPM", "scale factor error",
-            altimeter.scale_factor, SINS_PPM, "ppm", -1e6, 1e6),
-    NUMBERS(GROUP_ALTIMETER, OPTION_NUMBER, "--baro-lag", "S", "lag",
-            altimeter.lag_s, 1, "s", 0, 1e4),
+    NUMBER(GROUP_ALTIMETER, "--baro-bias", "bias_m", "bias", altimeter.bias_m, 1, "m"),
+    NUMBER(GROUP_ALTIMETER, "--baro-noise", "noise_m", "noise of each sample", altimeter.noise_m, 1, "m"),
+    NUMBER(GROUP_ALTIMETER, "--baro-markov-sigma", "markov_sigma_m", "Markov error sigma", altimeter.markov_sigma_m, 1,
+           "m"),
+    NUMBER(GROUP_ALTIMETER, "--baro-markov-time", "markov_time_s", "Markov error time", altimeter.markov_time_s, 1,
+           "s"),
+    NUMBER(GROUP_ALTIMETER, "--baro-scale", "scale_factor_ppm", "scale factor error", altimeter.scale_factor, SINS_PPM,
+           "ppm"),
+    NUMBER(GROUP_ALTIMETER, "--baro-lag", "lag_s", "lag", altimeter.lag_s, 1, "s"),
 
-    NUMBERS(GROUP_START, OPTION_VECTOR, "--initial-position", "E,N,U", "position",
-            initial.position_enu_m, 1, "m", -1e6, 1e6),
-    NUMBERS(GROUP_START, OPTION_VECTOR, "--initial-velocity", "E,N,U", "velocity",
-            initial.velocity_enu_m_s, 1, "m/s", -1e4, 1e4),
-    NUMBERS(GROUP_START, OPTION_VECTOR, "--initial-misalignment", "E,N,U", "misalignment",
-            initial.misalignment_enu_rad, SINS_ARCMIN, "arcmin", -10800, 10800),
-    WORD(GROUP_START, OPTION_CHOICE, "--alignment", "given|gyrocompass", "alignment", initial.alignment)
+    NUMBERS(GROUP_START, OPTION_VECTOR, "--initial-position", "position_m", "position east, north, up",
+            initial.position_enu_m, 1, "m"),
+    NUMBERS(GROUP_START, OPTION_VECTOR, "--initial-velocity", "velocity_m_s", "velocity east, north, up",
+            initial.velocity_enu_m_s, 1, "m/s"),
+    NUMBERS(GROUP_START, OPTION_VECTOR, "--initial-misalignment", "misalignment_arcmin",
+            "misalignment about east, north, up", initial.misalignment_enu_rad, SINS_ARCMIN, "arcmin"),
+    AXES(GROUP_START, NULL, "position_sigma_m", "position sigma", initial.position_sigma_enu_m, 1, "m"),
+    AXES(GROUP_START, NULL, "velocity_sigma_m_s", "velocity sigma", initial.velocity_sigma_enu_m_s, 1, "m/s"),
+    AXES(GROUP_START, NULL, "misalignment_sigma_arcmin", "misalignment sigma", initial.misalignment_sigma_enu_rad,
+         SINS_ARCMIN, "arcmin"),
+    WORD(GROUP_START, OPTION_CHOICE, "--alignment", "alignment", "given|gyrocompass",
+         "given, or with what levelling and gyrocompassing leave", initial.alignment),
+
+    WORD(GROUP_OUTPUT, OPTION_TEXT, "--out", "folder", "DIR", "folder of the output files; default sins_out", out),
+    WORD(GROUP_OUTPUT, OPTION_TEXT, "--name", "name", "NAME", "base name of the output files; default from the scene",
+         name),
+    WORD(GROUP_OUTPUT, OPTION_TEXT, "--imu", "imu", "FILE.csv", "also the measured increments of every sample interval",
+         imu),
+    WITHIN(GROUP_OUTPUT, "--every", "every_s", "spacing of the records; default about 2000 of them", every_s, "s", 5e-5,
+           1e7),
+    FLAG(GROUP_OUTPUT, "--quiet", "quiet", "neither progress nor summary table", quiet, 1),
+    FLAG(GROUP_OUTPUT, "--help", NULL, "this page", help, 1),
+    FLAG(GROUP_OUTPUT, "--keys", NULL, "the keys of a scene file", keys, 1)
 };
 
 const size_t option_table_length = sizeof option_table / sizeof option_table[0];
 
-size_t option_elements(const struct option *option, const size_t **which)
-{
-    static const size_t in_turn[3] = { 0, 1, 2 };
-    static const size_t off_diagonal[6] = { 1, 2, 3, 5, 6, 7 };
+/* Does not compile if struct settings is too small. */
+typedef char settings_hold_the_table[sizeof option_table / sizeof option_table[0] <= SETTINGS_OPTIONS
+                                             && (int)OPTION_GROUPS <= (int)SETTINGS_SECTIONS ? 1 : -1];
 
-    *which = option->kind == OPTION_MATRIX ? off_diagonal : in_turn;
+const struct option *option_of_field(const char *field)
+{
+    size_t i;
+
+    for (i = 0; i < option_table_length; i++) {
+        if (strcmp(option_table[i].field, field) == 0) {
+            return &option_table[i];
+        }
+    }
+    return NULL;
+}
+
+struct option_shape option_shape(const struct option *option)
+{
+    static const struct option_shape none = { 0, 0 }, number = { 1, 0x1 }, vector = { 3, 0x0 }, axes = { 3, 0x7 },
+                                     cross = { 9, 0xEE }, diagonal = { 9, 0x111 }, matrix = { 9, 0x0 };
+
     switch (option->kind) {
     case OPTION_NUMBER:
-        return 1;
-    case OPTION_MARKOV:
-        return option->count;
-    case OPTION_AXES:
+        return number;
     case OPTION_VECTOR:
-        return 3;
+        return vector;
+    case OPTION_AXES:
+        return axes;
+    case OPTION_CROSS:
+        return cross;
+    case OPTION_DIAGONAL:
+        return diagonal;
     case OPTION_MATRIX:
-        return 6;
+        return matrix;
     default:
-        return 0;
+        return none;
     }
 }

@@ -18,46 +18,49 @@ static void append_number(char *text, size_t capacity, const char *before, doubl
     append(text, capacity, piece);
 }
 
+static const void *place(const struct settings *set, const struct option *option)
+{
+    return (const char *)set + option->at;
+}
+
 static void describe(const struct settings *set, const struct option *option, char *text, size_t capacity)
 {
-    const double *values = (const double *)(const void *)((const char *)set + option->at);
-    const size_t *which;
-    size_t count = option_elements(option, &which), i;
-    int is_set = 0, is_same = 1;
+    struct option_shape shape = option_shape(option);
+    const double *values = (const double *)place(set, option);
+    const double *single = NULL; /* what a single number would have set */
+    size_t i;
+    int is_set = 0, is_single = 1;
 
-    for (i = 0; i < count; i++) {
-        is_set = is_set || values[which[i]] != 0;
-        is_same = is_same && values[which[i]] == values[which[0]];
+    for (i = 0; i < shape.count; i++) {
+        is_set = is_set || values[i] != 0;
+        single = single == NULL && shape.single >> i & 1 ? &values[i] : single;
     }
     if (!is_set) {
         return;
     }
+    for (i = 0; i < shape.count; i++) {
+        is_single = is_single && single != NULL && values[i] == (shape.single >> i & 1 ? *single : 0);
+    }
     append(text, capacity, text[0] == '\0' ? "" : ", ");
     append(text, capacity, option->noun);
-    for (i = 0; i < (is_same ? 1 : count); i++) {
-        append_number(text, capacity, i == 0 ? " " : "/", values[which[i]] / option->unit);
+    if (is_single) {
+        append_number(text, capacity, " ", *single / option->unit);
+    } else {
+        for (i = 0; i < shape.count; i++) {
+            append_number(text, capacity, i == 0 ? " " : "/", values[i] / option->unit);
+        }
     }
     append(text, capacity, " ");
     append(text, capacity, option->unit_text);
-    if (option->kind == OPTION_MARKOV) {
-        const double *time_s = (const double *)(const void *)((const char *)set + option->time_at);
-
-        append_number(text, capacity, " with time ", *time_s);
-        append(text, capacity, " s");
-    }
 }
 
-void option_word(const struct settings *set, const char *name, char *word, size_t capacity)
+void option_word(const struct settings *set, const char *field, char *word, size_t capacity)
 {
-    const struct option *option = option_table;
-    const char *words;
+    const struct option *option = option_of_field(field);
+    const char *words = option->operand;
     int32_t index;
 
-    while (strcmp(option->name, name) != 0) {
-        option++;
-    }
-    words = option->operand;
-    for (index = *(const int32_t *)(const void *)((const char *)set + option->at); index > 0; index--) {
+    for (index = *(const int32_t *)place(set, option); index > 0; index--) {
         words = strchr(words, '|') + 1;
     }
     snprintf(word, capacity, "%.*s", (int)strcspn(words, "|"), words);
@@ -81,40 +84,3 @@ void options_describe(const struct settings *set, enum option_group group, char 
     }
 }
 
-void options_print_help(void)
-{
-    /* By group. */
-    static const char *const headings[] = {
-        "run", "simulator", "gyro errors: one number for all axes or X,Y,Z with commas",
-        "accelerometer errors: likewise", "altimeter errors, with --vertical damped",
-        "errors at the start: computed less true"
-    };
-    size_t i;
-
-    puts("usage: sins_harness SCENE [options]\n"
-         "\n"
-         "Flies a strapdown inertial navigation system, writes its records and figures as\n"
-         "DIR/NAME.csv and DIR/NAME_summary.csv, and prints a summary.\n"
-         "\n"
-         "scenes\n"
-         "  simulation1        the paper's: no sensor errors, 48 h\n"
-         "  simulation2        the paper's: gyro bias 0.01 deg/h, angle random walk 0.005 deg/sqrt(h),\n"
-         "                     accelerometer bias 10 micro-g, white noise 5 micro-g/sqrt(Hz), 48 h\n"
-         "  flight FILE.csv    a flight log with the columns time_s, latitude_rad, longitude_rad, height_m,\n"
-         "                     velocity_east_m_s, velocity_north_m_s, velocity_up_m_s (all three or none),\n"
-         "                     roll_rad, pitch_rad, heading_rad; angles also as latitude_deg and so on;\n"
-         "                     as well, if there, rate_x_rad_s, .._y_.., .._z_.. and force_x_m_s2, ..\n"
-         "  embedded NAME      a built-in flight; \"embedded list\" names them");
-    for (i = 0; i < option_table_length; i++) {
-        const struct option *option = &option_table[i];
-        char usage[80];
-
-        if (i == 0 || option->group != option_table[i - 1].group) {
-            printf("\n%s\n", headings[option->group]);
-        }
-        snprintf(usage, sizeof usage, "%s %s", option->name, option->operand);
-        printf("  %-42s %s", usage, option->noun);
-        printf(option->unit_text[0] != '\0' ? " [%s]\n" : "\n", option->unit_text);
-    }
-    puts("\nexit code: 0 done, 1 failed, 2 bad option or file, 130 interrupted (files are whole)");
-}

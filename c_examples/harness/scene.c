@@ -1,36 +1,58 @@
 #include "scene.h"
 
+#include <errno.h>
 #include <math.h>
 #include <string.h>
 
+#include "complain.h"
 #include "flight_plan.h"
 #include "report.h"
 
 /* What rounding may leave of a sample interval. */
 static const double ROUNDING = 1e-6;
 
+/* The manoeuvres of the flight. DONE, or BAD_INPUT reported. */
+static int make_plan(struct flight_plan *plan, const struct settings *set, double wanted_s)
+{
+    switch (set->kind) {
+    case SCENE_MANOEUVRES:
+        *plan = set->plan;
+        plan->start = set->start;
+        break;
+    case SCENE_EMBEDDED:
+        if (flight_plan_named(plan, set->builtin, wanted_s) != 0) {
+            complain(set, "builtin", "%s: no such flight; \"sins_harness embedded list\" names them", set->builtin);
+            return BAD_INPUT;
+        }
+        break;
+    default:
+        if (set->motion == MOTION_REST) {
+            flight_plan_rest(plan, wanted_s);
+        } else {
+            flight_plan_patrol(plan, wanted_s);
+        }
+    }
+    plan->start.earth = set->options.earth;
+    return DONE;
+}
+
 static int open_flight(struct scene *scene, const struct settings *set)
 {
     static struct flight_plan plan;
     double wanted_s = set->hours * 3600;
+    int code = make_plan(&plan, set, wanted_s);
 
-    if (set->kind == SCENE_EMBEDDED) {
-        int code = flight_plan_named(&plan, set->operand, wanted_s);
-        if (code != DONE) {
-            return code;
-        }
-    } else if (set->motion == MOTION_REST) {
-        flight_plan_rest(&plan, wanted_s);
-    } else {
-        flight_plan_patrol(&plan, wanted_s);
+    if (code != DONE) {
+        return code;
     }
-    plan.start.earth = set->options.earth;
-    if (refused(NULL, sins_flight_create(&plan.start, plan.manoeuvres, plan.count, &scene->flight))
-        || refused(NULL, sins_flight_duration(scene->flight, &scene->flight_s))) {
+    if (refused_setting(set, NULL, sins_flight_create(&plan.start, plan.manoeuvres, plan.count, &scene->flight))) {
+        return BAD_INPUT;
+    }
+    if (refused(NULL, sins_flight_duration(scene->flight, &scene->flight_s))) {
         return FAILED;
     }
     if (wanted_s > scene->flight_s * (1 + ROUNDING)) {
-        report("--hours %g: the flight lasts %.4g h", set->hours, scene->flight_s / 3600);
+        complain(set, "hours", "%g: the flight lasts %.4g h", set->hours, scene->flight_s / 3600);
         return BAD_INPUT;
     }
     scene->period_s = 1 / set->rate_hz;
@@ -60,12 +82,25 @@ static int measure_log(struct scene *scene, const struct settings *set)
         return BAD_INPUT;
     }
     if (scene->samples < 2) {
-        report("%s: %s; a flight needs at least two", set->operand, scene->samples == 0 ? "no sample" : "one sample");
+        report("%s: %s; a flight needs at least two", set->log, scene->samples == 0 ? "no sample" : "one sample");
         return BAD_INPUT;
     }
     scene->duration_s = fmax(last_time_s - scene->first_time_s, 0);
     scene->period_s = scene->duration_s / (double)(scene->samples - 1);
     return DONE;
+}
+
+/* A log that is not there is a fault of the line that names it. */
+static int check_log(const struct settings *set)
+{
+    FILE *stream = fopen(set->log, "rb");
+
+    if (stream == NULL) {
+        complain(set, "log", "%s: %s", set->log, strerror(errno));
+        return -1;
+    }
+    fclose(stream);
+    return 0;
 }
 
 int scene_open(struct scene *scene, const struct settings *set)
@@ -76,12 +111,12 @@ int scene_open(struct scene *scene, const struct settings *set)
     if (set->kind != SCENE_FLIGHT) {
         return open_flight(scene, set);
     }
-    if (flight_csv_open(&scene->log, set->operand) != 0) {
+    if ((set->scene_file[0] != '\0' && check_log(set) != 0) || flight_csv_open(&scene->log, set->log) != 0) {
         return BAD_INPUT;
     }
     code = measure_log(scene, set);
     flight_csv_close(&scene->log);
-    return code != DONE ? code : flight_csv_open(&scene->log, set->operand) != 0 ? BAD_INPUT : DONE;
+    return code != DONE ? code : flight_csv_open(&scene->log, set->log) != 0 ? BAD_INPUT : DONE;
 }
 
 int scene_next(struct scene *scene, sins_flight_sample *samples, size_t count, size_t *got)

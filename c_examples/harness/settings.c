@@ -3,79 +3,59 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "complain.h"
 #include "option_table.h"
 #include "report.h"
 
-static int read_options(struct settings *set, int count, char **arguments)
+int settings_begin(struct settings *set, const int32_t *grades)
 {
-    int i;
-
-    for (i = 0; i < count; i++) {
-        const struct option *option = option_table;
-
-        while (option < option_table + option_table_length && strcmp(option->name, arguments[i]) != 0) {
-            option++;
-        }
-        if (option == option_table + option_table_length) {
-            report("%s: no such option; --help lists them", arguments[i]);
-            return -1;
-        }
-        if (option->kind == OPTION_FLAG) {
-            *(int32_t *)(void *)((char *)set + option->at) = 1;
-        } else if (i + 1 == count) {
-            report("%s: expected %s after it", option->name, option->operand);
-            return -1;
-        } else if (option_read(set, option, arguments[++i]) != 0) {
-            return -1;
-        }
-    }
-    return 0;
+    memset(set, 0, sizeof *set);
+    strcpy(set->out, "sins_out");
+    set->motion = MOTION_NONE;
+    SINS_INIT(set->options);
+    SINS_INIT(set->gyro);
+    SINS_INIT(set->accel);
+    SINS_INIT(set->altimeter);
+    SINS_INIT(set->initial);
+    SINS_INIT(set->start);
+    set->options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
+    set->options.error_model = SINS_ERROR_MODEL_RK4;
+    return (grades[0] != 0 && refused(NULL, sins_gyro_preset(grades[0], &set->gyro)))
+                || (grades[1] != 0 && refused(NULL, sins_accel_preset(grades[1], &set->accel)))
+             ? -1
+             : 0;
 }
 
-/* The scene and its operand; gives how many arguments they took, 0 reported. */
-static int read_scene(struct settings *set, int count, char **arguments)
+/* The field of the first option of a section that was set; NULL: none. With a field's begin: of those alone. */
+static const char *field_set(const struct settings *set, enum option_group group, const char *begin)
 {
-    static const char *const names[] = { "simulation1", "simulation2", "flight", "embedded" };
-    int kind;
+    size_t i;
 
-    if (count == 0) {
-        report("which scene? simulation1, simulation2, flight FILE.csv or embedded NAME; --help tells more");
-        return 0;
+    for (i = 0; i < option_table_length; i++) {
+        if (set->line[i] != SET_NOWHERE && option_table[i].group == group
+            && strncmp(option_table[i].field, begin, strlen(begin)) == 0) {
+            return option_table[i].field;
+        }
     }
-    for (kind = 0; kind < 4 && strcmp(arguments[0], names[kind]) != 0; kind++) {
-    }
-    if (kind == 4) {
-        report("%s: no such scene; expected simulation1, simulation2, flight FILE.csv or embedded NAME", arguments[0]);
-        return 0;
-    }
-    set->kind = (enum scene_kind)kind;
-    set->scene = names[kind];
-    if (set->kind < SCENE_FLIGHT) {
-        return 1;
-    }
-    if (count < 2 || arguments[1][0] == '\0' || strncmp(arguments[1], "--", 2) == 0) {
-        report("%s: expected %s after it", names[kind], set->kind == SCENE_FLIGHT ? "FILE.csv" : "NAME, or list");
-        return 0;
-    }
-    set->operand = arguments[1];
-    return 2;
+    return NULL;
 }
 
-/* What single options cannot tell: whether they go together. */
 static int check_together(const struct settings *set)
 {
-    const sins_altimeter_params *altimeter = &set->altimeter;
-    int has_altimeter_errors = altimeter->bias_m != 0 || altimeter->noise_m != 0 || altimeter->markov_sigma_m != 0
-                            || altimeter->scale_factor != 0 || altimeter->lag_s != 0;
+    const char *altimeter = field_set(set, GROUP_ALTIMETER, ""), *start = field_set(set, GROUP_FLIGHT, "start.");
 
     if (set->kind >= SCENE_FLIGHT && set->motion != MOTION_NONE) {
-        report("--motion: only simulation1 and simulation2 have a choice of motions");
+        complain(set, "motion", "only simulation1 and simulation2 have a choice of motions");
     } else if (set->kind == SCENE_FLIGHT && set->rate_hz != 0) {
-        report("--rate %g: a flight log has its own time stamps", set->rate_hz);
-    } else if (has_altimeter_errors && set->options.vertical != SINS_VERTICAL_DAMPED) {
-        report("--baro-...: altimeter errors act with --vertical damped alone");
-    } else if (set->name != NULL && strpbrk(set->name, "/\\") != NULL) {
-        report("--name %s: expected a name without folders; --out names the folder", set->name);
+        complain(set, "rate_hz", "a flight log has its own time stamps");
+    } else if (set->kind != SCENE_FLIGHT && set->options.sample_period_s != 0) {
+        complain(set, "options.sample_period_s", "only for a log; this flight is sampled at rate_hz");
+    } else if (start != NULL && set->kind != SCENE_MANOEUVRES) {
+        complain(set, start, "only for [[manoeuvre]]s; this flight has its own start");
+    } else if (altimeter != NULL && set->options.vertical != SINS_VERTICAL_DAMPED) {
+        complain(set, altimeter, "altimeter errors act with the vertical channel damped alone");
+    } else if (strpbrk(set->name, "/\\") != NULL) {
+        complain(set, "name", "\"%s\" has a folder; expected a name without, the folder by itself", set->name);
     } else {
         return 0;
     }
@@ -95,49 +75,35 @@ static const char *without_folders(const char *path)
 /* The names of the motion and of the output files. */
 static void set_names(struct settings *set)
 {
-    char *name = set->default_name;
+    static const char *const scenes[] = { "simulation1", "simulation2", "flight", "embedded", "manoeuvres" };
+    const char *source = set->scene_file[0] != '\0' ? set->scene_file : set->log;
+    const char *motion = set->motion == MOTION_REST ? "rest" : "patrol";
     char *ending;
 
+    set->scene = scenes[set->kind];
+    set->motion_name = set->kind == SCENE_FLIGHT     ? without_folders(set->log)
+                     : set->kind == SCENE_EMBEDDED   ? set->builtin
+                     : set->kind == SCENE_MANOEUVRES ? without_folders(set->scene_file)
+                                                     : motion;
+    if (set->name[0] != '\0') {
+        return;
+    }
     if (set->kind < SCENE_FLIGHT) {
-        set->motion_name = set->motion == MOTION_REST ? "rest" : "patrol";
-        snprintf(name, sizeof set->default_name, "%s_%s", set->scene, set->motion_name);
-    } else {
-        set->motion_name = without_folders(set->operand);
-        snprintf(name, sizeof set->default_name, "%s", set->motion_name);
-        ending = strrchr(name, '.');
-        if (ending != NULL && ending != name) {
-            *ending = '\0';
-        }
+        snprintf(set->name, sizeof set->name, "%s_%s", set->scene, motion);
+        return;
     }
-    if (set->name == NULL) {
-        set->name = name;
+    snprintf(set->name, sizeof set->name, "%s", source[0] != '\0' ? without_folders(source) : set->builtin);
+    ending = strrchr(set->name, '.');
+    if (ending != NULL && ending != set->name) {
+        *ending = '\0';
     }
 }
 
-int settings_preset(struct settings *set)
+int settings_complete(struct settings *set)
 {
-    return refused(NULL, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &set->gyro))
-                || refused(NULL, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &set->accel))
-             ? -1
-             : 0;
-}
-
-static void set_defaults(struct settings *set)
-{
-    memset(set, 0, sizeof *set);
-    set->out = "sins_out";
-    set->motion = MOTION_NONE;
-    set->options.struct_size = sizeof set->options;
-    set->gyro.struct_size = sizeof set->gyro;
-    set->accel.struct_size = sizeof set->accel;
-    set->altimeter.struct_size = sizeof set->altimeter;
-    set->initial.struct_size = sizeof set->initial;
-    set->options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
-}
-
-/* What the command line left open. */
-static void complete(struct settings *set)
-{
+    if (check_together(set) != 0) {
+        return -1;
+    }
     if (set->kind < SCENE_FLIGHT) {
         set->motion = set->motion == MOTION_NONE ? MOTION_PATROL : set->motion;
         set->hours = set->hours == 0 ? 48 : set->hours;
@@ -146,25 +112,7 @@ static void complete(struct settings *set)
         set->rate_hz = set->rate_hz == 0 ? 100 : set->rate_hz;
         set->options.sample_period_s = 1 / set->rate_hz;
     }
-    set->options.error_model = set->no_model ? SINS_ERROR_MODEL_OFF : SINS_ERROR_MODEL_RK4;
     set_names(set);
-}
-
-int settings_read(struct settings *set, int count, char **arguments)
-{
-    int taken;
-
-    set_defaults(set);
-    if (count > 0 && strcmp(arguments[0], "--help") == 0) {
-        set->help = 1;
-        return 0;
-    }
-    taken = read_scene(set, count, arguments);
-    if (taken == 0 || (set->kind == SCENE_SIMULATION2 && settings_preset(set) != 0)
-        || read_options(set, count - taken, arguments + taken) != 0 || check_together(set) != 0) {
-        return -1;
-    }
-    complete(set);
     return 0;
 }
 
@@ -173,21 +121,20 @@ int settings_has_ideal_sensors(const struct settings *set)
     sins_gyro_params gyro;
     sins_accel_params accel;
 
-    memset(&gyro, 0, sizeof gyro);
-    memset(&accel, 0, sizeof accel);
-    gyro.struct_size = set->gyro.struct_size;
-    accel.struct_size = set->accel.struct_size;
+    SINS_INIT(gyro);
+    SINS_INIT(accel);
     return memcmp(&gyro, &set->gyro, sizeof gyro) == 0 && memcmp(&accel, &set->accel, sizeof accel) == 0;
 }
 
 int settings_create(const struct settings *set, sins_sim **sim)
 {
-    if (refused(NULL, sins_create(&set->options, sim))) {
+    if (refused_setting(set, NULL, sins_create(&set->options, sim))) {
         return BAD_INPUT;
     }
-    if (refused(*sim, sins_set_gyro(*sim, &set->gyro)) || refused(*sim, sins_set_accel(*sim, &set->accel))
-        || refused(*sim, sins_set_altimeter(*sim, &set->altimeter))
-        || refused(*sim, sins_set_initial_errors(*sim, &set->initial))) {
+    if (refused_setting(set, *sim, sins_set_gyro(*sim, &set->gyro))
+        || refused_setting(set, *sim, sins_set_accel(*sim, &set->accel))
+        || refused_setting(set, *sim, sins_set_altimeter(*sim, &set->altimeter))
+        || refused_setting(set, *sim, sins_set_initial_errors(*sim, &set->initial))) {
         sins_destroy(*sim);
         *sim = NULL;
         return BAD_INPUT;

@@ -13,11 +13,15 @@ static void describe_scene(struct summary *sum)
     char *text = sum->scene_text;
     size_t capacity = sizeof sum->scene_text;
 
-    if (set->kind == SCENE_FLIGHT) {
+    if (set->title[0] != '\0') {
+        snprintf(text, capacity, "%s", set->title);
+    } else if (set->kind == SCENE_FLIGHT) {
         const char *title = sum->scene->log.title;
         snprintf(text, capacity, "%s", title[0] != '\0' ? title : "recorded flight");
     } else if (set->kind == SCENE_EMBEDDED) {
-        snprintf(text, capacity, "Built-in flight: %s", flight_plan_line(set->operand));
+        snprintf(text, capacity, "Built-in flight: %s", flight_plan_line(set->builtin));
+    } else if (set->kind == SCENE_MANOEUVRES) {
+        snprintf(text, capacity, "Flight of %d manoeuvres", (int)set->plan.count);
     } else {
         snprintf(text, capacity, "Simulation %d of the paper: %s", set->kind == SCENE_SIMULATION1 ? 1 : 2,
                  flight_plan_line(set->motion_name));
@@ -41,13 +45,13 @@ int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *se
     sum->every_s = (double)flown->every * scene->period_s;
     sum->ns_per_step = flown->steps > 0 ? 1e9 * flown->library_s / (double)flown->steps : 0;
     describe_scene(sum);
-    option_word(set, "--scheme", sum->scheme, sizeof sum->scheme);
-    option_word(set, "--frame", sum->frame, sizeof sum->frame);
-    option_word(set, "--signal", sum->signal, sizeof sum->signal);
-    option_word(set, "--vertical", sum->vertical, sizeof sum->vertical);
-    option_word(set, "--earth", sum->earth, sizeof sum->earth);
-    option_word(set, "--gravity", sum->gravity, sizeof sum->gravity);
-    option_word(set, "--axes", sum->axes, sizeof sum->axes);
+    option_word(set, "options.scheme", sum->scheme, sizeof sum->scheme);
+    option_word(set, "options.frame", sum->frame, sizeof sum->frame);
+    option_word(set, "options.signal", sum->signal, sizeof sum->signal);
+    option_word(set, "options.vertical", sum->vertical, sizeof sum->vertical);
+    option_word(set, "options.earth", sum->earth, sizeof sum->earth);
+    option_word(set, "options.gravity", sum->gravity, sizeof sum->gravity);
+    option_word(set, "options.axes", sum->axes, sizeof sum->axes);
     options_describe(set, GROUP_GYRO, sum->gyro, sizeof sum->gyro);
     options_describe(set, GROUP_ACCEL, sum->accel, sizeof sum->accel);
     options_describe(set, GROUP_ALTIMETER, sum->altimeter, sizeof sum->altimeter);
@@ -103,6 +107,9 @@ static void rows_of_setting(const struct summary *sum, struct whole_file *file)
     text_row(file, "name", set->name, "name");
     text_row(file, "scene", set->scene, "scene");
     text_row(file, "motion", set->motion_name, "motion");
+    if (set->scene_file[0] != '\0') {
+        text_row(file, "scene_file", set->scene_file, "scene file");
+    }
     text_row(file, "scene_text", sum->scene_text, "scene in words");
     text_row(file, "scheme", sum->scheme, "mechanization scheme");
     text_row(file, "frame", sum->frame, "navigation frame");

@@ -14,8 +14,8 @@ struct summary {
     char scheme[16], frame[16], signal[16], vertical[16], earth[16], gravity[16], axes[16];
     int subsamples, updates;
     double rate_hz, every_s, ns_per_step;
-    char scene_text[256];
-    char gyro[512], accel[512], altimeter[256], start[256];
+    char scene_text[VALUE_TEXT_SIZE];
+    char gyro[2048], accel[2048], altimeter[512], start[512];
 };
 
 /* Gathers the figures. DONE, or FAILED reported. */

@@ -101,7 +101,7 @@ static void print_accuracy(const struct summary *sum)
     print_figure("largest |position error| of the records", flown->max_position_m, "m");
     print_figure("largest |velocity error| of the records", flown->max_velocity_m_s, "m/s");
     print_figure("largest |misalignment| of the records", flown->max_misalignment_rad / SINS_ARCMIN, "arcmin");
-    if (!sum->set->no_model) {
+    if (sum->set->options.error_model != SINS_ERROR_MODEL_OFF) {
         print_figure("largest |error data 1 - error data 2| of the records, position", flown->max_model_position_m,
                      "m");
         print_figure("largest |error data 1 - error data 2| of the records, velocity", flown->max_model_velocity_m_s,

@@ -1,0 +1,348 @@
+//! Scenes from a file, in the C harness: what they are refused for, and that no text does harm.
+
+#[path = "support/c_side.rs"]
+mod c_side;
+#[path = "support/scenes.rs"]
+mod scenes;
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+
+use c_side::{library_folder, project_file};
+use scenes::{SANITIZED, build, folder, run};
+
+/// A flight to be flown with what a case sets.
+const REST: &str = "[flight]\nbuiltin = \"rest\"\n";
+
+#[test]
+fn every_fault_is_told_with_its_line() {
+    let folder = folder("faults");
+    let sinusoid = "[[manoeuvre]]\nkind = 'sinusoids'\nduration_s = 9\n[[manoeuvre.sinusoid]]\n";
+    let long_line = format!("# {}\n", "x".repeat(5000));
+    let long_name = format!("{} = 1\n", "x".repeat(64));
+    let huge = "# x\n".repeat(300_000);
+    let many = "[[manoeuvre]]\nkind = 'rest'\n".repeat(1025);
+    for (text, expected) in [
+        // Names.
+        ("[gyro]\nbais_deg_h = 1", ":2: gyro.bais_deg_h: unknown key; did you mean bias_deg_h?"),
+        ("[gyro]\nbias_rad_s = 1", ":2: gyro.bias_rad_s: unknown key; did you mean bias_deg_h?"),
+        (
+            "[accelerometer]\nlever_arm_m = [1]",
+            ":2: accelerometer.lever_arm_m: unknown key; did you mean lever_arm_mm?",
+        ),
+        ("[gyro]\nlag_s = 1", ":2: gyro.lag_s: unknown key; did you mean altimeter.lag_s?"),
+        ("[giro]\nbias_deg_h = 1", ":1: [giro]: unknown section; did you mean [gyro]?"),
+        ("[[manoevre]]\n", ":1: [manoevre]: unknown section; did you mean [[manoeuvre]]?"),
+        ("bias = 1\n", ":1: bias: expected a [section] before it"),
+        ("[manoeuvre]\n", ":1: [manoeuvre]: expected [[manoeuvre]]"),
+        ("[[gyro]]\n", ":1: [[gyro]]: expected [gyro]"),
+        // Twice.
+        ("[gyro]\nbias_deg_h = 1\n\nbias_deg_h = 1", ":4: gyro.bias_deg_h: stands already in line 2"),
+        ("[gyro]\n[start]\n[gyro]", ":3: [gyro]: stands already in line 1"),
+        // Types.
+        (
+            "[gyro]\nbias_deg_h = '1'",
+            ":2: gyro.bias_deg_h = \"1\": expected one number for all axes, or three",
+        ),
+        (
+            "[gyro]\nbias_deg_h = [1, 2]",
+            ":2: gyro.bias_deg_h = an array of 2: expected one number for all axes, or three",
+        ),
+        ("[gyro]\nbias_deg_h = []", ":2: gyro.bias_deg_h = an array of 0: expected one number"),
+        (
+            "[gyro]\nmisalignment_arcsec = [1, 2, 3]",
+            ":2: gyro.misalignment_arcsec = an array of 3: expected one number for all elements off the diagonal, or nine",
+        ),
+        ("[altimeter]\nbias_m = true", ":2: altimeter.bias_m = true: expected a number"),
+        ("[options]\nseed = -1", ":2: options.seed = -1: expected a whole number"),
+        ("[options]\nsubsamples = 2.0", ":2: options.subsamples = 2: expected a whole number"),
+        (
+            "[options]\nscheme = 'exakt\\u001b'",
+            ":2: options.scheme = \"exakt\\u001b\": expected exact|paper|polynomial",
+        ),
+        (
+            "[options]\nscheme = \"exakt\\u001b\"",
+            ":2: options.scheme = \"exakt?\": expected exact|paper|polynomial",
+        ),
+        ("[output]\nquiet = 1", ":2: output.quiet = 1: expected true or false"),
+        ("[output]\nfolder = ''", ":2: output.folder = \"\": expected DIR"),
+        (
+            "[flight]\nhours = 0\nbuiltin = 'rest'",
+            ":2: flight.hours = 0: expected a number, from 1e-05 to 100000 [h]",
+        ),
+        // What is no TOML, and what of it is not taken.
+        ("[gyro\n", ":1: expected ] behind the name"),
+        ("[[manoeuvre]\n", ":1: expected ]] behind the name"),
+        ("[gyro] x\n", ":1: expected the end of the line"),
+        ("[gyro]\nbias_deg_h\n", ":2: expected = behind the name"),
+        ("[gyro]\nbias_deg_h =\n", ":2: expected a value"),
+        ("[gyro]\n= 1\n", ":2: expected a [section] or a name = value"),
+        ("[gyro]\nbias_deg_h = [1,\n 2,\n x]", ":4: expected a value"),
+        ("[gyro]\n\"bias_deg_h\" = 1", ":2: names in quotes are not accepted"),
+        ("gyro.bias_deg_h = 1", ":1: names with dots are not accepted before =; begin a [section]"),
+        ("[gyro]\nbias_deg_h = { x = 1 }", ":2: tables in braces are not accepted"),
+        ("[output]\nname = \"\"\"a\"\"\"", ":2: strings over several lines are not accepted"),
+        ("[output]\nname = 'a", ":2: a string without its closing quote"),
+        ("[output]\nname = \"\\d\"", ":2: \\ with no escape"),
+        ("[gyro]\nbias_deg_h = inf", ":2: inf and nan are not accepted"),
+        ("[gyro]\nbias_deg_h = 0x10", ":2: hexadecimal, octal and binary numbers are not accepted"),
+        ("[gyro]\nbias_deg_h = 1.", ":2: not a number as TOML writes it"),
+        ("[gyro]\nbias_deg_h = 1979-05-27", ":2: dates and times are not accepted"),
+        ("[gyro]\nbias_deg_h = 99999999999999999999", ":2: a whole number beyond 64 bits"),
+        ("[gyro]\nbias_deg_h = [[1, 2, 3]]", ":2: arrays in arrays are not accepted"),
+        ("[gyro]\nbias_deg_h = [1,1,1,1,1,1,1,1,1,1]", ":2: an array of more than 9 numbers"),
+        (&long_name, ":1: a name of more than 63 characters"),
+        (&long_line, ":1: a line of more than 4096 bytes"),
+        (&huge, ":1: the text is longer than 1 MiB"),
+        ("# a\n\0", ":2: a zero byte; expected text"),
+        ("# a\rb", ":1: a carriage return without a line feed"),
+        ("# \u{7f}", ":1: a control character; expected text"),
+        // The library's sentence, at the key that sets the field.
+        (
+            "[gyro]\n\nbias_deg_h = [0, 1e9, 0]",
+            ":3: gyro.bias_deg_h: gyro.bias_rad_s[1] = 4848.13681109536: must be from -100 to 100",
+        ),
+        (
+            "[accelerometer]\npreset = 'tactical'\nscale_factor_ppm = 2e6",
+            ":3: accelerometer.scale_factor_ppm: accel.scale_factor[0] = 2: must be from -1 to 1",
+        ),
+        (
+            "[gyro]\nmisalignment_arcsec = [\n1,1,1,1,1,1,1,1,1]",
+            ":2: gyro.misalignment_arcsec: gyro.misalignment_rad[0]",
+        ),
+        (
+            "#\n[gyro]\nmarkov_sigma_deg_h = 1",
+            ":2: gyro.markov_time_s: gyro.markov_time_s[0] = 0: must be from 1e-9 to 1e15",
+        ),
+        (
+            "[options]\nvertical = 'damped'\n[altimeter]\nlag_s = 1e7",
+            ":4: altimeter.lag_s: altimeter.lag_s = 1e7: must be from 0 to",
+        ),
+        (
+            "[options]\nseed = 1\nsubsamples = 9",
+            ":3: options.subsamples: options.subsamples = 9: must be from 0 to 5",
+        ),
+        (
+            "[options]\nclosed_loop_time_s = 9",
+            ":2: options.closed_loop_time_s: options.closed_loop_time_s = 9: must be 0 without",
+        ),
+        (
+            "[start]\nposition_sigma_m = -1",
+            ":2: start.position_sigma_m: initial.position_sigma_enu_m[0] = -1: must be from 0",
+        ),
+        // What does not go together.
+        (
+            "[altimeter]\nbias_m = 1",
+            ":2: altimeter.bias_m: altimeter errors act with the vertical channel damped alone",
+        ),
+        ("[output]\nname = 'a/b'", ":2: output.name: \"a/b\" has a folder"),
+        ("[options]\nsample_period_s = 0.01", ":2: options.sample_period_s: only for a log"),
+        (
+            "[[manoeuvre]]\nkind = 'rest'\nduration_s = 9",
+            ": [flight]: expected one alone of file, builtin or [[manoeuvre]]s",
+        ),
+    ] {
+        let text = if text.contains("builtin") { text.to_owned() } else { format!("{text}\n{REST}") };
+        std::fs::write(folder.join("bad.toml"), text).unwrap();
+        let (code, errors) = run(&folder, &["bad.toml"]);
+        assert!(
+            code == 2 && errors.starts_with("bad.toml:") && errors.contains(expected),
+            "{expected}\n{errors}"
+        );
+    }
+    for (text, expected) in [
+        ("", "bad.toml: [flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
+        (
+            "[gyro]\n\n[flight]\nhours = 1",
+            "bad.toml:3: [flight]: expected a flight: file, builtin or [[manoeuvre]]s",
+        ),
+        ("[flight]\n\nfile = 'none.csv'", "bad.toml:3: flight.file: none.csv: No such file"),
+        ("[flight]\nfile = '../none/none.csv'", "bad.toml:2: flight.file: ../none/none.csv: No such file"),
+        ("[flight]\nbuiltin = 'nowhere'", "bad.toml:2: flight.builtin: nowhere: no such flight"),
+        ("[flight]\nbuiltin = 'aerobatics'\nhours = 9", "bad.toml:3: flight.hours: 9: the flight lasts 0."),
+        (
+            "[flight]\nbuiltin = 'rest'\n[output]\nevery_s = 0.001",
+            "bad.toml:4: output.every_s: 0.001: expected at least the sample interval",
+        ),
+        ("[flight]\nbuiltin = 'rest'\nheight_m = 5", "bad.toml:3: flight.height_m: only for [[manoeuvre]]s"),
+        (
+            "[flight]\nfile = 'a.csv'\nrate_hz = 5",
+            "bad.toml:3: flight.rate_hz: a flight log has its own time stamps",
+        ),
+        ("[[manoeuvre]]\nduration_s = 9", "bad.toml:1: [[manoeuvre]]: expected its kind"),
+        (&many, "bad.toml:2049: [[manoeuvre]]: more than 1024"),
+        (
+            "[[manoeuvre.sinusoid]]\nchannel = 'roll'",
+            "bad.toml:1: [[manoeuvre.sinusoid]]: expected right behind its [[manoeuvre]]",
+        ),
+        (sinusoid, "bad.toml:4: [[manoeuvre.sinusoid]]: expected its channel"),
+        (
+            &format!("{sinusoid}channel = 'roll'\namplitude_m_s = 1"),
+            "bad.toml:6: manoeuvre.sinusoid.amplitude_m_s: not of this channel; expected amplitude_deg",
+        ),
+        (
+            &format!("{sinusoid}channel = 'speed'\namplitude_deg = 1"),
+            "bad.toml:6: manoeuvre.sinusoid.amplitude_deg: not of this channel; expected amplitude_m_s",
+        ),
+        (
+            &format!("{sinusoid}channel = 'roll'{}", "\n[[manoeuvre.sinusoid]]\nchannel = 'roll'".repeat(6)),
+            "bad.toml:16: [[manoeuvre.sinusoid]]: more than 6",
+        ),
+        // The second manoeuvre is at fault: its key, or where it begins.
+        (
+            "[[manoeuvre]]\nkind = 'rest'\nduration_s = 9\n[[manoeuvre]]\nkind = 'rest'\n#\nbank_deg = 9\nduration_s = 1",
+            "bad.toml:7: manoeuvre.bank_deg: manoeuvre.bank_rad[1] = ",
+        ),
+        (
+            "[[manoeuvre]]\nkind = 'rest'\nduration_s = 9\n[[manoeuvre]]\nkind = 'turn'\nheading_change_deg = 9\nbank_deg = 9",
+            "bad.toml:4: manoeuvre: speed_m_s[1] = 0: must be greater than 0",
+        ),
+        (
+            "[[manoeuvre]]\nkind = 'sinusoids'\nduration_s = 9",
+            "bad.toml:1: manoeuvre: manoeuvre.sinusoid_count[0] = 0: must be from 1 to 6",
+        ),
+        (
+            "[flight]\nlatitude_deg = 91\n[[manoeuvre]]\nkind = 'rest'\nduration_s = 9",
+            "bad.toml:2: flight.latitude_deg: start.latitude_rad = ",
+        ),
+    ] {
+        std::fs::write(folder.join("bad.toml"), text).unwrap();
+        let (code, errors) = run(&folder, &["bad.toml"]);
+        assert!(code == 2 && errors.starts_with(expected), "{expected}\n{errors}");
+    }
+}
+
+#[test]
+fn all_faults_of_a_file_are_told_and_those_of_the_command_line_by_their_option() {
+    let folder = folder("more_faults");
+    let mut text = String::from(REST);
+    for _ in 0..30 {
+        writeln!(text, "[x]").unwrap();
+    }
+    std::fs::write(folder.join("many.toml"), text).unwrap();
+    let (code, errors) = run(&folder, &["many.toml"]);
+    assert!(code == 2 && errors.lines().count() == 20 && errors.contains("many.toml:22: "), "{errors}");
+
+    std::fs::write(folder.join("good.toml"), format!("{REST}[gyro]\nbias_deg_h = 1\n[output]\nname = 'a'\n"))
+        .unwrap();
+    for (arguments, expected) in [
+        (
+            &["good.toml", "--gyro-bias", "1e9"][..],
+            "sins_harness: --gyro-bias: gyro.bias_rad_s[0] = 4848.13681109536: must be",
+        ),
+        (
+            &["good.toml", "--gyro-bias", "x"],
+            "sins_harness: --gyro-bias x: expected one number for all axes, or three",
+        ),
+        (&["good.toml", "--motion", "rest"], "sins_harness: --motion: only simulation1 and simulation2"),
+        (&["good.toml", "--name", "a/b"], "sins_harness: --name: \"a/b\" has a folder"),
+        (&["good.toml", "--baro-bias", "1"], "sins_harness: --baro-bias: altimeter errors act with"),
+        (&["none.toml"], "sins_harness: none.toml: No such file"),
+        (&["good.scene"], "sins_harness: good.scene: no such scene; expected simulation1"),
+    ] {
+        let (code, errors) = run(&folder, arguments);
+        assert!(code == 2 && errors.starts_with(expected), "{expected}\n{errors}");
+    }
+    std::fs::create_dir(folder.join("folder.toml")).unwrap();
+    let (code, errors) = run(&folder, &["folder.toml"]);
+    assert!(code == 2 && errors.contains("folder.toml: "), "{errors}");
+    std::fs::write(folder.join("latin.toml"), b"[flight]\n\n# caf\xe9\n").unwrap();
+    let (code, errors) = run(&folder, &["latin.toml"]);
+    assert_eq!(
+        (code, errors.as_str()),
+        (2, "latin.toml:3: a byte that is no UTF-8; save the file as UTF-8\n")
+    );
+}
+
+/// Whatever the bytes are: no harm is done, and what is taken is TOML.
+#[test]
+fn spoiled_scenes_do_no_harm_and_what_is_taken_is_toml() {
+    let rounds = if cfg!(feature = "long-tests") { 200_000 } else { 4_000 };
+    let folder = library_folder("scene_texts");
+    let program = build(&folder, "tests/c/scene_texts.c", &SANITIZED, "scene_texts");
+    let mut seeds = vec![
+        b"\xef\xbb\xbf[flight]\r\nbuiltin = 'rest' # x\r\nhours = 1_0.5e-1\r\n[gyro]\r\nbias_deg_h = [ 1, +2.5,\r\n-3, ]\r\n"
+            .to_vec(),
+        b"[[manoeuvre]]\nkind=\"sinusoids\"\nduration_s=9\n[[ manoeuvre . sinusoid ]]\nchannel=\"r\\u006fll\"\n[output]\nquiet=true\n"
+            .to_vec(),
+    ];
+    for name in ["patrol", "fighter", "drone"] {
+        seeds.push(std::fs::read(project_file(&format!("c_examples/scenes/{name}.toml"))).unwrap());
+    }
+    const PIECES: [&[u8]; 24] = [
+        b"[",
+        b"]",
+        b"[[",
+        b"]]",
+        b"\"",
+        b"'",
+        b"'''",
+        b"\\",
+        b"\\u00e9",
+        b"#",
+        b"\n",
+        b"\r\n",
+        b"\r",
+        b"\0",
+        b"\xc3\xa9",
+        b"\xed\xa0\x80",
+        b"_",
+        b".",
+        b"0",
+        b"e9",
+        b"-",
+        b"true",
+        b"= 1\n",
+        b" = [1, 2, 3]\n",
+    ];
+    let mut state = 1u64;
+    let mut draw = |below: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    let mut texts = Vec::new();
+    for round in 0..rounds {
+        let mut text = seeds[round % seeds.len()].clone();
+        for _ in 0..1 + draw(3) {
+            let at = draw(text.len() + 1);
+            let end = (at + draw(12)).min(text.len());
+            match draw(4) {
+                0 => drop(text.splice(at..end, [])),
+                1 => drop(text.splice(at..at, PIECES[draw(PIECES.len())].iter().copied())),
+                2 => drop(text.splice(at..end.min(at + 1), [draw(256) as u8])),
+                _ => {
+                    let piece = text[at..end].to_vec();
+                    let to = draw(text.len() + 1);
+                    drop(text.splice(to..to, piece));
+                }
+            }
+        }
+        texts.push(text);
+    }
+    let mut child = Command::new(program)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(std::fs::File::create(folder.join("errors.txt")).unwrap())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let all: Vec<u8> =
+        texts.iter().flat_map(|text| [&(text.len() as u32).to_le_bytes()[..], text].concat()).collect();
+    let writer = std::thread::spawn(move || input.write_all(&all));
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap().unwrap();
+    assert!(output.status.success(), "see {}", folder.join("errors.txt").display());
+    assert_eq!(output.stdout.len(), rounds);
+    let mut taken = 0;
+    for (text, answer) in texts.iter().zip(&output.stdout) {
+        if *answer == b'1' {
+            let text = std::str::from_utf8(text).unwrap();
+            let parsed = text.strip_prefix('\u{feff}').unwrap_or(text).parse::<toml::Table>();
+            assert!(parsed.is_ok(), "taken, but no TOML:\n{text}\n{parsed:?}");
+            taken += 1;
+        }
+    }
+    // Neither answer is the only one.
+    assert!(taken > rounds / 20 && taken < rounds - rounds / 20, "{taken} of {rounds}");
+}
