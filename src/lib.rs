@@ -143,6 +143,6 @@ pub mod truth;
 
 pub use error::{Error, ErrorKind, Rule};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Saturation, Simulator, Solution, Step,
+    ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
     TrimFigures,
 };

@@ -133,12 +133,12 @@ fn saturation_is_flagged_for_the_interval_and_the_sensor() {
     simulator.set_accel(&TriadParameters { range, ..Default::default() }).unwrap();
     let intervals = fly(&mut simulator, at_rest(3));
     for imu in &intervals {
-        assert!(imu.saturation.accel && !imu.saturation.gyro);
+        assert!(imu.flags.accel_saturated && !imu.flags.gyro_saturated);
         assert!((imu.measured.velocity.z / imu.interval_s - 5.0).abs() < 4.0 * f64::EPSILON * 5.0);
     }
     simulator.set_accel(&TriadParameters::default()).unwrap();
     let next = fly(&mut simulator, [resting_sample(0.03)]);
-    assert!(!next[0].saturation.accel, "the flag is of the interval");
+    assert!(!next[0].flags.accel_saturated, "the flag is of the interval");
     assert_eq!(next[0].measured, next[0].ideal, "and ideal sensors are transparent again");
 }
 
@@ -161,7 +161,7 @@ fn foreign_increments_have_the_same_effects() {
         let imu = simulator.imu().unwrap();
         let force = (imu.measured.velocity - imu.ideal.velocity) / imu.interval_s;
         assert!((force - Vector3::new(-2.5, 0.0, 0.0)).norm() < 1e-12, "{force:?}");
-        assert!(imu.saturation.gyro && !imu.saturation.accel);
+        assert!(imu.flags.gyro_saturated && !imu.flags.accel_saturated);
         assert!((imu.measured.angle.z - 0.04).abs() < 1e-16);
     }
 }

@@ -10,12 +10,12 @@ use crate::abi::SINS_OK;
 use crate::sensors::{AltimeterParameters, TriadParameters};
 
 /// Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Biases, standard deviations, random walks, ramps, flicker and dead zones up to 100 in their units. Densities do not depend
+/// Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units. Densities do not depend
 /// on the sample rate.
 ///
 /// Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
-/// signal so far, and g-sensitivity, of the true specific force; then biases and noise are added; then dead zone, range,
-/// quantization. A range, a bandwidth or a quantization of 0 is none.
+/// signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+/// range, quantization. A range, a bandwidth or a quantization of 0 is none.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_gyro_params {
@@ -58,17 +58,28 @@ pub struct sins_gyro_params {
     pub bandwidth_hz: [f64; 3],
     /// Half the dead zone: mean rates of a sub-increment up to this size give 0 [rad/s].
     pub dead_zone_rad_s: [f64; 3],
+    /// Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
+    /// this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+    pub reference_temperature_c: f64,
+    /// Bias of this times T [(rad/s)/K].
+    pub bias_temperature_rad_s_per_k: [f64; 3],
+    /// Bias of this times T2 [(rad/s)/K2].
+    pub bias_temperature2_rad_s_per_k2: [f64; 3],
+    /// Scale factor error of this times T, -1 to 1 [1/K].
+    pub scale_factor_temperature_per_k: [f64; 3],
+    /// Scale factor error of this times T2, -1 to 1 [1/K2].
+    pub scale_factor_temperature2_per_k2: [f64; 3],
 }
 
 interface_struct!(sins_gyro_params, "gyro", 512);
 
 /// Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Biases, standard deviations, random walks, ramps, flicker and dead zones up to 1e4 in their units. Densities do not depend
+/// Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units. Densities do not depend
 /// on the sample rate.
 ///
 /// Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
-/// nonlinearity and vibration rectification, of the signal so far; then biases and noise are added; then dead zone, range,
-/// quantization. A range, a bandwidth or a quantization of 0 is none.
+/// nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
+/// zone, range, quantization. A range, a bandwidth or a quantization of 0 is none.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accel_params {
@@ -113,6 +124,17 @@ pub struct sins_accel_params {
     pub lever_arm_m: [f64; 9],
     /// Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2.
     pub vibration_rectification_s2_m: [f64; 3],
+    /// Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
+    /// this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+    pub reference_temperature_c: f64,
+    /// Bias of this times T [(m/s2)/K].
+    pub bias_temperature_m_s2_per_k: [f64; 3],
+    /// Bias of this times T2 [(m/s2)/K2].
+    pub bias_temperature2_m_s2_per_k2: [f64; 3],
+    /// Scale factor error of this times T, -1 to 1 [1/K].
+    pub scale_factor_temperature_per_k: [f64; 3],
+    /// Scale factor error of this times T2, -1 to 1 [1/K2].
+    pub scale_factor_temperature2_per_k2: [f64; 3],
 }
 
 interface_struct!(sins_accel_params, "accel", 536);
@@ -162,6 +184,11 @@ impl sins_gyro_params {
             range: Vector3::from(self.range_rad_s),
             bandwidth_hz: Vector3::from(self.bandwidth_hz),
             dead_zone: Vector3::from(self.dead_zone_rad_s),
+            reference_temperature_c: self.reference_temperature_c,
+            bias_temperature: Vector3::from(self.bias_temperature_rad_s_per_k),
+            bias_temperature2: Vector3::from(self.bias_temperature2_rad_s_per_k2),
+            scale_factor_temperature: Vector3::from(self.scale_factor_temperature_per_k),
+            scale_factor_temperature2: Vector3::from(self.scale_factor_temperature2_per_k2),
             ..Default::default()
         })
     }
@@ -188,6 +215,11 @@ impl sins_gyro_params {
             range_rad_s: parameters.range.into(),
             bandwidth_hz: parameters.bandwidth_hz.into(),
             dead_zone_rad_s: parameters.dead_zone.into(),
+            reference_temperature_c: parameters.reference_temperature_c,
+            bias_temperature_rad_s_per_k: parameters.bias_temperature.into(),
+            bias_temperature2_rad_s_per_k2: parameters.bias_temperature2.into(),
+            scale_factor_temperature_per_k: parameters.scale_factor_temperature.into(),
+            scale_factor_temperature2_per_k2: parameters.scale_factor_temperature2.into(),
         }
     }
 }
@@ -214,6 +246,11 @@ impl sins_accel_params {
             dead_zone: Vector3::from(self.dead_zone_m_s2),
             lever_arm_m: Matrix3::from_row_slice(&self.lever_arm_m),
             vibration_rectification_s2_m: Vector3::from(self.vibration_rectification_s2_m),
+            reference_temperature_c: self.reference_temperature_c,
+            bias_temperature: Vector3::from(self.bias_temperature_m_s2_per_k),
+            bias_temperature2: Vector3::from(self.bias_temperature2_m_s2_per_k2),
+            scale_factor_temperature: Vector3::from(self.scale_factor_temperature_per_k),
+            scale_factor_temperature2: Vector3::from(self.scale_factor_temperature2_per_k2),
             ..Default::default()
         })
     }
@@ -241,6 +278,11 @@ impl sins_accel_params {
             dead_zone_m_s2: parameters.dead_zone.into(),
             lever_arm_m: row_major(&parameters.lever_arm_m),
             vibration_rectification_s2_m: parameters.vibration_rectification_s2_m.into(),
+            reference_temperature_c: parameters.reference_temperature_c,
+            bias_temperature_m_s2_per_k: parameters.bias_temperature.into(),
+            bias_temperature2_m_s2_per_k2: parameters.bias_temperature2.into(),
+            scale_factor_temperature_per_k: parameters.scale_factor_temperature.into(),
+            scale_factor_temperature2_per_k2: parameters.scale_factor_temperature2.into(),
         }
     }
 }
@@ -252,7 +294,8 @@ fn row_major(matrix: &Matrix3<f64>) -> [f64; 9] {
 /// Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
 /// move; processes that were active go on from where they are.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
+/// a temperature wait, or while navigating on increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_gyro_params) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -266,7 +309,7 @@ pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_g
 /// Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
 /// effects do not move; processes that were active go on from where they are.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_accel_params) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -14,12 +14,14 @@ pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
-pub use suite::Saturation;
+pub use suite::ImuFlags;
 
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
-use crate::sensors::{AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
+use crate::sensors::{
+    AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, TriadParameters,
+};
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
@@ -92,6 +94,7 @@ impl Simulator {
     /// Sets the gyro errors, from the next interval on.
     pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
         parameters.validate(Sensor::Gyro)?;
+        self.check_temperatures_for(parameters)?;
         self.sensors.set_gyro(parameters);
         Ok(())
     }
@@ -99,6 +102,7 @@ impl Simulator {
     /// Sets the accelerometer errors, from the next interval on.
     pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
         parameters.validate(Sensor::Accelerometer)?;
+        self.check_temperatures_for(parameters)?;
         self.sensors.set_accel(parameters);
         Ok(())
     }
@@ -107,6 +111,20 @@ impl Simulator {
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
         parameters.validate()?;
         self.sensors.set_altimeter(parameters);
+        Ok(())
+    }
+
+    /// Lets an output fail from the next interval on, in place of a failure that it has; `None` clears it. A reposition keeps
+    /// failures, a reset clears them all; the alignment at the start does not see them.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
+        if let Some(failure) = &failure {
+            failure.validate(output)?;
+        }
+        let last = self.imu().map(|imu| Increment {
+            angle: imu.measured.angle / imu.interval_s,
+            velocity: imu.measured.velocity / imu.interval_s,
+        });
+        self.sensors.set_failure(output, failure, last.as_ref());
         Ok(())
     }
 
@@ -125,6 +143,7 @@ impl Simulator {
     /// Takes one flight-control sample in.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
+        self.sensors.check_temperature(sample.temperature_c)?;
         self.intake.push(sample)
     }
 
@@ -156,6 +175,9 @@ impl Simulator {
         if !matches!(self.mode, Mode::Waiting) || self.intake.waiting() > 0 {
             return Err(Error::bad_state("navigation alone starts before the first sample or after a reset"));
         }
+        if self.sensors.depend_on_temperature() {
+            return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));
+        }
         let navigator = Navigator::new(&self.options, self.earth, time_s, navigation);
         navigator.check()?;
         self.mode = Mode::Navigating(navigator);
@@ -173,6 +195,7 @@ impl Simulator {
     /// The truth jumps to `sample`: the INS starts again there, its noise goes on.
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
+        self.sensors.check_temperature(sample.temperature_c)?;
         let mut intake = Intake::new(self.earth, self.options.axes, self.options.intake);
         intake.push(sample)?;
         self.intake = intake;
@@ -180,7 +203,7 @@ impl Simulator {
         Ok(())
     }
 
-    /// Back to before the first sample: same parameters, seed and draws.
+    /// Back to before the first sample: same parameters, seed and draws, no failures.
     pub fn reset(&mut self) {
         self.intake = Intake::new(self.earth, self.options.axes, self.options.intake);
         self.sensors = self.sensors.restarted(&self.options);
@@ -284,6 +307,22 @@ impl Simulator {
         }
     }
 
+    /// Refuses temperature coefficients that what is to be flown has no temperature for.
+    fn check_temperatures_for(&self, parameters: &TriadParameters) -> Result<(), Error> {
+        if !parameters.depend_on_temperature() {
+            return Ok(());
+        }
+        if let Mode::Navigating(_) = self.mode {
+            return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));
+        }
+        if !self.intake.waiting_have_temperatures() {
+            return Err(Error::bad_state(
+                "samples without a temperature wait; step, reset or reposition before temperature coefficients are set",
+            ));
+        }
+        Ok(())
+    }
+
     /// Whether samples can be flown: not while navigating on increments.
     pub(crate) fn refuse_while_navigating(&self) -> Result<(), Error> {
         match self.mode {
@@ -294,6 +333,9 @@ impl Simulator {
         }
     }
 }
+
+const INCREMENTS_HAVE_NO_TEMPERATURE: &str =
+    "temperature coefficients need samples with a temperature; increments have none";
 
 /// The rule that a solution is singular in what was asked of it.
 fn singular(field: &'static str, value: f64, words: &'static str, limit: f64) -> Error {

@@ -1,18 +1,24 @@
 //! The sensors of a simulator and what the host set of them.
 
 use super::Options;
+use crate::error::{Error, ErrorKind, Rule};
 use crate::sensors::{
-    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
+    Altimeter, AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, Triad,
+    TriadParameters,
 };
 use crate::signal::Increment;
 
-/// Which outputs were beyond their range in an interval.
+/// What the built-in test of the sensors reports of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Saturation {
-    /// A gyro.
-    pub gyro: bool,
-    /// An accelerometer.
-    pub accel: bool,
+pub struct ImuFlags {
+    /// A gyro was beyond its range.
+    pub gyro_saturated: bool,
+    /// An accelerometer was.
+    pub accel_saturated: bool,
+    /// A gyro had no signal: dead, or dropped out.
+    pub gyro_invalid: bool,
+    /// An accelerometer had none.
+    pub accel_invalid: bool,
 }
 
 /// Sensor models and what the host set of them.
@@ -25,6 +31,9 @@ pub(super) struct SensorSuite {
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
     is_tame: bool,
+    depend_on_temperature: bool,
+    /// Whether a triad is to be told when an interval begins.
+    follow_intervals: bool,
     altimeter_parameters: AltimeterParameters,
 }
 
@@ -38,11 +47,13 @@ impl SensorSuite {
             gyro_parameters: TriadParameters::default(),
             accel_parameters: TriadParameters::default(),
             is_tame: true,
+            depend_on_temperature: false,
+            follow_intervals: false,
             altimeter_parameters: AltimeterParameters::default(),
         }
     }
 
-    /// The same parameters, all processes and streams back at their start.
+    /// The same parameters, all processes and streams back at their start, no failures.
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
         fresh.initial = self.initial;
@@ -54,19 +65,72 @@ impl SensorSuite {
 
     pub fn set_gyro(&mut self, parameters: &TriadParameters) {
         self.gyro_parameters = *parameters;
-        self.is_tame = parameters.is_tame() && self.accel_parameters.is_tame();
         self.gyro.set(parameters);
+        self.decide();
     }
 
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
-        self.is_tame = parameters.is_tame() && self.gyro_parameters.is_tame();
         self.accel.set(parameters);
+        self.decide();
     }
 
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
         self.altimeter_parameters = *parameters;
         self.altimeter.set(parameters);
+    }
+
+    /// Takes a failure of an output, or clears it; `last` are the mean signals of the interval before, if there was one.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
+        match output {
+            SensorOutput::Gyro(axis) => {
+                let last = last.map(|mean| mean.angle[axis as usize]);
+                self.gyro.set_failure(axis, failure, last, &self.gyro_parameters);
+            }
+            SensorOutput::Accelerometer(axis) => {
+                let last = last.map(|mean| mean.velocity[axis as usize]);
+                self.accel.set_failure(axis, failure, last, &self.accel_parameters);
+            }
+            SensorOutput::Altimeter => self.altimeter.set_failure(failure),
+        }
+        self.decide();
+    }
+
+    /// Decides what each interval need not ask again.
+    fn decide(&mut self) {
+        let triads_failed = self.gyro.has_failed() || self.accel.has_failed();
+        // A failure has no bound of its own: what it makes of the solution is looked at.
+        self.is_tame = self.gyro_parameters.is_tame()
+            && self.accel_parameters.is_tame()
+            && !triads_failed
+            && !self.altimeter.has_failed();
+        self.depend_on_temperature =
+            self.gyro_parameters.depend_on_temperature() || self.accel_parameters.depend_on_temperature();
+        self.follow_intervals = self.depend_on_temperature || triads_failed;
+    }
+
+    /// Whether an effect needs the temperature.
+    pub fn depend_on_temperature(&self) -> bool {
+        self.depend_on_temperature
+    }
+
+    /// Refuses a sample of the temperature `temperature_c` if an effect needs one and it has none.
+    pub fn check_temperature(&self, temperature_c: Option<f64>) -> Result<(), Error> {
+        if self.depend_on_temperature && temperature_c.is_none() {
+            return Err(no_temperature());
+        }
+        Ok(())
+    }
+
+    /// An interval of `t` [s] begins; `temperatures_c` are those at its ends, without one at its start that at its end.
+    #[inline]
+    pub fn begin_interval(&mut self, t: f64, temperatures_c: [Option<f64>; 2]) {
+        if self.follow_intervals {
+            let [start, end] = temperatures_c;
+            let ends_c = end.map(|end| [start.unwrap_or(end), end]);
+            self.gyro.begin_interval(t, ends_c);
+            self.accel.begin_interval(t, ends_c);
+        }
     }
 
     /// The truth jumped to `height_m`: what follows the signals settles there at once, noise goes on.
@@ -78,12 +142,17 @@ impl SensorSuite {
 
     /// What the two triads make of the ideal increments of an interval, each over `dt` [s].
     #[inline]
-    pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> Saturation {
+    pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> ImuFlags {
         for (measured, ideal) in measured.iter_mut().zip(ideal) {
             *measured =
                 Increment { angle: self.gyro.sense(ideal, dt), velocity: self.accel.sense(ideal, dt) };
         }
-        Saturation { gyro: self.gyro.take_saturated(), accel: self.accel.take_saturated() }
+        ImuFlags {
+            gyro_saturated: self.gyro.take_saturated(),
+            accel_saturated: self.accel.take_saturated(),
+            gyro_invalid: self.follow_intervals && self.gyro.is_silent(),
+            accel_invalid: self.follow_intervals && self.accel.is_silent(),
+        }
     }
 
     /// Whether gyros and accelerometers cannot throw a solution out of its range in one interval.
@@ -98,6 +167,19 @@ impl SensorSuite {
 
     /// Whether the altimeter is ideal too.
     pub fn all_are_ideal(&self) -> bool {
-        self.are_ideal() && self.altimeter_parameters == AltimeterParameters::default()
+        self.are_ideal() && self.altimeter.is_ideal()
+    }
+}
+
+#[cold]
+fn no_temperature() -> Error {
+    Error {
+        kind: ErrorKind::InvalidArgument,
+        field: "sample.temperature_c",
+        index: None,
+        value: None,
+        rule: Rule::Words(
+            "is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags, while temperature coefficients are set",
+        ),
     }
 }

@@ -97,6 +97,7 @@ impl Table {
                 euler: Euler { roll: angles[i].x, pitch: angles[i].y, heading: angles[i].z },
                 omega_ib_b: signals.as_ref().map(|(rate, _)| rate[i]),
                 f_b: signals.as_ref().map(|(_, force)| force[i]),
+                temperature_c: None,
             })
             .collect()
     }
