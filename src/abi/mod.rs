@@ -12,11 +12,14 @@
 #![allow(non_camel_case_types, reason = "the names are C's")]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]
 
+mod accel;
 mod accuracy;
+mod altimeter;
 mod boundary;
 mod failure;
 mod flight;
 mod fpu;
+mod gyro;
 mod initial;
 mod manoeuvre;
 mod memory;
@@ -29,14 +32,16 @@ mod registry;
 mod run;
 mod sample;
 mod sensor_failure;
-mod sensors;
 mod simulator;
 mod solution;
 mod version;
 
+pub use accel::*;
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
+pub use altimeter::*;
 pub use failure::*;
 pub use flight::*;
+pub use gyro::*;
 pub use initial::*;
 pub use manoeuvre::*;
 pub use navigator::*;
@@ -47,7 +52,6 @@ pub use record::*;
 pub use run::sins_run;
 pub use sample::*;
 pub use sensor_failure::*;
-pub use sensors::*;
 pub use simulator::*;
 pub use solution::*;
 pub use version::*;

@@ -8,7 +8,7 @@ use super::stream::{Purpose, Source, Stream, StreamKey};
 /// Share of a sample interval by which a loss may be early for the interval: sums of intervals round.
 const SLACK: f64 = 1e-6;
 
-/// One output: sound, or with a failure. Its random streams go on from one failure to the next.
+/// One output: sound, or with a failure. Its random stream goes on from one failure to the next.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FailingOutput {
     failure: Option<Failure>,
@@ -18,8 +18,7 @@ pub(super) struct FailingOutput {
     held: Option<f64>,
     /// Whether there is no signal.
     is_silent: bool,
-    noise: Stream,
-    drop_outs: Stream,
+    stream: Stream,
 }
 
 impl FailingOutput {
@@ -29,8 +28,7 @@ impl FailingOutput {
             phase_s: 0.0,
             held: None,
             is_silent: false,
-            noise: Stream::new(key, source, axis, Purpose::FailureNoise),
-            drop_outs: Stream::new(key, source, axis, Purpose::DropOut),
+            stream: Stream::new(key, source, axis, Purpose::Failure),
         }
     }
 
@@ -56,7 +54,7 @@ impl FailingOutput {
     pub fn begin_interval(&mut self, t: f64) {
         match self.failure {
             Some(Failure::RandomDropOuts { probability }) => {
-                self.is_silent = self.drop_outs.uniform() < probability;
+                self.is_silent = self.stream.uniform() < probability;
             }
             Some(Failure::PeriodicDropOuts { interval_s }) => {
                 let left = t * (1.0 - SLACK) - self.phase_s;
@@ -74,7 +72,7 @@ impl FailingOutput {
     pub fn added(&mut self, dt: f64) -> f64 {
         match self.failure {
             Some(Failure::BiasStep { size }) => size * dt,
-            Some(Failure::Noise { density }) => density * dt.sqrt() * self.noise.normal(),
+            Some(Failure::Noise { density }) => density * dt.sqrt() * self.stream.normal(),
             Some(Failure::Spikes { size, interval_s, duration_s }) => {
                 let end = self.phase_s + dt;
                 let whole = (end / interval_s).floor();

@@ -25,8 +25,7 @@ pub(super) enum Purpose {
     InitialVelocity = 17,
     InitialMisalignment = 18,
     SampleNoise = 19,
-    FailureNoise = 32,
-    DropOut = 33,
+    Failure = 32,
 }
 
 /// Key of a run: the streams of two different keys are independent.

@@ -3,7 +3,7 @@
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::start::{start_errors, with_errors};
-use super::{ErrorSource, ImuFlags, Options, SensorSuite, Solution, singular};
+use super::{ErrorSource, ImuFlags, ImuInterval, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
@@ -14,21 +14,6 @@ use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::truth::{Recent, TruthPoint};
-
-/// Ideal and measured signals of an interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ImuInterval {
-    /// Time of its end [s].
-    pub time_s: f64,
-    /// Its length [s].
-    pub interval_s: f64,
-    /// What perfect sensors give.
-    pub ideal: Increment,
-    /// What the modelled sensors give.
-    pub measured: Increment,
-    /// What their built-in test reports.
-    pub flags: ImuFlags,
-}
 
 /// The interval flown last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,6 +91,13 @@ impl Chain {
             self.fly(recent, sensors);
             return Ok(());
         }
+        self.fly_watched(recent, sensors)
+    }
+
+    /// Flies, and goes back where the solution left its limits. Kept apart for the stack that the copies take.
+    #[cold]
+    #[inline(never)]
+    fn fly_watched(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
         let before = (self.clone(), sensors.clone());
         self.fly(recent, sensors);
         let result = self.mechanization.check();

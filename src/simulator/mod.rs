@@ -3,25 +3,23 @@
 mod chain;
 mod closed_loop;
 mod closure;
+mod imu;
 mod navigator;
 mod options;
+mod settings;
 mod solution;
 mod start;
 mod suite;
 
-pub use chain::ImuInterval;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
+pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
-pub use suite::ImuFlags;
 
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
-use crate::sensors::{
-    AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, TriadParameters,
-};
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
@@ -76,68 +74,24 @@ impl Simulator {
     /// A simulator with ideal sensors.
     pub fn new(options: &Options) -> Result<Self, Error> {
         options.validate()?;
+        Ok(Self::with_valid(options))
+    }
+
+    /// The same with options that have been validated: no `Result` that would hold another copy on the stack.
+    pub(crate) fn with_valid(options: &Options) -> Self {
         let earth = options.earth();
-        Ok(Self {
+        Self {
             options: *options,
             earth,
             intake: Intake::new(earth, options.axes, options.intake),
             sensors: SensorSuite::new(options),
             mode: Mode::Waiting,
-        })
+        }
     }
 
     /// The options it was made with.
     pub fn options(&self) -> &Options {
         &self.options
-    }
-
-    /// Sets the gyro errors, from the next interval on.
-    pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
-        parameters.validate(Sensor::Gyro)?;
-        self.check_temperatures_for(parameters)?;
-        self.sensors.set_gyro(parameters);
-        Ok(())
-    }
-
-    /// Sets the accelerometer errors, from the next interval on.
-    pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
-        parameters.validate(Sensor::Accelerometer)?;
-        self.check_temperatures_for(parameters)?;
-        self.sensors.set_accel(parameters);
-        Ok(())
-    }
-
-    /// Sets the errors of the barometric height, from the next interval on.
-    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
-        parameters.validate()?;
-        self.sensors.set_altimeter(parameters);
-        Ok(())
-    }
-
-    /// Lets an output fail from the next interval on, in place of a failure that it has; `None` clears it. A reposition keeps
-    /// failures, a reset clears them all; the alignment at the start does not see them.
-    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
-        if let Some(failure) = &failure {
-            failure.validate(output)?;
-        }
-        let last = self.imu().map(|imu| Increment {
-            angle: imu.measured.angle / imu.interval_s,
-            velocity: imu.measured.velocity / imu.interval_s,
-        });
-        self.sensors.set_failure(output, failure, last.as_ref());
-        Ok(())
-    }
-
-    /// Sets the errors with which the navigation starts; before the first step.
-    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) -> Result<(), Error> {
-        parameters.validate()?;
-        if !matches!(self.mode, Mode::Waiting) {
-            return Err(Error::bad_state(
-                "initial errors can be set before the first step, after a reset or after a reposition",
-            ));
-        }
-        self.sensors.initial = *parameters;
-        Ok(())
     }
 
     /// Takes one flight-control sample in.
@@ -176,7 +130,7 @@ impl Simulator {
             return Err(Error::bad_state("navigation alone starts before the first sample or after a reset"));
         }
         if self.sensors.depend_on_temperature() {
-            return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));
+            return Err(Error::bad_state(settings::INCREMENTS_HAVE_NO_TEMPERATURE));
         }
         let navigator = Navigator::new(&self.options, self.earth, time_s, navigation);
         navigator.check()?;
@@ -307,22 +261,6 @@ impl Simulator {
         }
     }
 
-    /// Refuses temperature coefficients that what is to be flown has no temperature for.
-    fn check_temperatures_for(&self, parameters: &TriadParameters) -> Result<(), Error> {
-        if !parameters.depend_on_temperature() {
-            return Ok(());
-        }
-        if let Mode::Navigating(_) = self.mode {
-            return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));
-        }
-        if !self.intake.waiting_have_temperatures() {
-            return Err(Error::bad_state(
-                "samples without a temperature wait; step, reset or reposition before temperature coefficients are set",
-            ));
-        }
-        Ok(())
-    }
-
     /// Whether samples can be flown: not while navigating on increments.
     pub(crate) fn refuse_while_navigating(&self) -> Result<(), Error> {
         match self.mode {
@@ -333,9 +271,6 @@ impl Simulator {
         }
     }
 }
-
-const INCREMENTS_HAVE_NO_TEMPERATURE: &str =
-    "temperature coefficients need samples with a temperature; increments have none";
 
 /// The rule that a solution is singular in what was asked of it.
 fn singular(field: &'static str, value: f64, words: &'static str, limit: f64) -> Error {

@@ -1,25 +1,12 @@
 //! The sensors of a simulator and what the host set of them.
 
-use super::Options;
+use super::{ImuFlags, Options};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::sensors::{
     Altimeter, AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, Triad,
     TriadParameters,
 };
 use crate::signal::Increment;
-
-/// What the built-in test of the sensors reports of an interval.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct ImuFlags {
-    /// A gyro was beyond its range.
-    pub gyro_saturated: bool,
-    /// An accelerometer was.
-    pub accel_saturated: bool,
-    /// A gyro had no signal: dead, or dropped out.
-    pub gyro_invalid: bool,
-    /// An accelerometer had none.
-    pub accel_invalid: bool,
-}
 
 /// Sensor models and what the host set of them.
 #[derive(Debug, Clone)]
