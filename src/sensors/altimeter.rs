@@ -48,8 +48,8 @@ pub struct Altimeter {
     /// True height of the last sample and height behind the lag [m].
     height_m: f64,
     lagged_m: f64,
-    /// The last indication [m], if there is one since the start or the last jump of the truth.
-    indicated_m: Option<f64>,
+    /// The last indication [m].
+    indicated_m: f64,
     failing: FailingOutput,
 }
 
@@ -66,7 +66,7 @@ impl Altimeter {
             noise,
             height_m,
             lagged_m: height_m,
-            indicated_m: None,
+            indicated_m: height_m,
             failing: FailingOutput::new(key, Source::Altimeter, 0),
         }
     }
@@ -76,9 +76,9 @@ impl Altimeter {
         self.parameters = *parameters;
     }
 
-    /// Takes a failure, or clears it.
-    pub fn set_failure(&mut self, failure: Option<Failure>) {
-        self.failing.set(failure, self.indicated_m);
+    /// Takes a failure, or clears it; `has_shown` tells whether there is an indication to be stuck at.
+    pub fn set_failure(&mut self, failure: Option<Failure>, has_shown: bool) {
+        self.failing.set(failure, has_shown.then_some(self.indicated_m));
     }
 
     /// Whether it has a failure.
@@ -95,7 +95,6 @@ impl Altimeter {
     pub fn reposition(&mut self, height_m: f64) {
         self.height_m = height_m;
         self.lagged_m = height_m;
-        self.indicated_m = None;
     }
 
     /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal.
@@ -122,7 +121,7 @@ impl Altimeter {
         if self.failing.has_failed() {
             return self.failed(indicated, dt);
         }
-        self.indicated_m = Some(indicated);
+        self.indicated_m = indicated;
         Some(indicated)
     }
 
@@ -132,7 +131,7 @@ impl Altimeter {
         self.failing.begin_interval(dt);
         let disturbed = indicated_m + self.failing.added(dt) / dt;
         let shown = (!self.failing.is_silent()).then(|| self.failing.replaced(1.0, disturbed));
-        self.indicated_m = shown.or(self.indicated_m);
+        self.indicated_m = shown.unwrap_or(self.indicated_m);
         shown
     }
 }

@@ -17,6 +17,9 @@ pub(super) struct SensorSuite {
     pub initial: InitialErrorParameters,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
+    /// What [`Self::decide`] has found.
+    triads_are_ideal: bool,
+    all_are_ideal: bool,
     is_tame: bool,
     depend_on_temperature: bool,
     /// Whether a triad is to be told when an interval begins.
@@ -33,6 +36,8 @@ impl SensorSuite {
             initial: InitialErrorParameters::default(),
             gyro_parameters: TriadParameters::default(),
             accel_parameters: TriadParameters::default(),
+            triads_are_ideal: true,
+            all_are_ideal: true,
             is_tame: true,
             depend_on_temperature: false,
             follow_intervals: false,
@@ -65,6 +70,7 @@ impl SensorSuite {
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
         self.altimeter_parameters = *parameters;
         self.altimeter.set(parameters);
+        self.decide();
     }
 
     /// Takes a failure of an output, or clears it; `last` are the mean signals of the interval before, if there was one.
@@ -78,13 +84,15 @@ impl SensorSuite {
                 let last = last.map(|mean| mean.velocity[axis as usize]);
                 self.accel.set_failure(axis, failure, last, &self.accel_parameters);
             }
-            SensorOutput::Altimeter => self.altimeter.set_failure(failure),
+            SensorOutput::Altimeter => self.altimeter.set_failure(failure, last.is_some()),
         }
         self.decide();
     }
 
     /// Decides what each interval need not ask again.
     fn decide(&mut self) {
+        self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
+        self.all_are_ideal = self.triads_are_ideal && self.altimeter.is_ideal();
         let triads_failed = self.gyro.has_failed() || self.accel.has_failed();
         // A failure has no bound of its own: what it makes of the solution is looked at.
         self.is_tame = self.gyro_parameters.is_tame()
@@ -149,12 +157,12 @@ impl SensorSuite {
 
     /// Whether gyros and accelerometers are ideal.
     pub fn are_ideal(&self) -> bool {
-        self.gyro.is_ideal() && self.accel.is_ideal()
+        self.triads_are_ideal
     }
 
     /// Whether the altimeter is ideal too.
     pub fn all_are_ideal(&self) -> bool {
-        self.are_ideal() && self.altimeter.is_ideal()
+        self.all_are_ideal
     }
 }
 
