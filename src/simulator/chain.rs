@@ -143,7 +143,7 @@ impl Chain {
             &*ideal
         } else {
             let measured = &mut self.measured[..count];
-            sensors.begin_interval(t, [recent.current.sample.temperature_c, next.sample.temperature_c]);
+            sensors.begin_interval(t, || [recent.current.sample.temperature_c, next.sample.temperature_c]);
             flags = sensors.sense(ideal, t / count as f64, measured);
             &*measured
         };

@@ -104,23 +104,27 @@ impl Simulator {
     /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors.
     pub fn step(&mut self) -> Result<Step, Error> {
         self.refuse_while_navigating()?;
-        if let Mode::Waiting = self.mode {
-            if self.intake.waiting() < 2 {
-                return Ok(Step::NeedSample);
-            }
-            let mut chain = self.chain_from_first_sample()?;
-            let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
-            self.sensors.reposition(first.current.sample.place.height_m);
-            chain.advance(&first, &mut self.sensors)?;
-            self.intake.take();
-            self.intake.take();
-            self.mode = Mode::Flying(chain);
-            return Ok(Step::Done);
-        }
-        let Mode::Flying(chain) = &mut self.mode else { return Ok(Step::NeedSample) };
+        let Mode::Flying(chain) = &mut self.mode else { return self.first_step() };
         let Some(recent) = self.intake.recent() else { return Ok(Step::NeedSample) };
         chain.advance(&recent, &mut self.sensors)?;
         self.intake.take();
+        Ok(Step::Done)
+    }
+
+    /// The step with which a flight begins. Kept apart for the stack that a new chain takes.
+    #[cold]
+    #[inline(never)]
+    fn first_step(&mut self) -> Result<Step, Error> {
+        if self.intake.waiting() < 2 {
+            return Ok(Step::NeedSample);
+        }
+        let mut chain = self.chain_from_first_sample()?;
+        let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
+        self.sensors.reposition(first.current.sample.place.height_m);
+        chain.advance(&first, &mut self.sensors)?;
+        self.intake.take();
+        self.intake.take();
+        self.mode = Mode::Flying(chain);
         Ok(Step::Done)
     }
 

@@ -57,7 +57,7 @@ impl Navigator {
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         let measured = &mut measured[..increments.len()];
-        sensors.begin_interval(interval_s, [None; 2]);
+        sensors.begin_interval(interval_s, || [None; 2]);
         let flags = sensors.sense(increments, dt, measured);
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {

@@ -24,6 +24,9 @@ pub(super) struct SensorSuite {
     depend_on_temperature: bool,
     /// Whether a triad is to be told when an interval begins.
     follow_intervals: bool,
+    /// Whether an axis has no signal in the interval.
+    gyro_is_silent: bool,
+    accel_is_silent: bool,
     altimeter_parameters: AltimeterParameters,
 }
 
@@ -41,6 +44,8 @@ impl SensorSuite {
             is_tame: true,
             depend_on_temperature: false,
             follow_intervals: false,
+            gyro_is_silent: false,
+            accel_is_silent: false,
             altimeter_parameters: AltimeterParameters::default(),
         }
     }
@@ -102,6 +107,7 @@ impl SensorSuite {
         self.depend_on_temperature =
             self.gyro_parameters.depend_on_temperature() || self.accel_parameters.depend_on_temperature();
         self.follow_intervals = self.depend_on_temperature || triads_failed;
+        (self.gyro_is_silent, self.accel_is_silent) = (self.gyro.is_silent(), self.accel.is_silent());
     }
 
     /// Whether an effect needs the temperature.
@@ -117,15 +123,22 @@ impl SensorSuite {
         Ok(())
     }
 
-    /// An interval of `t` [s] begins; `temperatures_c` are those at its ends, without one at its start that at its end.
+    /// An interval of `t` [s] begins; `temperatures_c` gives those at its ends, without one at its start that at its end.
     #[inline]
-    pub fn begin_interval(&mut self, t: f64, temperatures_c: [Option<f64>; 2]) {
+    pub fn begin_interval(&mut self, t: f64, temperatures_c: impl FnOnce() -> [Option<f64>; 2]) {
         if self.follow_intervals {
-            let [start, end] = temperatures_c;
-            let ends_c = end.map(|end| [start.unwrap_or(end), end]);
-            self.gyro.begin_interval(t, ends_c);
-            self.accel.begin_interval(t, ends_c);
+            self.follow_interval(t, temperatures_c());
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn follow_interval(&mut self, t: f64, [start, end]: [Option<f64>; 2]) {
+        let ends_c = end.map(|end| [start.unwrap_or(end), end]);
+        self.gyro.begin_interval(t, ends_c);
+        self.accel.begin_interval(t, ends_c);
+        self.gyro_is_silent = self.gyro.is_silent();
+        self.accel_is_silent = self.accel.is_silent();
     }
 
     /// The truth jumped to `height_m`: what follows the signals settles there at once, noise goes on.
@@ -145,8 +158,8 @@ impl SensorSuite {
         ImuFlags {
             gyro_saturated: self.gyro.take_saturated(),
             accel_saturated: self.accel.take_saturated(),
-            gyro_invalid: self.follow_intervals && self.gyro.is_silent(),
-            accel_invalid: self.follow_intervals && self.accel.is_silent(),
+            gyro_invalid: self.gyro_is_silent,
+            accel_invalid: self.accel_is_silent,
         }
     }
 
