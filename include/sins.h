@@ -217,9 +217,12 @@ typedef struct sins_flight sins_flight;
 #define SINS_FAILURE_DEAD 2
 /* A bias of size more. Not flagged. */
 #define SINS_FAILURE_BIAS_STEP 3
-/* Rectangular pulses of size, duration_s long, one each interval_s, the first at once. Not flagged but where they saturate. */
+/*
+ * Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+ * mean over its interval. Not flagged but where they saturate.
+ */
 #define SINS_FAILURE_SPIKES 4
-/* White noise of density more. Not flagged. */
+/* White noise of density more; of the altimeter its mean over the interval. Not flagged. */
 #define SINS_FAILURE_NOISE 5
 /*
  * Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
@@ -590,10 +593,7 @@ typedef struct sins_failure {
     uint32_t reserved2;
     /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
     double size;
-    /*
-     * Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)]; of the altimeter too, each sample
-     * the mean over its interval.
-     */
+    /* Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)]. */
     double density;
     /* Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s]. */
     double interval_s;

@@ -3,13 +3,16 @@
 mod support;
 
 use nalgebra::Vector3;
+use sins::math::{Euler, attitude_from_euler};
 use sins::mechanization::VerticalMode;
 use sins::sensors::{
     Altimeter, AltimeterParameters, Axis, Failure, SensorOutput, StreamKey, TriadParameters,
 };
+use sins::signal::Increment;
+use sins::state::{BodyAxes, Navigation};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, ImuFlags, ImuInterval, Options, Simulator, Step};
-use support::{DEG, G, options_at, patrol, resting_sample};
+use support::{DEG, G, bits, options_at, patrol, resting_sample, sensed};
 
 const EPS: f64 = f64::EPSILON;
 const DT: f64 = 0.01;
@@ -51,17 +54,6 @@ fn noisy_simulator() -> Simulator {
     simulator
 }
 
-fn fly(simulator: &mut Simulator, samples: impl IntoIterator<Item = FlightSample>) -> Vec<ImuInterval> {
-    let mut intervals = Vec::new();
-    for sample in samples {
-        simulator.push_sample(&sample).unwrap();
-        if simulator.step().unwrap() == Step::Done {
-            intervals.push(simulator.imu().unwrap());
-        }
-    }
-    intervals
-}
-
 /// Level at rest, heading north: sensor axes are east-north-up.
 fn rest(samples: core::ops::Range<u32>) -> impl Iterator<Item = FlightSample> {
     samples.map(|k| resting_sample(f64::from(k) * DT))
@@ -82,7 +74,7 @@ fn a_dead_gyro_at_rest_drifts_by_the_earths_rate() {
     let mut simulator = simulator();
     simulator.set_failure(SensorOutput::Gyro(Axis::Y), Some(Failure::Dead)).unwrap();
     let seconds = 60.0;
-    let intervals = fly(&mut simulator, rest(0..6001));
+    let intervals = sensed(&mut simulator, rest(0..6001));
     let north = EARTH_RATE * (39.9 * DEG).cos();
     for imu in &intervals {
         assert_eq!((imu.measured.angle.y, imu.flags), (0.0, INVALID_GYRO));
@@ -103,15 +95,15 @@ fn a_dead_gyro_at_rest_drifts_by_the_earths_rate() {
 #[test]
 fn a_bias_step_begins_with_the_next_interval_and_goes_without_a_trace() {
     let mut sound = noisy_simulator();
-    let expected = fly(&mut sound, in_flight(0..300));
+    let expected = sensed(&mut sound, in_flight(0..300));
     for (output, size) in [(SensorOutput::Gyro(Axis::X), 0.01), (SensorOutput::Accelerometer(Axis::Z), -0.5)]
     {
         let mut failing = noisy_simulator();
-        let mut found = fly(&mut failing, in_flight(0..100));
+        let mut found = sensed(&mut failing, in_flight(0..100));
         failing.set_failure(output, Some(Failure::BiasStep { size })).unwrap();
-        found.extend(fly(&mut failing, in_flight(100..200)));
+        found.extend(sensed(&mut failing, in_flight(100..200)));
         failing.set_failure(output, None).unwrap();
-        found.extend(fly(&mut failing, in_flight(200..300)));
+        found.extend(sensed(&mut failing, in_flight(200..300)));
         for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
             if !(99..199).contains(&k) {
                 assert_eq!(found, expected, "{k}");
@@ -134,16 +126,16 @@ fn a_bias_step_begins_with_the_next_interval_and_goes_without_a_trace() {
 /// sound sensors, to the bit - noise has run on behind it, and no draw has moved.
 #[test]
 fn a_cleared_failure_leaves_the_unfailed_draws() {
-    let expected = fly(&mut noisy_simulator(), in_flight(0..150));
+    let expected = sensed(&mut noisy_simulator(), in_flight(0..150));
     for failure in EVERY_KIND {
         let mut failing = noisy_simulator();
-        let mut found = fly(&mut failing, in_flight(0..50));
+        let mut found = sensed(&mut failing, in_flight(0..50));
         failing.set_failure(SensorOutput::Gyro(Axis::Y), Some(failure)).unwrap();
         failing.set_failure(SensorOutput::Accelerometer(Axis::X), Some(failure)).unwrap();
-        found.extend(fly(&mut failing, in_flight(50..100)));
+        found.extend(sensed(&mut failing, in_flight(50..100)));
         failing.set_failure(SensorOutput::Accelerometer(Axis::X), None).unwrap();
         failing.set_failure(SensorOutput::Gyro(Axis::Y), None).unwrap();
-        found.extend(fly(&mut failing, in_flight(100..150)));
+        found.extend(sensed(&mut failing, in_flight(100..150)));
         let mut differing = [0; 2];
         for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
             if !(49..99).contains(&k) {
@@ -172,7 +164,7 @@ fn a_spike_train_has_its_count_and_area() {
     let mut simulator = simulator();
     let train = |interval_s, duration_s| Some(Failure::Spikes { size, interval_s, duration_s });
     simulator.set_failure(SensorOutput::Accelerometer(Axis::Y), train(0.5, 0.02)).unwrap();
-    let errors: Vec<f64> = fly(&mut simulator, rest(0..1001))
+    let errors: Vec<f64> = sensed(&mut simulator, rest(0..1001))
         .iter()
         .map(|imu| imu.measured.velocity.y - imu.ideal.velocity.y)
         .collect();
@@ -186,7 +178,7 @@ fn a_spike_train_has_its_count_and_area() {
     // Nothing in step with the intervals, some pulses within a sub-increment: after each interval the area is the closed form's.
     simulator.set_failure(SensorOutput::Accelerometer(Axis::Y), train(0.0137, 0.0011)).unwrap();
     let mut area = 0.0;
-    for (k, imu) in fly(&mut simulator, rest(1001..2001)).iter().enumerate() {
+    for (k, imu) in sensed(&mut simulator, rest(1001..2001)).iter().enumerate() {
         area += imu.measured.velocity.y - imu.ideal.velocity.y;
         let t = (k + 1) as f64 * DT;
         let whole = (t / 0.0137).floor();
@@ -208,8 +200,8 @@ fn a_noise_burst_has_its_density() {
         failing.set_failure(output, Some(Failure::Noise { density })).unwrap();
     }
     let n = 20_000_u32;
-    let expected = fly(&mut sound, rest(0..n + 1));
-    let found = fly(&mut failing, rest(0..n + 1));
+    let expected = sensed(&mut sound, rest(0..n + 1));
+    let found = sensed(&mut failing, rest(0..n + 1));
     let noise = |pick: fn(&ImuInterval) -> f64| -> Vec<f64> {
         found.iter().zip(&expected).map(|(found, expected)| pick(found) - pick(expected)).collect()
     };
@@ -233,7 +225,7 @@ fn a_noise_burst_has_its_density() {
     let mut first = Vec::new();
     for samples in [0..101, 101..201] {
         again.set_failure(outputs[0], Some(Failure::Noise { density })).unwrap();
-        first.extend(fly(&mut again, rest(samples)));
+        first.extend(sensed(&mut again, rest(samples)));
     }
     assert_eq!(first, found_with(&outputs[..1], density, 200));
 }
@@ -244,7 +236,7 @@ fn found_with(outputs: &[SensorOutput], density: f64, intervals: u32) -> Vec<Imu
     for &output in outputs {
         simulator.set_failure(output, Some(Failure::Noise { density })).unwrap();
     }
-    fly(&mut simulator, rest(0..intervals + 1))
+    sensed(&mut simulator, rest(0..intervals + 1))
 }
 
 /// What drop-outs of the upper accelerometer lose at rest is g T an interval; one each 0.25 s is 40 in ten seconds, the first at
@@ -262,7 +254,7 @@ fn drop_outs_lose_their_mass() {
     ] {
         let mut simulator = simulator();
         simulator.set_failure(SensorOutput::Accelerometer(Axis::Z), Some(failure)).unwrap();
-        let intervals = fly(&mut simulator, rest(0..n as u32 + 1));
+        let intervals = sensed(&mut simulator, rest(0..n as u32 + 1));
         let lost = intervals.iter().filter(|imu| imu.flags.accel_invalid).count();
         assert!((least..=most).contains(&lost), "{failure:?}: {lost}");
         let mut velocity = 0.0;
@@ -285,17 +277,17 @@ fn drop_outs_lose_their_mass() {
 #[test]
 fn a_stuck_output_holds_the_last_value() {
     let mut simulator = noisy_simulator();
-    let before = fly(&mut simulator, in_flight(0..100));
+    let before = sensed(&mut simulator, in_flight(0..100));
     simulator.set_failure(SensorOutput::Gyro(Axis::X), Some(Failure::Stuck)).unwrap();
     let last = before[98].measured.angle.x;
-    for imu in fly(&mut simulator, in_flight(100..200)) {
+    for imu in sensed(&mut simulator, in_flight(100..200)) {
         assert!((imu.measured.angle.x - last).abs() <= 4.0 * EPS * last.abs());
         assert!((imu.ideal.angle.x - last).abs() > 1e-9, "the flight goes on");
         assert_eq!(imu.flags, ImuFlags::default());
     }
     let mut simulator = noisy_simulator();
     simulator.set_failure(SensorOutput::Accelerometer(Axis::Y), Some(Failure::Stuck)).unwrap();
-    let stuck = fly(&mut simulator, in_flight(0..100));
+    let stuck = sensed(&mut simulator, in_flight(0..100));
     let first = stuck[0].measured.velocity.y;
     assert!(first != 0.0 && stuck.iter().all(|imu| imu.measured.velocity.y == first));
 }
@@ -307,12 +299,12 @@ fn the_last_failure_replaces_the_one_before() {
     let mut simulator = simulator();
     simulator.set_failure(output, Some(Failure::BiasStep { size: 1.0 })).unwrap();
     simulator.set_failure(output, Some(Failure::BiasStep { size: 0.25 })).unwrap();
-    let imu = fly(&mut simulator, rest(0..2))[0];
+    let imu = sensed(&mut simulator, rest(0..2))[0];
     assert!((imu.measured.angle.y - imu.ideal.angle.y - 0.25 * DT).abs() < 4.0 * EPS * DT);
     simulator.set_failure(output, Some(Failure::Dead)).unwrap();
-    assert_eq!(fly(&mut simulator, rest(2..3))[0].flags, INVALID_GYRO);
+    assert_eq!(sensed(&mut simulator, rest(2..3))[0].flags, INVALID_GYRO);
     simulator.set_failure(output, Some(Failure::Stuck)).unwrap();
-    let imu = fly(&mut simulator, rest(3..4))[0];
+    let imu = sensed(&mut simulator, rest(3..4))[0];
     assert_eq!((imu.measured.angle.y, imu.flags), (0.0, ImuFlags::default()));
 }
 
@@ -326,7 +318,7 @@ fn failures_act_in_their_place_in_the_order() {
     simulator.set_gyro(&parameters).unwrap();
     simulator.set_failure(SensorOutput::Gyro(Axis::Z), Some(Failure::BiasStep { size: 1.0 })).unwrap();
     simulator.set_failure(SensorOutput::Gyro(Axis::X), Some(Failure::Dead)).unwrap();
-    let imu = fly(&mut simulator, rest(0..2))[0];
+    let imu = sensed(&mut simulator, rest(0..2))[0];
     assert!(imu.flags.gyro_saturated && imu.flags.gyro_invalid);
     let pulses = imu.measured.angle.z * 2.0_f64.powi(12);
     // Half a rad/s for 10 ms are 20.48 pulses, each half of it 10.24: the rest is carried.
@@ -339,12 +331,10 @@ fn failures_act_in_their_place_in_the_order() {
 fn both_error_data_hear_of_failures() {
     for failure in EVERY_KIND {
         let mut simulator = simulator();
-        fly(&mut simulator, in_flight(0..100));
-        // What does not add loses a signal: of the gyro about the wings' axis, a small one.
-        let gyro = if matches!(failure, Failure::Stuck) { Failure::BiasStep { size: 1e-6 } } else { failure };
-        simulator.set_failure(SensorOutput::Gyro(Axis::X), Some(gyro)).unwrap();
+        sensed(&mut simulator, in_flight(0..100));
+        simulator.set_failure(SensorOutput::Gyro(Axis::X), Some(failure)).unwrap();
         simulator.set_failure(SensorOutput::Accelerometer(Axis::X), Some(failure)).unwrap();
-        fly(&mut simulator, in_flight(100..3000));
+        sensed(&mut simulator, in_flight(100..3000));
         let (_, navigation) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
         let (_, model) = simulator.errors(ErrorSource::Model).unwrap().unwrap();
         let misalignment = navigation.misalignment_n.norm();
@@ -359,39 +349,29 @@ fn both_error_data_hear_of_failures() {
     }
 }
 
-/// The solution to the bit.
-fn solution(simulator: &Simulator) -> Vec<u64> {
-    let navigation = simulator.navigation().unwrap().unwrap().navigation;
-    let mut values = vec![navigation.place.latitude_rad, navigation.place.longitude_rad];
-    values.push(navigation.place.height_m);
-    values.extend_from_slice(navigation.v_n.as_slice());
-    values.extend_from_slice(navigation.q_nb.coords.as_slice());
-    values.into_iter().map(f64::to_bits).collect()
-}
-
 /// A reset is a new exercise with sound sensors; the same failures at the same intervals give the same bits. A reposition mends
 /// nothing.
 #[test]
 fn a_reset_clears_failures_and_a_reposition_keeps_them() {
     let exercise = |simulator: &mut Simulator| {
-        fly(simulator, in_flight(0..50));
+        sensed(simulator, in_flight(0..50));
         let noise = Some(Failure::Noise { density: 1e-4 });
         simulator.set_failure(SensorOutput::Gyro(Axis::X), noise).unwrap();
         let drop_outs = Some(Failure::RandomDropOuts { probability: 0.3 });
         simulator.set_failure(SensorOutput::Accelerometer(Axis::Z), drop_outs).unwrap();
-        fly(simulator, in_flight(50..100));
-        solution(simulator)
+        sensed(simulator, in_flight(50..100));
+        bits(simulator)
     };
     let mut simulator = noisy_simulator();
     let first = exercise(&mut simulator);
     simulator.reset();
     assert_eq!(exercise(&mut simulator), first);
     simulator.reset();
-    assert_eq!(fly(&mut simulator, in_flight(0..50)), fly(&mut noisy_simulator(), in_flight(0..50)));
+    assert_eq!(sensed(&mut simulator, in_flight(0..50)), sensed(&mut noisy_simulator(), in_flight(0..50)));
 
     simulator.set_failure(SensorOutput::Gyro(Axis::Z), Some(Failure::Dead)).unwrap();
     simulator.reposition(&in_flight(500..501)[0]).unwrap();
-    assert!(fly(&mut simulator, in_flight(501..510)).iter().all(|imu| imu.flags == INVALID_GYRO));
+    assert!(sensed(&mut simulator, in_flight(501..510)).iter().all(|imu| imu.flags == INVALID_GYRO));
 }
 
 /// A failure that throws the solution away is told, with the last good solution; once it is cleared the same interval can be
@@ -412,8 +392,8 @@ fn a_failure_can_diverge_and_be_cleared() {
     };
     // 9 km/s a step: the eleventh leads to 99 km/s, the twelfth would beyond 100.
     assert_eq!((error.kind, steps), (ErrorKind::Diverged, 11));
-    let good = solution(&simulator);
-    assert!(simulator.step().is_err() && solution(&simulator) == good);
+    let good = bits(&simulator);
+    assert!(simulator.step().is_err() && bits(&simulator) == good);
     simulator.set_failure(SensorOutput::Accelerometer(Axis::X), None).unwrap();
     assert_eq!(simulator.step().unwrap(), Step::Done);
 }
@@ -426,9 +406,9 @@ fn without_an_altimeter_the_vertical_channel_is_free() {
         let mut simulator = Simulator::new(options).unwrap();
         simulator.set_accel(&noisy()).unwrap();
         simulator.set_failure(SensorOutput::Altimeter, failure).unwrap();
-        fly(&mut simulator, in_flight(0..1000));
+        sensed(&mut simulator, in_flight(0..1000));
         let unaided = simulator.navigation().unwrap().unwrap().vertical_unaided;
-        (solution(&simulator), unaided)
+        (bits(&simulator), unaided)
     };
     let (free, _) = fly_with(&Options { vertical: VerticalMode::Free, ..options }, None);
     let (damped, is_unaided) = fly_with(&options, None);
@@ -444,11 +424,35 @@ fn without_an_altimeter_the_vertical_channel_is_free() {
     let mut biased = Simulator::new(&options).unwrap();
     biased.set_accel(&noisy()).unwrap();
     biased.set_altimeter(&AltimeterParameters { bias_m: 64.0, ..Default::default() }).unwrap();
-    fly(&mut biased, in_flight(0..1000));
+    sensed(&mut biased, in_flight(0..1000));
     let (stepped, is_unaided) = fly_with(&options, Some(Failure::BiasStep { size: 64.0 }));
-    let heights = |bits: &[u64]| f64::from_bits(bits[2]);
+    let height = |bits: &[u64]| f64::from_bits(bits[2]);
     // size dt / dt rounds as the bias does not: by an ulp of 64 m in each of a thousand samples, damped.
-    assert!((heights(&stepped) - heights(&solution(&biased))).abs() < 1e-11 && !is_unaided);
+    assert!((height(&stepped) - height(&bits(&biased))).abs() < 1e-11 && !is_unaided);
+}
+
+/// On increments of the host failures act as on samples; a dead gyro is flagged, and a stuck one shows the interval before.
+#[test]
+fn a_navigator_alone_fails_too() {
+    let mut simulator = Simulator::new(&Options::default()).unwrap();
+    let start = Navigation::new(
+        resting_sample(0.0).place,
+        Vector3::zeros(),
+        attitude_from_euler(&Euler::default()),
+        BodyAxes::default(),
+    );
+    simulator.start_navigation(0.0, &start).unwrap();
+    let push = |simulator: &mut Simulator, rate: f64| {
+        let increment = Increment { angle: Vector3::repeat(rate * DT), velocity: Vector3::z() * (G * DT) };
+        simulator.push_imu(&[increment], DT).unwrap();
+        simulator.imu().unwrap()
+    };
+    push(&mut simulator, 0.25);
+    simulator.set_failure(SensorOutput::Gyro(Axis::Z), Some(Failure::Stuck)).unwrap();
+    simulator.set_failure(SensorOutput::Gyro(Axis::X), Some(Failure::Dead)).unwrap();
+    let imu = push(&mut simulator, 0.5);
+    assert_eq!(imu.flags, INVALID_GYRO);
+    assert_eq!(imu.measured.angle, Vector3::new(0.0, 0.5 * DT, 0.25 * DT));
 }
 
 #[test]
@@ -515,6 +519,6 @@ fn failures_have_ranges() {
         assert_eq!(simulator.set_failure(output, Some(failure)).unwrap_err().to_string(), sentence);
     }
     // Nothing has failed.
-    let imu = fly(&mut simulator, rest(0..2))[0];
+    let imu = sensed(&mut simulator, rest(0..2))[0];
     assert_eq!((imu.measured, imu.flags), (imu.ideal, ImuFlags::default()));
 }

@@ -9,8 +9,8 @@ use sins::sensors::{Alignment, InitialErrorParameters, Sensor, StreamKey, Triad,
 use sins::signal::Increment;
 use sins::state::{BodyAxes, Navigation};
 use sins::truth::FlightSample;
-use sins::{ErrorKind, ErrorSource, ImuInterval, Options, Simulator, Step};
-use support::{DEG, options_at, resting_sample};
+use sins::{ErrorKind, Options, Simulator};
+use support::{DEG, bits, options_at, resting_sample, sensed};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -31,17 +31,6 @@ fn warm(time_s: f64, temperature_c: f64) -> FlightSample {
     FlightSample { temperature_c: Some(temperature_c), ..resting_sample(time_s) }
 }
 
-fn fly(simulator: &mut Simulator, samples: impl IntoIterator<Item = FlightSample>) -> Vec<ImuInterval> {
-    let mut intervals = Vec::new();
-    for sample in samples {
-        simulator.push_sample(&sample).unwrap();
-        if simulator.step().unwrap() == Step::Done {
-            intervals.push(simulator.imu().unwrap());
-        }
-    }
-    intervals
-}
-
 /// Warming up by 0.5 K/s from 20 °C at rest, at samples of any distance: the increments of the errors are the integrals of b1 θ +
 /// b2 θ², and of s1 θ + s2 θ² times the constant signal.
 #[test]
@@ -51,7 +40,7 @@ fn a_warm_up_integrates_to_its_closed_form() {
     simulator.set_accel(&thermal(1e-3)).unwrap();
     let theta = |time_s: f64| -5.0 + 0.5 * time_s;
     let times: Vec<f64> = (0..200).map(|k| 0.3 * f64::from(k) + 0.1 * f64::from(k % 3)).collect();
-    let intervals = fly(&mut simulator, times.iter().map(|&time_s| warm(time_s, 25.0 + theta(time_s))));
+    let intervals = sensed(&mut simulator, times.iter().map(|&time_s| warm(time_s, 25.0 + theta(time_s))));
     assert_eq!(intervals.len(), 199);
     for (imu, ends) in intervals.iter().zip(times.windows(2)) {
         // ∫θ dt and ∫θ² dt of θ' = 1/2.
@@ -98,21 +87,6 @@ fn temperature_acts_in_its_place_in_the_order() {
     assert_eq!(sense(&cold, 0.25), Vector3::zeros());
 }
 
-/// The solution and both errors to the bit.
-fn bits(simulator: &Simulator) -> Vec<u64> {
-    let navigation = simulator.navigation().unwrap().unwrap().navigation;
-    let mut values = vec![navigation.place.latitude_rad, navigation.place.longitude_rad];
-    values.push(navigation.place.height_m);
-    values.extend_from_slice(navigation.v_n.as_slice());
-    values.extend_from_slice(navigation.q_nb.coords.as_slice());
-    for source in [ErrorSource::Navigation, ErrorSource::Model] {
-        let errors = simulator.errors(source).unwrap().unwrap().1;
-        values.extend_from_slice(errors.position_n.as_slice());
-        values.extend_from_slice(errors.misalignment_n.as_slice());
-    }
-    values.into_iter().map(f64::to_bits).collect()
-}
-
 /// Levelled and gyrocompassed with these errors, then a minute at rest at `temperature_c`.
 fn a_minute(gyro: &TriadParameters, accel: &TriadParameters, temperature_c: Option<f64>) -> Vec<u64> {
     let options = Options { error_model: true, ..options_at(100.0) };
@@ -122,7 +96,7 @@ fn a_minute(gyro: &TriadParameters, accel: &TriadParameters, temperature_c: Opti
     let initial = InitialErrorParameters { alignment: Alignment::LevelAndGyrocompass, ..Default::default() };
     simulator.set_initial_errors(&initial).unwrap();
     let samples = (0..6000).map(|k| FlightSample { temperature_c, ..resting_sample(f64::from(k) / 100.0) });
-    let first = fly(&mut simulator, samples);
+    let first = sensed(&mut simulator, samples);
     assert_eq!(first.len(), 5999);
     bits(&simulator)
 }
@@ -184,7 +158,7 @@ fn samples_without_a_temperature_are_refused_while_coefficients_are_set() {
     assert_eq!((refused.kind, refused.to_string().as_str()), (ErrorKind::InvalidArgument, missing));
     assert_eq!(simulator.waiting_samples(), 0);
     assert_eq!(simulator.reposition(&resting_sample(0.0)).unwrap_err().to_string(), missing);
-    assert_eq!(fly(&mut simulator, (0..3).map(|k| warm(f64::from(k), 20.0))).len(), 2);
+    assert_eq!(sensed(&mut simulator, (0..3).map(|k| warm(f64::from(k), 20.0))).len(), 2);
     assert!(simulator.push_sample(&resting_sample(3.0)).is_err());
     simulator.set_accel(&TriadParameters::default()).unwrap();
     simulator.push_sample(&resting_sample(3.0)).unwrap();
@@ -196,7 +170,7 @@ fn samples_without_a_temperature_are_refused_while_coefficients_are_set() {
     simulator
         .set_gyro(&TriadParameters { scale_factor_temperature: Vector3::zeros(), ..thermal(1e-6) })
         .unwrap();
-    let imu = fly(&mut simulator, [warm(4.0, 35.0)])[0];
+    let imu = sensed(&mut simulator, [warm(4.0, 35.0)])[0];
     let drift = (imu.measured.angle.x - imu.ideal.angle.x) / imu.interval_s;
     assert!((drift - (10.0 - 2.0) * 1e-6).abs() < 4.0 * EPS * 1e-5, "{drift:e}");
 

@@ -24,9 +24,10 @@ pub const SINS_FAILURE_STUCK: i32 = 1;
 pub const SINS_FAILURE_DEAD: i32 = 2;
 /// A bias of size more. Not flagged.
 pub const SINS_FAILURE_BIAS_STEP: i32 = 3;
-/// Rectangular pulses of size, duration_s long, one each interval_s, the first at once. Not flagged but where they saturate.
+/// Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+/// mean over its interval. Not flagged but where they saturate.
 pub const SINS_FAILURE_SPIKES: i32 = 4;
-/// White noise of density more. Not flagged.
+/// White noise of density more; of the altimeter its mean over the interval. Not flagged.
 pub const SINS_FAILURE_NOISE: i32 = 5;
 /// Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
 /// that time, the first at once.
@@ -47,8 +48,7 @@ pub struct sins_failure {
     pub reserved2: u32,
     /// Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
     pub size: f64,
-    /// Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)]; of the altimeter too, each sample
-    /// the mean over its interval.
+    /// Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
     pub density: f64,
     /// Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
     pub interval_s: f64,

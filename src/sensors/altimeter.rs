@@ -48,7 +48,7 @@ pub struct Altimeter {
     /// True height of the last sample and height behind the lag [m].
     height_m: f64,
     lagged_m: f64,
-    /// The last indication [m].
+    /// The last indication; before one, the true height [m].
     indicated_m: f64,
     failing: FailingOutput,
 }
@@ -91,10 +91,11 @@ impl Altimeter {
         self.parameters == AltimeterParameters::default() && !self.has_failed()
     }
 
-    /// The truth jumped to `height_m`: the lag settles there at once.
+    /// The truth jumped to `height_m`: lag and indication settle there at once.
     pub fn reposition(&mut self, height_m: f64) {
         self.height_m = height_m;
         self.lagged_m = height_m;
+        self.indicated_m = height_m;
     }
 
     /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal.

@@ -191,3 +191,24 @@ fn no_temperature() -> Error {
         ),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sensors::Axis;
+
+    #[test]
+    fn a_suite_with_a_failure_is_neither_tame_nor_ideal_until_it_is_cleared() {
+        let mut suite = SensorSuite::new(&Options::default());
+        let ideal_of = |suite: &SensorSuite| (suite.are_tame(), suite.are_ideal(), suite.all_are_ideal());
+        for output in
+            [SensorOutput::Gyro(Axis::X), SensorOutput::Accelerometer(Axis::Z), SensorOutput::Altimeter]
+        {
+            assert_eq!(ideal_of(&suite), (true, true, true));
+            suite.set_failure(output, Some(Failure::Noise { density: 1.0 }), None);
+            assert_eq!(ideal_of(&suite), (false, output == SensorOutput::Altimeter, false));
+            suite.set_failure(output, None, None);
+        }
+        assert_eq!(ideal_of(&suite), (true, true, true));
+    }
+}
