@@ -33,7 +33,7 @@ fn simulator() -> Simulator {
     Simulator::new(&Options { error_model: true, ..options_at(1.0 / DT) }).unwrap()
 }
 
-/// Random effects that draw in each interval.
+/// Effects that draw in each interval or remember the one before.
 fn noisy() -> TriadParameters {
     let one = Vector3::repeat(1.0);
     TriadParameters {
@@ -43,6 +43,8 @@ fn noisy() -> TriadParameters {
         random_walk: one * 1e-6,
         rate_random_walk: one * 1e-8,
         flicker: one * 1e-6,
+        ramp: one * 1e-6,
+        bandwidth_hz: one * 20.0,
         ..Default::default()
     }
 }
