@@ -86,6 +86,11 @@ impl Altimeter {
         self.failing.has_failed()
     }
 
+    /// Whether a step has nothing to fear of the failure.
+    pub fn fails_tamely(&self) -> bool {
+        self.failing.is_tame()
+    }
+
     /// Whether it shows the true height.
     pub fn is_ideal(&self) -> bool {
         self.parameters == AltimeterParameters::default() && !self.has_failed()

@@ -45,6 +45,11 @@ impl FailingOutput {
         self.failure.is_some()
     }
 
+    /// Whether a step has nothing to fear of its failure, if it has one.
+    pub fn is_tame(&self) -> bool {
+        self.failure.is_none_or(|failure| failure.is_tame())
+    }
+
     /// Whether the output has no signal in this interval.
     pub fn is_silent(&self) -> bool {
         self.is_silent
@@ -121,6 +126,11 @@ impl FailingTriad {
     /// Whether a failure replaces an output.
     pub fn are_out(&self) -> bool {
         self.failures().any(|failure| !failure.is_added())
+    }
+
+    /// Whether a step has nothing to fear of the failures.
+    pub fn are_tame(&self) -> bool {
+        self.outputs.iter().all(FailingOutput::is_tame)
     }
 
     /// Whether an output has no signal in this interval.

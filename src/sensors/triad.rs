@@ -127,6 +127,11 @@ impl Triad {
         self.failing.are_disturbed() || self.failing.are_out()
     }
 
+    /// Whether a step has nothing to fear of the failures.
+    pub fn fails_tamely(&self) -> bool {
+        self.failing.are_tame()
+    }
+
     /// Whether an axis has no signal in this interval: dead, or dropped out.
     #[inline]
     pub fn is_silent(&self) -> bool {

@@ -98,15 +98,15 @@ impl SensorSuite {
     fn decide(&mut self) {
         self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
         self.all_are_ideal = self.triads_are_ideal && self.altimeter.is_ideal();
-        let triads_failed = self.gyro.has_failed() || self.accel.has_failed();
-        // A failure has no bound of its own: what it makes of the solution is looked at.
         self.is_tame = self.gyro_parameters.is_tame()
             && self.accel_parameters.is_tame()
-            && !triads_failed
-            && !self.altimeter.has_failed();
+            && self.gyro.fails_tamely()
+            && self.accel.fails_tamely()
+            && self.altimeter.fails_tamely();
         self.depend_on_temperature =
             self.gyro_parameters.depend_on_temperature() || self.accel_parameters.depend_on_temperature();
-        self.follow_intervals = self.depend_on_temperature || triads_failed;
+        self.follow_intervals =
+            self.depend_on_temperature || self.gyro.has_failed() || self.accel.has_failed();
         (self.gyro_is_silent, self.accel_is_silent) = (self.gyro.is_silent(), self.accel.is_silent());
     }
 
@@ -198,15 +198,24 @@ mod tests {
     use crate::sensors::Axis;
 
     #[test]
-    fn a_suite_with_a_failure_is_neither_tame_nor_ideal_until_it_is_cleared() {
+    fn a_suite_with_a_failure_is_not_ideal_and_with_a_wild_one_not_tame_until_it_is_cleared() {
         let mut suite = SensorSuite::new(&Options::default());
         let ideal_of = |suite: &SensorSuite| (suite.are_tame(), suite.are_ideal(), suite.all_are_ideal());
         for output in
             [SensorOutput::Gyro(Axis::X), SensorOutput::Accelerometer(Axis::Z), SensorOutput::Altimeter]
         {
             assert_eq!(ideal_of(&suite), (true, true, true));
-            suite.set_failure(output, Some(Failure::Noise { density: 1.0 }), None);
-            assert_eq!(ideal_of(&suite), (false, output == SensorOutput::Altimeter, false));
+            for (failure, is_tame) in [
+                (Failure::Stuck, false),
+                (Failure::Dead, true),
+                (Failure::BiasStep { size: -101.0 }, false),
+                (Failure::Spikes { size: 1.0, interval_s: 1.0, duration_s: 1.0 }, true),
+                (Failure::Noise { density: 6.0 }, false),
+                (Failure::RandomDropOuts { probability: 1.0 }, true),
+            ] {
+                suite.set_failure(output, Some(failure), None);
+                assert_eq!(ideal_of(&suite), (is_tame, output == SensorOutput::Altimeter, false));
+            }
             suite.set_failure(output, None, None);
         }
         assert_eq!(ideal_of(&suite), (true, true, true));
