@@ -10,12 +10,15 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 19] = [
     "version",
     "failure",
     "options",
     "simulator",
-    "sensors",
+    "gyro",
+    "accel",
+    "altimeter",
+    "sensor_failure",
     "initial",
     "sample",
     "run",

@@ -196,6 +196,40 @@ typedef struct sins_flight sins_flight;
  */
 #define SINS_SIGNAL_CLOSED_LOOP 1
 
+/* The gyros. */
+#define SINS_SENSOR_GYRO 0
+/* The accelerometers. */
+#define SINS_SENSOR_ACCEL 1
+/* The altimeter; its axis is 0. */
+#define SINS_SENSOR_ALTIMETER 2
+
+/* None: clears the failure that there is. */
+#define SINS_FAILURE_NONE 0
+/*
+ * The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
+ * it looks like data.
+ */
+#define SINS_FAILURE_STUCK 1
+/*
+ * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
+ * altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+ */
+#define SINS_FAILURE_DEAD 2
+/* A bias of size more. Not flagged. */
+#define SINS_FAILURE_BIAS_STEP 3
+/*
+ * Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+ * mean over its interval. Not flagged but where they saturate.
+ */
+#define SINS_FAILURE_SPIKES 4
+/* White noise of density more; of the altimeter its mean over the interval. Not flagged. */
+#define SINS_FAILURE_NOISE 5
+/*
+ * Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
+ * that time, the first at once.
+ */
+#define SINS_FAILURE_DROP_OUTS 6
+
 /* The misalignment at the start is the given one. */
 #define SINS_ALIGNMENT_GIVEN 0
 /* Added to it, what levelling and gyrocompassing at rest leave with the sensor errors of the start. */
@@ -207,13 +241,15 @@ typedef struct sins_flight sins_flight;
 #define SINS_SAMPLE_SPECIFIC_FORCE 2
 /* The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval. */
 #define SINS_SAMPLE_NO_VELOCITY 4
+/* The sample carries temperature_c. */
+#define SINS_SAMPLE_TEMPERATURE 8
 
 /*
  * Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
  * and the errors in metres stay right.
  */
 #define SINS_NAVIGATION_NEAR_POLE 1
-/* Nothing aids the vertical channel: any error grows by e every 569 s. */
+/* Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s. */
 #define SINS_NAVIGATION_VERTICAL_UNAIDED 2
 /* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
 #define SINS_NAVIGATION_INCONSISTENT 4
@@ -233,6 +269,10 @@ typedef struct sins_flight sins_flight;
 #define SINS_IMU_GYRO_SATURATED 1
 /* The mean force of a sub-increment was beyond the range of an accelerometer. */
 #define SINS_IMU_ACCEL_SATURATED 2
+/* A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave. */
+#define SINS_IMU_GYRO_INVALID 4
+/* An accelerometer had none. */
+#define SINS_IMU_ACCEL_INVALID 8
 
 /*
  * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
@@ -376,16 +416,22 @@ typedef struct sins_flight_sample {
     double angular_rate_rad_s[3];
     /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2]. */
     double specific_force_m_s2[3];
+    /*
+     * With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
+     * straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+     * SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+     */
+    double temperature_c;
 } sins_flight_sample;
 
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker and dead zones up to 100 in their units. Densities do not depend
+ * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units. Densities do not depend
  * on the sample rate.
  *
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
- * signal so far, and g-sensitivity, of the true specific force; then biases and noise are added; then dead zone, range,
- * quantization. A range, a bandwidth or a quantization of 0 is none.
+ * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+ * range, quantization. A range, a bandwidth or a quantization of 0 is none.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -429,16 +475,29 @@ typedef struct sins_gyro_params {
     double bandwidth_hz[3];
     /* Half the dead zone: mean rates of a sub-increment up to this size give 0 [rad/s]. */
     double dead_zone_rad_s[3];
+    /*
+     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
+     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias of this times T [(rad/s)/K]. */
+    double bias_temperature_rad_s_per_k[3];
+    /* Bias of this times T2 [(rad/s)/K2]. */
+    double bias_temperature2_rad_s_per_k2[3];
+    /* Scale factor error of this times T, -1 to 1 [1/K]. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
+    double scale_factor_temperature2_per_k2[3];
 } sins_gyro_params;
 
 /*
  * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker and dead zones up to 1e4 in their units. Densities do not depend
+ * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units. Densities do not depend
  * on the sample rate.
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
- * nonlinearity and vibration rectification, of the signal so far; then biases and noise are added; then dead zone, range,
- * quantization. A range, a bandwidth or a quantization of 0 is none.
+ * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
+ * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -484,6 +543,19 @@ typedef struct sins_accel_params {
     double lever_arm_m[9];
     /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
     double vibration_rectification_s2_m[3];
+    /*
+     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
+     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias of this times T [(m/s2)/K]. */
+    double bias_temperature_m_s2_per_k[3];
+    /* Bias of this times T2 [(m/s2)/K2]. */
+    double bias_temperature2_m_s2_per_k2[3];
+    /* Scale factor error of this times T, -1 to 1 [1/K]. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
+    double scale_factor_temperature2_per_k2[3];
 } sins_accel_params;
 
 /* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
@@ -505,6 +577,31 @@ typedef struct sins_altimeter_params {
     /* Time constant of the first-order lag of the static pressure, up to 1e6 s [s]. */
     double lag_s;
 } sins_altimeter_params;
+
+/*
+ * A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
+ * accelerometer, m of the altimeter.
+ */
+typedef struct sins_failure {
+    /* sizeof(sins_failure) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_FAILURE_... */
+    int32_t kind;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
+    double size;
+    /* Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)]. */
+    double density;
+    /* Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s]. */
+    double interval_s;
+    /* Spikes: length of one, 1e-9 s to interval_s [s]. */
+    double duration_s;
+    /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
+    double probability;
+} sins_failure;
 
 /*
  * Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
@@ -932,7 +1029,8 @@ SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer
 /*
  * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER: not later than the one before.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
+ * SINS_ERROR_TIME_ORDER: not later than the one before.
  * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
  * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
  */
@@ -950,20 +1048,21 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
  * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
- * errors, noise goes on where it was. Waiting samples and the running accuracy figures are dropped.
+ * errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
-/* Back to before the first sample: same parameters, seed and draws. */
+/* Back to before the first sample: same parameters, seed and draws, no failures. */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
 /*
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
  * move; processes that were active go on from where they are.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
+ * a temperature wait, or while navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
@@ -971,7 +1070,7 @@ SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gy
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
  * effects do not move; processes that were active go on from where they are.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
  */
 SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
 
@@ -982,6 +1081,23 @@ SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_a
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct sins_altimeter_params *params);
+
+/*
+ * Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
+ * until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
+ * once.
+ *
+ * sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone, range and
+ * quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is there
+ * again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
+ * sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
+ * set again at the same intervals give the same bits.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
+ * solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+ */
+SINS_API sins_status SINS_CALL sins_set_failure(
+    sins_sim *sim, int32_t sensor, int32_t axis, const struct sins_failure *failure);
 
 /*
  * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
@@ -1059,7 +1175,7 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record
  * flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
- * started already; sins_reset() first. SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+ * started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature. SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
  */
 SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
 

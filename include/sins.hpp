@@ -212,6 +212,13 @@ public:
     void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }
     void set_accel(const sins_accel_params &params) { done(sins_set_accel(sim_, &params)); }
     void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(sim_, &params)); }
+
+    /* SINS_SENSOR_..., and its axis. */
+    void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
+    {
+        done(sins_set_failure(sim_, sensor, axis, &failure));
+    }
+
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
 
     void push_sample(const sins_flight_sample &sample) { done(sins_push_sample(sim_, &sample)); }

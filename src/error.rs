@@ -134,6 +134,14 @@ pub(crate) fn check_ranges(field: &'static str, values: &[f64], low: f64, high: 
     Ok(())
 }
 
+/// Temperatures that a host may give [°C]: from the absolute zero to beyond any electronics.
+pub(crate) const TEMPERATURE_RANGE_C: (f64, f64) = (-273.15, 1000.0);
+
+/// Checks a temperature [°C].
+pub(crate) fn check_temperature(field: &'static str, temperature_c: f64) -> Result<(), Error> {
+    check_range(field, temperature_c, TEMPERATURE_RANGE_C.0, TEMPERATURE_RANGE_C.1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -63,6 +63,7 @@
 //! | each scheme has its order | `tests/convergence.rs` |
 //! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/invariants.rs`, `tests/samples.rs` |
 //! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
+//! | temperature and failures too, and a failure cleared has moved no draw | `tests/temperature.rs`, `tests/failures.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
@@ -143,6 +144,6 @@ pub mod truth;
 
 pub use error::{Error, ErrorKind, Rule};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuInterval, MAX_UPDATES, Options, Saturation, Simulator, Solution, Step,
+    ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
     TrimFigures,
 };

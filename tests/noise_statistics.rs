@@ -142,9 +142,9 @@ fn gauss_markov_is_stationary_with_its_correlation_time() {
         let mut integrals = Vec::new();
         for run in 0..runs {
             let mut triad = triad(5, run as u64, Sensor::Gyro, &parameters);
-            at_start.push(triad.steady_error(&Vector3::zeros(), &Vector3::zeros()).x);
+            at_start.push(triad.steady_error(&Vector3::zeros(), &Vector3::zeros(), None).x);
             integrals.push(increments(&mut triad, steps, dt)[0].iter().sum::<f64>());
-            at_end.push(triad.steady_error(&Vector3::zeros(), &Vector3::zeros()).x);
+            at_end.push(triad.steady_error(&Vector3::zeros(), &Vector3::zeros(), None).x);
         }
         let variance = sigma * sigma;
         assert_variance("at the start", covariance(&at_start, &at_start), variance, runs);
@@ -190,7 +190,7 @@ fn altimeter_noise_is_of_its_parameters() {
         ..Default::default()
     });
     // A step of two correlation times: e^-2 of the Markov error is left from one sample to the next.
-    let heights: Vec<f64> = (0..n).map(|_| altimeter.sense(0.0, 2.0)).collect();
+    let heights: Vec<f64> = (0..n).map(|_| altimeter.sense(0.0, 2.0).unwrap()).collect();
     let decay = (-2f64).exp();
     // The effective number of independent squares of an autoregressive series is n (1 - d²)/(1 + d²).
     let effective = (n as f64 * (1.0 - decay * decay) / (1.0 + decay * decay)) as usize;
@@ -207,7 +207,7 @@ fn splittings(seconds: f64) -> Vec<Vec<f64>> {
 }
 
 fn value(triad: &Triad) -> f64 {
-    triad.steady_error(&Vector3::zeros(), &Vector3::zeros()).x
+    triad.steady_error(&Vector3::zeros(), &Vector3::zeros(), None).x
 }
 
 fn integral(triad: &mut Triad, dts: &[f64]) -> f64 {

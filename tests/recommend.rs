@@ -81,6 +81,7 @@ fn interface_sample(sample: &FlightSample) -> sins_flight_sample {
         heading_rad: sample.euler.heading,
         angular_rate_rad_s: [0.0; 3],
         specific_force_m_s2: [0.0; 3],
+        temperature_c: 0.0,
     }
 }
 

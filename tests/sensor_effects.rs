@@ -63,7 +63,7 @@ fn tumbling() {
             let drift = (gyro.sense(&ideal, dt) - ideal.angle) / dt;
             let expected = g_sensitivity.column(axis) * (sign * G);
             assert!((drift - expected).amax() < 4.0 * EPS * 1e-4, "{axis}: {drift:?}");
-            assert!((gyro.steady_error(&rate, &force) - expected).amax() < 4.0 * EPS * 1e-4);
+            assert!((gyro.steady_error(&rate, &force, None) - expected).amax() < 4.0 * EPS * 1e-4);
             let bias = (accel.sense(&ideal, dt) - ideal.velocity) / dt;
             let expected = Vector3::ith(axis, rectification[axis] * G * G);
             assert!((bias - expected).amax() < 8.0 * EPS * G, "{axis}: {bias:?}");
@@ -129,7 +129,7 @@ fn size_effect_at_constant_rate() {
         // Differences of rates, rounded, over dt.
         assert!((error - expected).amax() < 20.0 * EPS * 3.0 * 0.05 / dt, "{error:?} {expected:?}");
     }
-    assert!((accel.steady_error(&rate, &Vector3::zeros()) - expected).amax() < 4.0 * EPS * 14.0 * 0.05);
+    assert!((accel.steady_error(&rate, &Vector3::zeros(), None) - expected).amax() < 4.0 * EPS * 14.0 * 0.05);
 }
 
 /// Largest differences between what accelerometers x and y at the arm (r, 0, 0) integrate and the closed form, while the
@@ -251,7 +251,7 @@ fn a_ramp_does_not_depend_on_the_increments() {
         }
         assert!((sum - slope * (0.5 * t * t)).amax() < 1000.0 * EPS * 1e-6 * t * t, "{sum:?}");
         assert!(
-            (gyro.steady_error(&Vector3::zeros(), &Vector3::zeros()) - slope * t).amax()
+            (gyro.steady_error(&Vector3::zeros(), &Vector3::zeros(), None) - slope * t).amax()
                 < 1e-6 * t * 1000.0 * EPS
         );
     }
@@ -278,7 +278,7 @@ fn dead_zone_and_range_of_a_swept_rate() {
         assert_eq!(sensed, Vector3::new(expected(0.1, 2.0), expected(0.0, 1.0), expected(0.3, f64::MAX)));
         assert_eq!(gyro.take_saturated(), rate.abs() > 1.0, "{rate}");
         assert!(!gyro.take_saturated());
-        let error = gyro.steady_error(&Vector3::repeat(rate), &Vector3::zeros());
+        let error = gyro.steady_error(&Vector3::repeat(rate), &Vector3::zeros(), None);
         assert!((error * dt - (sensed - ideal.angle)).amax() < 4.0 * EPS * rate.abs() * dt);
     }
 }

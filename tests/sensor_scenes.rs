@@ -8,8 +8,8 @@ use sins::math::Euler;
 use sins::sensors::{Alignment, InitialErrorParameters, TriadParameters};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
-use sins::{ErrorKind, ErrorSource, ImuInterval, Options, Simulator, Step};
-use support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
+use sins::{ErrorKind, ErrorSource, ImuInterval, Options, Simulator};
+use support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample, sensed};
 
 /// Every effect that is not a limit of the output, of the size of good instruments.
 fn every_effect() -> (TriadParameters, TriadParameters) {
@@ -55,18 +55,6 @@ fn with_every_effect(options: &Options) -> Simulator {
     simulator
 }
 
-/// The signals of each interval.
-fn fly(simulator: &mut Simulator, samples: impl IntoIterator<Item = FlightSample>) -> Vec<ImuInterval> {
-    let mut intervals = Vec::new();
-    for sample in samples {
-        simulator.push_sample(&sample).unwrap();
-        if simulator.step().unwrap() == Step::Done {
-            intervals.push(simulator.imu().unwrap());
-        }
-    }
-    intervals
-}
-
 fn at_rest(count: usize) -> impl Iterator<Item = FlightSample> {
     (0..count).map(|k| resting_sample(k as f64 / 100.0))
 }
@@ -81,7 +69,7 @@ fn gap_and_size(gyro: &TriadParameters, accel: &TriadParameters) -> ([f64; 3], [
     let mut simulator = Simulator::new(&Options { error_model: true, ..options_at(100.0) }).unwrap();
     simulator.set_gyro(gyro).unwrap();
     simulator.set_accel(accel).unwrap();
-    fly(&mut simulator, patrol_samples(900.0));
+    sensed(&mut simulator, patrol_samples(900.0));
     let [navigation, model] = [ErrorSource::Navigation, ErrorSource::Model].map(|source| {
         let (_, errors) = simulator.errors(source).unwrap().unwrap();
         [errors.position_n, errors.velocity_n, errors.misalignment_n]
@@ -153,7 +141,7 @@ fn an_alignment_sees_the_steady_parts() {
     simulator.set_accel(&TriadParameters { lever_arm_m, ..Default::default() }).unwrap();
     let alignment = Alignment::LevelAndGyrocompass;
     simulator.set_initial_errors(&InitialErrorParameters { alignment, ..Default::default() }).unwrap();
-    fly(&mut simulator, at_rest(100));
+    sensed(&mut simulator, at_rest(100));
     // The ramp has come to 1e-12 in a second, which an alignment there sees as well.
     simulator.reposition(&resting_sample(1.0)).unwrap();
     let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
@@ -174,14 +162,14 @@ fn saturation_is_flagged_for_the_interval_and_the_sensor() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
     let range = Vector3::new(1e3, 1e3, 5.0);
     simulator.set_accel(&TriadParameters { range, ..Default::default() }).unwrap();
-    let intervals = fly(&mut simulator, at_rest(3));
+    let intervals = sensed(&mut simulator, at_rest(3));
     for imu in &intervals {
-        assert!(imu.saturation.accel && !imu.saturation.gyro);
+        assert!(imu.flags.accel_saturated && !imu.flags.gyro_saturated);
         assert!((imu.measured.velocity.z / imu.interval_s - 5.0).abs() < 4.0 * f64::EPSILON * 5.0);
     }
     simulator.set_accel(&TriadParameters::default()).unwrap();
-    let next = fly(&mut simulator, [resting_sample(0.03)]);
-    assert!(!next[0].saturation.accel, "the flag is of the interval");
+    let next = sensed(&mut simulator, [resting_sample(0.03)]);
+    assert!(!next[0].flags.accel_saturated, "the flag is of the interval");
     assert_eq!(next[0].measured, next[0].ideal, "and ideal sensors are transparent again");
 }
 
@@ -204,7 +192,7 @@ fn foreign_increments_have_the_same_effects() {
         let imu = simulator.imu().unwrap();
         let force = (imu.measured.velocity - imu.ideal.velocity) / imu.interval_s;
         assert!((force - Vector3::new(-2.5, 0.0, 0.0)).norm() < 1e-12, "{force:?}");
-        assert!(imu.saturation.gyro && !imu.saturation.accel);
+        assert!(imu.flags.gyro_saturated && !imu.flags.accel_saturated);
         assert!((imu.measured.angle.z - 0.04).abs() < 1e-16);
     }
 }
@@ -213,9 +201,9 @@ fn foreign_increments_have_the_same_effects() {
 fn a_reset_brings_every_effect_back_to_the_bit() {
     let samples = patrol_samples(20.0);
     let mut simulator = with_every_effect(&options_at(100.0));
-    let first = fly(&mut simulator, samples.iter().cloned());
+    let first = sensed(&mut simulator, samples.iter().cloned());
     simulator.reset();
-    assert_eq!(fly(&mut simulator, samples), first);
+    assert_eq!(sensed(&mut simulator, samples), first);
 }
 
 /// A jump of the truth: walks, flicker, ramps and noise go on as if there had been none; filters do not ring.
@@ -244,11 +232,11 @@ fn at_a_reposition_noise_goes_on_and_filters_settle() {
         simulator.set_accel(&accel).unwrap();
         simulator
     };
-    let through = fly(&mut start(), at_rest(200));
+    let through = sensed(&mut start(), at_rest(200));
     let mut jumping = start();
-    fly(&mut jumping, at_rest(100));
+    sensed(&mut jumping, at_rest(100));
     jumping.reposition(&banked(100)).unwrap();
-    let after = fly(&mut jumping, (101..200).map(banked));
+    let after = sensed(&mut jumping, (101..200).map(banked));
     let error = |imu: &ImuInterval| {
         (imu.measured.angle - imu.ideal.angle, imu.measured.velocity - imu.ideal.velocity)
     };

@@ -52,6 +52,7 @@ pub fn c_samples(samples: &[FlightSample]) -> Vec<sins_flight_sample> {
             heading_rad: sample.euler.heading,
             angular_rate_rad_s: [0.0; 3],
             specific_force_m_s2: [0.0; 3],
+            temperature_c: 0.0,
         })
         .collect()
 }

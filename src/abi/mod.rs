@@ -12,11 +12,14 @@
 #![allow(non_camel_case_types, reason = "the names are C's")]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]
 
+mod accel;
 mod accuracy;
+mod altimeter;
 mod boundary;
 mod failure;
 mod flight;
 mod fpu;
+mod gyro;
 mod initial;
 mod manoeuvre;
 mod memory;
@@ -28,14 +31,17 @@ mod record;
 mod registry;
 mod run;
 mod sample;
-mod sensors;
+mod sensor_failure;
 mod simulator;
 mod solution;
 mod version;
 
+pub use accel::*;
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
+pub use altimeter::*;
 pub use failure::*;
 pub use flight::*;
+pub use gyro::*;
 pub use initial::*;
 pub use manoeuvre::*;
 pub use navigator::*;
@@ -45,7 +51,7 @@ pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
 pub use run::sins_run;
 pub use sample::*;
-pub use sensors::*;
+pub use sensor_failure::*;
 pub use simulator::*;
 pub use solution::*;
 pub use version::*;

@@ -15,8 +15,11 @@ pub const SINS_SAMPLE_ANGULAR_RATE: u32 = 1;
 pub const SINS_SAMPLE_SPECIFIC_FORCE: u32 = 2;
 /// The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
 pub const SINS_SAMPLE_NO_VELOCITY: u32 = 4;
+/// The sample carries temperature_c.
+pub const SINS_SAMPLE_TEMPERATURE: u32 = 8;
 
-const KNOWN_FLAGS: u32 = SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_NO_VELOCITY;
+const KNOWN_FLAGS: u32 =
+    SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_NO_VELOCITY | SINS_SAMPLE_TEMPERATURE;
 
 /// True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
 /// are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
@@ -51,6 +54,10 @@ pub struct sins_flight_sample {
     pub angular_rate_rad_s: [f64; 3],
     /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
     pub specific_force_m_s2: [f64; 3],
+    /// With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
+    /// straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+    /// SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+    pub temperature_c: f64,
 }
 
 interface_struct!(sins_flight_sample, "sample", 136);
@@ -75,6 +82,7 @@ impl sins_flight_sample {
             euler: Euler { roll: self.roll_rad, pitch: self.pitch_rad, heading: self.heading_rad },
             omega_ib_b: given(SINS_SAMPLE_ANGULAR_RATE, self.angular_rate_rad_s),
             f_b: given(SINS_SAMPLE_SPECIFIC_FORCE, self.specific_force_m_s2),
+            temperature_c: (self.flags & SINS_SAMPLE_TEMPERATURE != 0).then_some(self.temperature_c),
         })
     }
 
@@ -82,7 +90,8 @@ impl sins_flight_sample {
         let flag = |given: bool, flag: u32| if given { flag } else { 0 };
         let flags = flag(sample.omega_ib_b.is_some(), SINS_SAMPLE_ANGULAR_RATE)
             | flag(sample.f_b.is_some(), SINS_SAMPLE_SPECIFIC_FORCE)
-            | flag(sample.v_n.is_none(), SINS_SAMPLE_NO_VELOCITY);
+            | flag(sample.v_n.is_none(), SINS_SAMPLE_NO_VELOCITY)
+            | flag(sample.temperature_c.is_some(), SINS_SAMPLE_TEMPERATURE);
         Self {
             struct_size: size_of::<Self>() as u32,
             flags,
@@ -96,6 +105,7 @@ impl sins_flight_sample {
             heading_rad: sample.euler.heading,
             angular_rate_rad_s: sample.omega_ib_b.unwrap_or_default().into(),
             specific_force_m_s2: sample.f_b.unwrap_or_default().into(),
+            temperature_c: sample.temperature_c.unwrap_or_default(),
         }
     }
 }

@@ -90,7 +90,8 @@ pub unsafe extern "C" fn sins_last_error(
 
 /// Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER: not later than the one before.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
+/// SINS_ERROR_TIME_ORDER: not later than the one before.
 /// SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
 /// SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
@@ -125,9 +126,9 @@ pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::erro
 }
 
 /// The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
-/// errors, noise goes on where it was. Waiting samples and the running accuracy figures are dropped.
+/// errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: navigating on increments.
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,
@@ -141,7 +142,7 @@ pub unsafe extern "C" fn sins_reposition(
     })
 }
 
-/// Back to before the first sample: same parameters, seed and draws.
+/// Back to before the first sample: same parameters, seed and draws, no failures.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -10,7 +10,7 @@ use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
 /// Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
 /// and the errors in metres stay right.
 pub const SINS_NAVIGATION_NEAR_POLE: i32 = 1;
-/// Nothing aids the vertical channel: any error grows by e every 569 s.
+/// Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: i32 = 2;
 /// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
 pub const SINS_NAVIGATION_INCONSISTENT: i32 = 4;
@@ -31,6 +31,10 @@ pub const SINS_ERRORS_NOT_COMPUTED: i32 = 4;
 pub const SINS_IMU_GYRO_SATURATED: u32 = 1;
 /// The mean force of a sub-increment was beyond the range of an accelerometer.
 pub const SINS_IMU_ACCEL_SATURATED: u32 = 2;
+/// A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
+pub const SINS_IMU_GYRO_INVALID: u32 = 4;
+/// An accelerometer had none.
+pub const SINS_IMU_ACCEL_INVALID: u32 = 8;
 
 /// A solution: the truth or the navigated one.
 #[repr(C)]
@@ -208,8 +212,10 @@ impl From<&ImuInterval> for sins_imu {
         let flag = |set: bool, flag: u32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
-            flags: flag(imu.saturation.gyro, SINS_IMU_GYRO_SATURATED)
-                | flag(imu.saturation.accel, SINS_IMU_ACCEL_SATURATED),
+            flags: flag(imu.flags.gyro_saturated, SINS_IMU_GYRO_SATURATED)
+                | flag(imu.flags.accel_saturated, SINS_IMU_ACCEL_SATURATED)
+                | flag(imu.flags.gyro_invalid, SINS_IMU_GYRO_INVALID)
+                | flag(imu.flags.accel_invalid, SINS_IMU_ACCEL_INVALID),
             time_s: imu.time_s,
             interval_s: t,
             ideal_angle_rad: imu.ideal.angle.into(),

@@ -87,6 +87,7 @@ impl Flight {
             euler: euler_from_attitude(&q_nb),
             omega_ib_b: None,
             f_b: None,
+            temperature_c: None,
         })
     }
 }

@@ -85,7 +85,8 @@ impl Piece {
 #[inline(never)]
 pub(super) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
     let mut memory = room(1)?;
-    memory.push(Simulator::new(options)?);
+    options.validate()?;
+    memory.push(Simulator::with_valid(options));
     Ok(memory.into_boxed_slice())
 }
 

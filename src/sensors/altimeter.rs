@@ -1,7 +1,8 @@
 //! The barometric altimeter that damps the vertical channel.
 
+use super::failing::FailingOutput;
+use super::failure::Failure;
 use super::gauss_markov::MarkovStep;
-
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
@@ -47,6 +48,9 @@ pub struct Altimeter {
     /// True height of the last sample and height behind the lag [m].
     height_m: f64,
     lagged_m: f64,
+    /// The last indication; before one, the true height [m].
+    indicated_m: f64,
+    failing: FailingOutput,
 }
 
 impl Altimeter {
@@ -55,7 +59,16 @@ impl Altimeter {
         let mut markov = Stream::new(key, Source::Altimeter, 0, Purpose::GaussMarkov);
         let noise = Stream::new(key, Source::Altimeter, 0, Purpose::SampleNoise);
         let x = markov.normal();
-        Self { parameters: AltimeterParameters::default(), x, markov, noise, height_m, lagged_m: height_m }
+        Self {
+            parameters: AltimeterParameters::default(),
+            x,
+            markov,
+            noise,
+            height_m,
+            lagged_m: height_m,
+            indicated_m: height_m,
+            failing: FailingOutput::new(key, Source::Altimeter, 0),
+        }
     }
 
     /// Takes validated parameters.
@@ -63,14 +76,35 @@ impl Altimeter {
         self.parameters = *parameters;
     }
 
-    /// The truth jumped to `height_m`: the lag settles there at once.
+    /// Takes a failure, or clears it; `has_shown` tells whether there is an indication to be stuck at.
+    pub fn set_failure(&mut self, failure: Option<Failure>, has_shown: bool) {
+        self.failing.set(failure, has_shown.then_some(self.indicated_m));
+    }
+
+    /// Whether it has a failure.
+    pub fn has_failed(&self) -> bool {
+        self.failing.has_failed()
+    }
+
+    /// Whether a step has nothing to fear of the failure.
+    pub fn fails_tamely(&self) -> bool {
+        self.failing.is_tame()
+    }
+
+    /// Whether it shows the true height.
+    pub fn is_ideal(&self) -> bool {
+        self.parameters == AltimeterParameters::default() && !self.has_failed()
+    }
+
+    /// The truth jumped to `height_m`: lag and indication settle there at once.
     pub fn reposition(&mut self, height_m: f64) {
         self.height_m = height_m;
         self.lagged_m = height_m;
+        self.indicated_m = height_m;
     }
 
-    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last.
-    pub fn sense(&mut self, height_m: f64, dt: f64) -> f64 {
+    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal.
+    pub fn sense(&mut self, height_m: f64, dt: f64) -> Option<f64> {
         let p = &self.parameters;
         // Lag of a height that ran straight from the last sample to this, exactly.
         if p.lag_s > 0.0 {
@@ -90,7 +124,21 @@ impl Altimeter {
         if p.noise_m > 0.0 {
             indicated += p.noise_m * self.noise.normal();
         }
-        indicated
+        if self.failing.has_failed() {
+            return self.failed(indicated, dt);
+        }
+        self.indicated_m = indicated;
+        Some(indicated)
+    }
+
+    /// What the failure makes of `indicated_m` [m] over the `dt` [s] before: of spikes and noise their mean.
+    #[cold]
+    fn failed(&mut self, indicated_m: f64, dt: f64) -> Option<f64> {
+        self.failing.begin_interval(dt);
+        let disturbed = indicated_m + self.failing.added(dt) / dt;
+        let shown = (!self.failing.is_silent()).then(|| self.failing.replaced(1.0, disturbed));
+        self.indicated_m = shown.unwrap_or(self.indicated_m);
+        shown
     }
 }
 
@@ -101,7 +149,7 @@ mod tests {
     #[test]
     fn an_ideal_altimeter_shows_the_height() {
         let mut altimeter = Altimeter::new(StreamKey::default(), 100.0);
-        assert_eq!(altimeter.sense(123.456, 0.01), 123.456);
+        assert_eq!(altimeter.sense(123.456, 0.01), Some(123.456));
     }
 
     #[test]
@@ -115,7 +163,7 @@ mod tests {
         });
         let mut shown = 0.0;
         for step in 1..=1000 {
-            shown = altimeter.sense(10.0 * 0.1 * f64::from(step), 0.1);
+            shown = altimeter.sense(10.0 * 0.1 * f64::from(step), 0.1).unwrap();
         }
         // 1000 m less 10 m/s for 2 s (e^-50 of the start is left), 1 % more, and the bias.
         assert!((shown - (980.0 * 1.01 + 5.0)).abs() < 1e-9, "{shown}");

@@ -14,13 +14,16 @@
 //! | | asymmetry | a/2 \|s\| |
 //! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
 //! | | g-sensitivity | G f |
+//! | | temperature | (s1 θ + s2 θ²) s + b1 θ + b2 θ², θ = T - T_ref |
 //! | additive | bias, turn-on bias, Gauss-Markov bias | |
 //! | | flicker B | stationary from the first sample on |
 //! | | rate random walk K, ramp R | from 0 at the start of the run |
 //! | | random walk N | white |
+//! | | failures: bias step, spikes, noise | |
 //! | output | dead zone | 0 where \|s\| ≤ d |
 //! | | range | ±r, flagged |
 //! | | quantization | whole pulses, the rest carried |
+//! | | failures: stuck, dead, drop-outs | the last value; 0, flagged |
 //!
 //! Every random process is discretised exactly, whatever the length of the increments.
 
@@ -29,6 +32,8 @@ mod asymmetry;
 mod bandwidth;
 mod bias;
 mod dead_zone;
+mod failing;
+mod failure;
 mod flicker;
 mod g_sensitivity;
 mod gauss_markov;
@@ -46,10 +51,12 @@ mod rate_random_walk;
 mod size_effect;
 mod stream;
 mod tame;
+mod temperature;
 mod triad;
 mod validation;
 
 pub use altimeter::{Altimeter, AltimeterParameters};
+pub use failure::{Axis, Failure, SensorOutput};
 pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};

@@ -54,6 +54,16 @@ pub struct TriadParameters {
     pub lever_arm_m: Matrix3<f64>,
     /// Of accelerometers: vibration rectification, the g² term [s²/m].
     pub vibration_rectification_s2_m: Vector3<f64>,
+    /// Temperature at which the four terms below are 0 [°C].
+    pub reference_temperature_c: f64,
+    /// Bias that grows with the temperature [u/K].
+    pub bias_temperature: Vector3<f64>,
+    /// And with its square [u/K²].
+    pub bias_temperature2: Vector3<f64>,
+    /// Scale factor error that grows with the temperature [1/K].
+    pub scale_factor_temperature: Vector3<f64>,
+    /// And with its square [1/K²].
+    pub scale_factor_temperature2: Vector3<f64>,
 }
 
 impl Default for TriadParameters {
@@ -79,7 +89,23 @@ impl Default for TriadParameters {
             dead_zone: zero,
             lever_arm_m: Matrix3::zeros(),
             vibration_rectification_s2_m: zero,
+            reference_temperature_c: 0.0,
+            bias_temperature: zero,
+            bias_temperature2: zero,
+            scale_factor_temperature: zero,
+            scale_factor_temperature2: zero,
         }
+    }
+}
+
+impl TriadParameters {
+    /// Whether a temperature has to be known.
+    pub fn depend_on_temperature(&self) -> bool {
+        let zero = Vector3::zeros();
+        self.bias_temperature != zero
+            || self.bias_temperature2 != zero
+            || self.scale_factor_temperature != zero
+            || self.scale_factor_temperature2 != zero
     }
 }
 

@@ -3,7 +3,8 @@
 use core::ops::Range;
 
 /// The effects along the path of the signal. The first two change what the proof mass feels; the next four are errors of
-/// that, then come additive biases and noise, and last what the output electronics do.
+/// that, temperature's too, then come additive biases and noise, with those of failures, and last what the output electronics
+/// do, and failures of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
     LeverArms,
@@ -12,20 +13,23 @@ pub(super) enum Effect {
     Asymmetry,
     Quadratic,
     GSensitivity,
+    Temperature,
     Bias,
     GaussMarkov,
     Flicker,
     RateRandomWalk,
     Ramp,
     RandomWalk,
+    Disturbance,
     DeadZone,
     Range,
     Quantization,
+    Outage,
 }
 
 impl Effect {
     /// Number of effects.
-    pub const COUNT: usize = 15;
+    pub const COUNT: usize = 18;
 
     /// Whether it acts before the errors of what is felt.
     fn is_before_felt(self) -> bool {
@@ -94,15 +98,18 @@ mod tests {
             Effect::Asymmetry,
             Effect::Quadratic,
             Effect::GSensitivity,
+            Effect::Temperature,
             Effect::Bias,
             Effect::GaussMarkov,
             Effect::Flicker,
             Effect::RateRandomWalk,
             Effect::Ramp,
             Effect::RandomWalk,
+            Effect::Disturbance,
             Effect::DeadZone,
             Effect::Range,
             Effect::Quantization,
+            Effect::Outage,
         ];
         let plan = Plan::new(&all.map(|effect| (effect, true)));
         assert_eq!(

@@ -1,6 +1,6 @@
 //! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect moves another one's draws.
 
-use rand::SeedableRng;
+use rand::{Rng, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -25,6 +25,7 @@ pub(super) enum Purpose {
     InitialVelocity = 17,
     InitialMisalignment = 18,
     SampleNoise = 19,
+    Failure = 32,
 }
 
 /// Key of a run: the streams of two different keys are independent.
@@ -36,7 +37,7 @@ pub struct StreamKey {
     pub run: u64,
 }
 
-/// A stream of standard normal numbers.
+/// A stream of random numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Stream(Xoshiro256PlusPlus);
 
@@ -51,7 +52,12 @@ impl Stream {
         [0, 1, 2].map(|axis| Self::new(key, source, axis, purpose))
     }
 
-    /// The next number, mean 0 and variance 1.
+    /// The next number, evenly from 0 up to but not 1, in steps of 2^-53.
+    pub fn uniform(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+    }
+
+    /// The next number, normal with mean 0 and variance 1.
     #[inline]
     pub fn normal(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)

@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::flicker::FLICKER_DEVIATION;
 use super::parameters::TriadParameters;
+use crate::error::TEMPERATURE_RANGE_C;
 
 /// Signals [u] that throw no solution out of its range within one interval.
 const TAME_SIGNAL: f64 = 2000.0;
@@ -24,10 +25,15 @@ impl TriadParameters {
             + self.markov_sigma
             + self.flicker * FLICKER_DEVIATION
             + self.rate_random_walk * LONGEST_S.sqrt();
-        let largest = self.bias.abs() + self.ramp.abs() * LONGEST_S + random * 10.0;
+        let kelvin = TEMPERATURE_RANGE_C.1 - TEMPERATURE_RANGE_C.0;
+        let thermal = self.bias_temperature.abs() * kelvin + self.bias_temperature2.abs() * kelvin * kelvin;
+        let thermal_scale = self.scale_factor_temperature.abs() * kelvin
+            + self.scale_factor_temperature2.abs() * kelvin * kelvin;
+        let largest = self.bias.abs() + self.ramp.abs() * LONGEST_S + random * 10.0 + thermal;
         // Ones everywhere in scale factor and misalignment have the norm 3.
         let gain = (self.misalignment + Matrix3::from_diagonal(&self.scale_factor)).norm()
-            + 0.5 * self.scale_factor_asymmetry.amax();
+            + 0.5 * self.scale_factor_asymmetry.amax()
+            + thermal_scale.amax();
         largest.amax() <= TAME_SIGNAL
             && self.random_walk.amax() <= 100.0
             && gain <= 3.0
@@ -69,6 +75,10 @@ mod tests {
             TriadParameters { g_sensitivity: Matrix3::identity(), ..ideal },
             TriadParameters { lever_arm_m: Matrix3::identity() * 1e-3, ..ideal },
             TriadParameters { bandwidth_hz: Vector3::y() * 100.0, ..ideal },
+            TriadParameters { bias_temperature: one * 2.0, ..ideal },
+            TriadParameters { bias_temperature2: one * -1.5e-3, ..ideal },
+            TriadParameters { scale_factor_temperature: one * -2.5e-3, ..ideal },
+            TriadParameters { scale_factor_temperature2: one * 2e-6, ..ideal },
         ];
         for (index, parameters) in wild.iter().enumerate() {
             assert!(!parameters.is_tame(), "{index}");
@@ -89,6 +99,10 @@ mod tests {
             scale_factor_asymmetry: one * 1e-3,
             g_sensitivity: Matrix3::identity() * 2e-4,
             dead_zone: one * 1e-3,
+            bias_temperature: one * 1e-4,
+            bias_temperature2: one * 1e-6,
+            scale_factor_temperature: one * 1e-4,
+            scale_factor_temperature2: one * 1e-7,
             ..ideal
         };
         assert!(of_the_laboratory.is_tame());

@@ -6,6 +6,8 @@ use super::asymmetry::Asymmetry;
 use super::bandwidth::Bandwidth;
 use super::bias::Bias;
 use super::dead_zone::DeadZone;
+use super::failing::FailingTriad;
+use super::failure::{Axis, Failure};
 use super::flicker::Flicker;
 use super::g_sensitivity::GSensitivity;
 use super::gauss_markov::GaussMarkov;
@@ -20,6 +22,7 @@ use super::range::Range;
 use super::rate_random_walk::RateRandomWalk;
 use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
+use super::temperature::Temperature;
 use crate::signal::Increment;
 
 /// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
@@ -32,6 +35,7 @@ pub struct Triad {
     asymmetry: Asymmetry,
     quadratic: Quadratic,
     g_sensitivity: GSensitivity,
+    temperature: Temperature,
     bias: Bias,
     gauss_markov: GaussMarkov,
     flicker: Flicker,
@@ -41,6 +45,7 @@ pub struct Triad {
     dead_zone: DeadZone,
     range: Range,
     quantization: Quantization,
+    failing: FailingTriad,
     plan: Plan,
     /// Length of the increments for which the units are made [s]; 0: for none yet.
     dt: f64,
@@ -59,6 +64,7 @@ impl Triad {
             asymmetry: Asymmetry::new(),
             quadratic: Quadratic::new(),
             g_sensitivity: GSensitivity::new(),
+            temperature: Temperature::new(),
             bias: Bias::new(key, sensor),
             gauss_markov: GaussMarkov::new(key, sensor),
             flicker: Flicker::new(key, sensor),
@@ -68,6 +74,7 @@ impl Triad {
             dead_zone: DeadZone::new(),
             range: Range::new(),
             quantization: Quantization::new(),
+            failing: FailingTriad::new(key, sensor.source()),
             plan: Plan::IDEAL,
             dt: 0.0,
             saturated: false,
@@ -84,18 +91,59 @@ impl Triad {
             (Effect::Asymmetry, self.asymmetry.set(parameters)),
             (Effect::Quadratic, self.quadratic.set(parameters)),
             (Effect::GSensitivity, self.g_sensitivity.set(parameters)),
+            (Effect::Temperature, self.temperature.set(parameters)),
             (Effect::Bias, self.bias.set(parameters)),
             (Effect::GaussMarkov, self.gauss_markov.set(parameters)),
             (Effect::Flicker, self.flicker.set(parameters)),
             (Effect::RateRandomWalk, self.rate_random_walk.set(parameters)),
             (Effect::Ramp, self.ramp.set(parameters)),
             (Effect::RandomWalk, self.random_walk.set(parameters)),
+            (Effect::Disturbance, self.failing.are_disturbed()),
             (Effect::DeadZone, self.dead_zone.set(parameters)),
             (Effect::Range, self.range.set(parameters)),
             (Effect::Quantization, self.quantization.set(parameters)),
+            (Effect::Outage, self.failing.are_out()),
         ]);
         if self.dt > 0.0 {
             self.set_interval(self.dt);
+        }
+    }
+
+    /// Takes a failure of one axis, or clears it, beside the parameters that are set; `last` is its output before [u], if there
+    /// was one.
+    pub fn set_failure(
+        &mut self,
+        axis: Axis,
+        failure: Option<Failure>,
+        last: Option<f64>,
+        parameters: &TriadParameters,
+    ) {
+        self.failing.set(axis, failure, last);
+        self.set(parameters);
+    }
+
+    /// Whether an axis has a failure.
+    pub fn has_failed(&self) -> bool {
+        self.failing.are_disturbed() || self.failing.are_out()
+    }
+
+    /// Whether a step has nothing to fear of the failures.
+    pub fn fails_tamely(&self) -> bool {
+        self.failing.are_tame()
+    }
+
+    /// Whether an axis has no signal in this interval: dead, or dropped out.
+    #[inline]
+    pub fn is_silent(&self) -> bool {
+        self.failing.are_silent()
+    }
+
+    /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends where they are known. Needed where
+    /// an effect of temperature or a failure is set.
+    pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>) {
+        self.failing.begin_interval(t);
+        if let Some(ends_c) = ends_c {
+            self.temperature.begin_interval(ends_c);
         }
     }
 
@@ -164,12 +212,15 @@ impl Triad {
             Effect::Asymmetry => *measured += self.asymmetry.error(felt),
             Effect::Quadratic => *measured += self.quadratic.error(felt, dt),
             Effect::GSensitivity => *measured += self.g_sensitivity.error(velocity),
+            Effect::Temperature => self.temperature.apply(felt, dt, measured),
             Effect::Flicker => self.flicker.apply(measured),
             Effect::RateRandomWalk => self.rate_random_walk.apply(dt, measured),
             Effect::Ramp => self.ramp.apply(dt, measured),
+            Effect::Disturbance => self.failing.disturb(dt, measured),
             Effect::DeadZone => self.dead_zone.apply(dt, measured),
             Effect::Range => self.saturated |= self.range.apply(dt, measured),
             Effect::Quantization => self.quantization.apply(measured),
+            Effect::Outage => self.failing.replace(dt, measured),
             // Of `felt` and `sense`.
             Effect::LeverArms
             | Effect::Bandwidth
@@ -196,9 +247,15 @@ impl Triad {
         self.random_walk.set_interval(dt);
     }
 
-    /// The error [u] that an alignment at this moment would see at the angular rate `rate` [rad/s] and the specific force
-    /// `force` [m/s²]: all but the white noise and the quantization, which an alignment averages out.
-    pub fn steady_error(&self, rate: &Vector3<f64>, force: &Vector3<f64>) -> Vector3<f64> {
+    /// The error [u] that an alignment at this moment would see at the angular rate `rate` [rad/s], the specific force
+    /// `force` [m/s²] and the temperature `temperature_c` [°C], without which that of reference: all but the white noise and the
+    /// quantization, which an alignment averages out, and failures, which come after it.
+    pub fn steady_error(
+        &self,
+        rate: &Vector3<f64>,
+        force: &Vector3<f64>,
+        temperature_c: Option<f64>,
+    ) -> Vector3<f64> {
         let ideal = match self.sensor {
             Sensor::Gyro => rate,
             Sensor::Accelerometer => force,
@@ -215,6 +272,8 @@ impl Triad {
             + self.flicker.value()
             + self.rate_random_walk.value()
             + self.ramp.value();
+        let thermal = temperature_c.map(|c| self.temperature.steady_error(c, &felt));
+        let error = error + thermal.unwrap_or_default();
         // Adding and taking away the signal rounds: only where the limits change something.
         let unlimited = ideal + error;
         let mut shown = unlimited;
@@ -227,68 +286,5 @@ impl Triad {
                 if shown == unlimited { error } else { shown - ideal }
             },
         )
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const KEY: StreamKey = StreamKey { seed: 7, run: 3 };
-    const IDEAL: Increment =
-        Increment { angle: Vector3::new(0.1, -0.2, -0.0), velocity: Vector3::new(0.3, -0.0, 9.8) };
-
-    fn noisy() -> TriadParameters {
-        let ones = Vector3::repeat(1.0);
-        TriadParameters { markov_sigma: ones, markov_time_s: ones, random_walk: ones, ..Default::default() }
-    }
-
-    #[test]
-    fn an_ideal_triad_is_transparent_to_the_bit() {
-        let mut triad = Triad::new(KEY, Sensor::Gyro);
-        triad.set(&TriadParameters::default());
-        let measured = triad.sense(&IDEAL, 0.01);
-        assert!(triad.is_ideal());
-        assert_eq!(measured.map(f64::to_bits), IDEAL.angle.map(f64::to_bits));
-    }
-
-    #[test]
-    fn switching_an_effect_leaves_the_draws_of_the_others() {
-        let dt = 0.01;
-        let mut both = Triad::new(KEY, Sensor::Gyro);
-        both.set(&noisy());
-        let mut walk = Triad::new(KEY, Sensor::Gyro);
-        walk.set(&TriadParameters { markov_sigma: Vector3::zeros(), ..noisy() });
-        let mut markov = Triad::new(KEY, Sensor::Gyro);
-        markov.set(&TriadParameters { random_walk: Vector3::zeros(), ..noisy() });
-        let zero = Increment::ZERO;
-        for step in 0..100 {
-            if step == 50 {
-                // In flight: the other process goes on as if nothing had happened.
-                both.set(&TriadParameters { random_walk: Vector3::zeros(), ..noisy() });
-            }
-            let sum = both.sense(&zero, dt);
-            let mut parts = markov.sense(&zero, dt);
-            if step < 50 {
-                // The sum is formed in the order of the effects: Markov first.
-                let noise = walk.sense(&zero, dt);
-                parts += noise;
-            }
-            assert_eq!(sum, parts, "step {step}");
-        }
-    }
-
-    #[test]
-    fn errors_are_in_the_units_of_the_parameters() {
-        let mut triad = Triad::new(KEY, Sensor::Accelerometer);
-        let mut parameters = TriadParameters { bias: Vector3::new(0.0, 0.5, 0.0), ..Default::default() };
-        parameters.scale_factor.x = 1e-3;
-        parameters.misalignment[(2, 0)] = 1e-4;
-        triad.set(&parameters);
-        let velocity = Vector3::new(2.0, 0.0, 0.0);
-        let measured = triad.sense(&Increment { velocity, ..Increment::ZERO }, 0.01);
-        assert_eq!(measured, Vector3::new(2.002, 0.005, 2e-4));
-        let error = triad.steady_error(&Vector3::zeros(), &Vector3::new(200.0, 0.0, 0.0));
-        assert_eq!(error, Vector3::new(0.2, 0.5, 0.02));
     }
 }

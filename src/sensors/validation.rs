@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::parameters::{Sensor, TriadParameters};
-use crate::error::{Error, Rule, check_range, check_ranges};
+use crate::error::{Error, Rule, check_range, check_ranges, check_temperature};
 
 /// Correlation times [s] for which the discretisation holds every digit; a longer one is a constant, a shorter one white.
 pub(super) const MARKOV_TIME_RANGE_S: (f64, f64) = (1e-9, 1e15);
@@ -29,6 +29,11 @@ struct Names {
     dead_zone: &'static str,
     lever_arm: &'static str,
     vibration_rectification: &'static str,
+    reference_temperature: &'static str,
+    bias_temperature: &'static str,
+    bias_temperature2: &'static str,
+    scale_factor_temperature: &'static str,
+    scale_factor_temperature2: &'static str,
 }
 
 const GYRO_NAMES: Names = Names {
@@ -51,6 +56,11 @@ const GYRO_NAMES: Names = Names {
     dead_zone: "gyro.dead_zone_rad_s",
     lever_arm: "gyro.lever_arm_m",
     vibration_rectification: "gyro.vibration_rectification_s2_m",
+    reference_temperature: "gyro.reference_temperature_c",
+    bias_temperature: "gyro.bias_temperature_rad_s_per_k",
+    bias_temperature2: "gyro.bias_temperature2_rad_s_per_k2",
+    scale_factor_temperature: "gyro.scale_factor_temperature_per_k",
+    scale_factor_temperature2: "gyro.scale_factor_temperature2_per_k2",
 };
 
 const ACCEL_NAMES: Names = Names {
@@ -73,6 +83,11 @@ const ACCEL_NAMES: Names = Names {
     dead_zone: "accel.dead_zone_m_s2",
     lever_arm: "accel.lever_arm_m",
     vibration_rectification: "accel.vibration_rectification_s2_m",
+    reference_temperature: "accel.reference_temperature_c",
+    bias_temperature: "accel.bias_temperature_m_s2_per_k",
+    bias_temperature2: "accel.bias_temperature2_m_s2_per_k2",
+    scale_factor_temperature: "accel.scale_factor_temperature_per_k",
+    scale_factor_temperature2: "accel.scale_factor_temperature2_per_k2",
 };
 
 impl TriadParameters {
@@ -101,6 +116,11 @@ impl TriadParameters {
         check_zero_or_ranges(names.bandwidth, &self.bandwidth_hz, 1e-3, 1e6)?;
         check_ranges(names.dead_zone, self.dead_zone.as_slice(), 0.0, limit)?;
         check_ranges(names.vibration_rectification, self.vibration_rectification_s2_m.as_slice(), -1.0, 1.0)?;
+        check_temperature(names.reference_temperature, self.reference_temperature_c)?;
+        check_ranges(names.bias_temperature, self.bias_temperature.as_slice(), -limit, limit)?;
+        check_ranges(names.bias_temperature2, self.bias_temperature2.as_slice(), -limit, limit)?;
+        check_ranges(names.scale_factor_temperature, self.scale_factor_temperature.as_slice(), -1.0, 1.0)?;
+        check_ranges(names.scale_factor_temperature2, self.scale_factor_temperature2.as_slice(), -1.0, 1.0)?;
         check_matrix(names.g_sensitivity, &self.g_sensitivity, 1.0)?;
         check_matrix(names.lever_arm, &self.lever_arm_m, 100.0)?;
         for row in 0..3 {

@@ -3,7 +3,7 @@
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::start::{start_errors, with_errors};
-use super::{ErrorSource, Options, Saturation, SensorSuite, Solution, singular};
+use super::{ErrorSource, ImuFlags, ImuInterval, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
@@ -15,28 +15,14 @@ use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::truth::{Recent, TruthPoint};
 
-/// Ideal and measured signals of an interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ImuInterval {
-    /// Time of its end [s].
-    pub time_s: f64,
-    /// Its length [s].
-    pub interval_s: f64,
-    /// What perfect sensors give.
-    pub ideal: Increment,
-    /// What the modelled sensors give.
-    pub measured: Increment,
-    /// Whether some of that was beyond their range.
-    pub saturation: Saturation,
-}
-
 /// The interval flown last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LastInterval {
     time_s: f64,
     interval_s: f64,
     sensors_were_ideal: bool,
-    saturation: Saturation,
+    flags: ImuFlags,
+    vertical_unaided: bool,
 }
 
 /// The chain in flight.
@@ -105,6 +91,13 @@ impl Chain {
             self.fly(recent, sensors);
             return Ok(());
         }
+        self.fly_watched(recent, sensors)
+    }
+
+    /// Flies, and goes back where the solution left its limits. Kept apart for the stack that the copies take.
+    #[cold]
+    #[inline(never)]
+    fn fly_watched(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
         let before = (self.clone(), sensors.clone());
         self.fly(recent, sensors);
         let result = self.mechanization.check();
@@ -145,25 +138,32 @@ impl Chain {
 
         // Sensors.
         let sensors_were_ideal = sensors.are_ideal();
-        let mut saturation = Saturation::default();
+        let mut flags = ImuFlags::default();
         let increments = if sensors_were_ideal {
             &*ideal
         } else {
             let measured = &mut self.measured[..count];
-            saturation = sensors.sense(ideal, t / count as f64, measured);
+            sensors.begin_interval(t, || [recent.current.sample.temperature_c, next.sample.temperature_c]);
+            flags = sensors.sense(ideal, t / count as f64, measured);
             &*measured
         };
-        self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation });
 
         // Mechanization, and the error-free one beside it.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
+        self.last = Some(LastInterval {
+            time_s: next.time_s,
+            interval_s: t,
+            sensors_were_ideal,
+            flags,
+            vertical_unaided: aid == VerticalAid::None,
+        });
         let errs = !sensors.all_are_ideal();
         if let Some(shadow) =
             self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow(&self.mechanization, errs))
         {
-            let aid = vertical_aid(self.options.vertical, next, |height_m| height_m);
+            let aid = vertical_aid(self.options.vertical, next, Some);
             navigate(shadow, &self.options, ideal, t, &aid);
         }
         navigate(&mut self.mechanization, &self.options, increments, t, &aid);
@@ -198,7 +198,10 @@ impl Chain {
     /// The navigated solution while the truth is at `truth`.
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
         let navigation = self.mechanization.navigation(self.options.axes);
-        let vertical_unaided = self.options.vertical == VerticalMode::Free;
+        let vertical_unaided = match &self.last {
+            Some(last) => last.vertical_unaided,
+            None => self.options.vertical == VerticalMode::Free,
+        };
         Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, navigation) }
     }
 
@@ -210,14 +213,14 @@ impl Chain {
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let LastInterval { time_s, interval_s, sensors_were_ideal, saturation } = self.last?;
+        let LastInterval { time_s, interval_s, sensors_were_ideal, flags, .. } = self.last?;
         let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
         Some(ImuInterval {
             time_s,
             interval_s,
             ideal: Increment::sum(self.ideal_increments()),
             measured: Increment::sum(&measured[..self.increments()]),
-            saturation,
+            flags,
         })
     }
 
@@ -271,12 +274,19 @@ fn navigate(
     mechanization.aid_vertical(aid, t);
 }
 
-/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height of the true one.
-fn vertical_aid(mode: VerticalMode, next: &TruthPoint, sense: impl FnOnce(f64) -> f64) -> VerticalAid {
+/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height, if
+/// there is one, of the true height.
+fn vertical_aid(
+    mode: VerticalMode,
+    next: &TruthPoint,
+    sense: impl FnOnce(f64) -> Option<f64>,
+) -> VerticalAid {
     let height_m = next.sample.place.height_m;
     match mode {
         VerticalMode::Free => VerticalAid::None,
-        VerticalMode::Damped => VerticalAid::Barometer { height_m: sense(height_m) },
+        VerticalMode::Damped => {
+            sense(height_m).map_or(VerticalAid::None, |height_m| VerticalAid::Barometer { height_m })
+        }
         VerticalMode::FollowTruth => VerticalAid::Truth {
             height_m,
             velocity_up_m_s: match &next.sample.v_n {

@@ -3,23 +3,23 @@
 mod chain;
 mod closed_loop;
 mod closure;
+mod imu;
 mod navigator;
 mod options;
+mod settings;
 mod solution;
 mod start;
 mod suite;
 
-pub use chain::ImuInterval;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
+pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
-pub use suite::Saturation;
 
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
-use crate::sensors::{AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
@@ -74,14 +74,19 @@ impl Simulator {
     /// A simulator with ideal sensors.
     pub fn new(options: &Options) -> Result<Self, Error> {
         options.validate()?;
+        Ok(Self::with_valid(options))
+    }
+
+    /// The same with options that have been validated: no `Result` that would hold another copy on the stack.
+    pub(crate) fn with_valid(options: &Options) -> Self {
         let earth = options.earth();
-        Ok(Self {
+        Self {
             options: *options,
             earth,
             intake: Intake::new(earth, options.axes, options.intake),
             sensors: SensorSuite::new(options),
             mode: Mode::Waiting,
-        })
+        }
     }
 
     /// The options it was made with.
@@ -89,65 +94,37 @@ impl Simulator {
         &self.options
     }
 
-    /// Sets the gyro errors, from the next interval on.
-    pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
-        parameters.validate(Sensor::Gyro)?;
-        self.sensors.set_gyro(parameters);
-        Ok(())
-    }
-
-    /// Sets the accelerometer errors, from the next interval on.
-    pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
-        parameters.validate(Sensor::Accelerometer)?;
-        self.sensors.set_accel(parameters);
-        Ok(())
-    }
-
-    /// Sets the errors of the barometric height, from the next interval on.
-    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
-        parameters.validate()?;
-        self.sensors.set_altimeter(parameters);
-        Ok(())
-    }
-
-    /// Sets the errors with which the navigation starts; before the first step.
-    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) -> Result<(), Error> {
-        parameters.validate()?;
-        if !matches!(self.mode, Mode::Waiting) {
-            return Err(Error::bad_state(
-                "initial errors can be set before the first step, after a reset or after a reposition",
-            ));
-        }
-        self.sensors.initial = *parameters;
-        Ok(())
-    }
-
     /// Takes one flight-control sample in.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
+        self.sensors.check_temperature(sample.temperature_c)?;
         self.intake.push(sample)
     }
 
     /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors.
     pub fn step(&mut self) -> Result<Step, Error> {
         self.refuse_while_navigating()?;
-        if let Mode::Waiting = self.mode {
-            if self.intake.waiting() < 2 {
-                return Ok(Step::NeedSample);
-            }
-            let mut chain = self.chain_from_first_sample()?;
-            let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
-            self.sensors.reposition(first.current.sample.place.height_m);
-            chain.advance(&first, &mut self.sensors)?;
-            self.intake.take();
-            self.intake.take();
-            self.mode = Mode::Flying(chain);
-            return Ok(Step::Done);
-        }
-        let Mode::Flying(chain) = &mut self.mode else { return Ok(Step::NeedSample) };
+        let Mode::Flying(chain) = &mut self.mode else { return self.first_step() };
         let Some(recent) = self.intake.recent() else { return Ok(Step::NeedSample) };
         chain.advance(&recent, &mut self.sensors)?;
         self.intake.take();
+        Ok(Step::Done)
+    }
+
+    /// The step with which a flight begins. Kept apart for the stack that a new chain takes.
+    #[cold]
+    #[inline(never)]
+    fn first_step(&mut self) -> Result<Step, Error> {
+        if self.intake.waiting() < 2 {
+            return Ok(Step::NeedSample);
+        }
+        let mut chain = self.chain_from_first_sample()?;
+        let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
+        self.sensors.reposition(first.current.sample.place.height_m);
+        chain.advance(&first, &mut self.sensors)?;
+        self.intake.take();
+        self.intake.take();
+        self.mode = Mode::Flying(chain);
         Ok(Step::Done)
     }
 
@@ -155,6 +132,9 @@ impl Simulator {
     pub fn start_navigation(&mut self, time_s: f64, navigation: &Navigation) -> Result<(), Error> {
         if !matches!(self.mode, Mode::Waiting) || self.intake.waiting() > 0 {
             return Err(Error::bad_state("navigation alone starts before the first sample or after a reset"));
+        }
+        if self.sensors.depend_on_temperature() {
+            return Err(Error::bad_state(settings::INCREMENTS_HAVE_NO_TEMPERATURE));
         }
         let navigator = Navigator::new(&self.options, self.earth, time_s, navigation);
         navigator.check()?;
@@ -173,6 +153,7 @@ impl Simulator {
     /// The truth jumps to `sample`: the INS starts again there, its noise goes on.
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
+        self.sensors.check_temperature(sample.temperature_c)?;
         let mut intake = Intake::new(self.earth, self.options.axes, self.options.intake);
         intake.push(sample)?;
         self.intake = intake;
@@ -180,7 +161,7 @@ impl Simulator {
         Ok(())
     }
 
-    /// Back to before the first sample: same parameters, seed and draws.
+    /// Back to before the first sample: same parameters, seed and draws, no failures.
     pub fn reset(&mut self) {
         self.intake = Intake::new(self.earth, self.options.axes, self.options.intake);
         self.sensors = self.sensors.restarted(&self.options);

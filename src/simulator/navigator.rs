@@ -57,7 +57,8 @@ impl Navigator {
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         let measured = &mut measured[..increments.len()];
-        let saturation = sensors.sense(increments, dt, measured);
+        sensors.begin_interval(interval_s, || [None; 2]);
+        let flags = sensors.sense(increments, dt, measured);
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {
             (self.mechanization, *sensors) = before;
@@ -67,7 +68,7 @@ impl Navigator {
         self.time_s = time_s;
         self.time_carry_s = lost;
         let measured = Increment::sum(measured);
-        self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured, saturation });
+        self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured, flags });
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::errors::StartErrors;
 use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
 use crate::mechanization::VerticalMode;
-use crate::sensors::{Alignment, alignment_error};
+use crate::sensors::{Alignment, Triad, alignment_error};
 use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
@@ -42,8 +42,10 @@ pub(super) fn start_errors(
         let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
         let force_b = -rotate_inverse(&first.state.q_eb, &first.gravity_e);
         let rate_b = rotate_inverse(&truth.q_nb, &earth_rate_n);
-        let gyro_n = rotate(&truth.q_nb, &sensors.gyro.steady_error(&rate_b, &force_b));
-        let accel_n = rotate(&truth.q_nb, &sensors.accel.steady_error(&rate_b, &force_b));
+        let steady_error_n = |triad: &Triad| {
+            rotate(&truth.q_nb, &triad.steady_error(&rate_b, &force_b, first.sample.temperature_c))
+        };
+        let (gyro_n, accel_n) = (steady_error_n(&sensors.gyro), steady_error_n(&sensors.accel));
         let g = first.gravity_e.norm_squared().sqrt();
         start.misalignment_n += alignment_error(&gyro_n, &accel_n, g, earth_rate_n.y, earth_rate_n.z);
     }

@@ -1,19 +1,12 @@
 //! The sensors of a simulator and what the host set of them.
 
-use super::Options;
+use super::{ImuFlags, Options};
+use crate::error::{Error, ErrorKind, Rule};
 use crate::sensors::{
-    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
+    Altimeter, AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, Triad,
+    TriadParameters,
 };
 use crate::signal::Increment;
-
-/// Which outputs were beyond their range in an interval.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Saturation {
-    /// A gyro.
-    pub gyro: bool,
-    /// An accelerometer.
-    pub accel: bool,
-}
 
 /// Sensor models and what the host set of them.
 #[derive(Debug, Clone)]
@@ -24,7 +17,16 @@ pub(super) struct SensorSuite {
     pub initial: InitialErrorParameters,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
+    /// What [`Self::decide`] has found.
+    triads_are_ideal: bool,
+    all_are_ideal: bool,
     is_tame: bool,
+    depend_on_temperature: bool,
+    /// Whether a triad is to be told when an interval begins.
+    follow_intervals: bool,
+    /// Whether an axis has no signal in the interval.
+    gyro_is_silent: bool,
+    accel_is_silent: bool,
     altimeter_parameters: AltimeterParameters,
 }
 
@@ -37,12 +39,18 @@ impl SensorSuite {
             initial: InitialErrorParameters::default(),
             gyro_parameters: TriadParameters::default(),
             accel_parameters: TriadParameters::default(),
+            triads_are_ideal: true,
+            all_are_ideal: true,
             is_tame: true,
+            depend_on_temperature: false,
+            follow_intervals: false,
+            gyro_is_silent: false,
+            accel_is_silent: false,
             altimeter_parameters: AltimeterParameters::default(),
         }
     }
 
-    /// The same parameters, all processes and streams back at their start.
+    /// The same parameters, all processes and streams back at their start, no failures.
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
         fresh.initial = self.initial;
@@ -54,19 +62,83 @@ impl SensorSuite {
 
     pub fn set_gyro(&mut self, parameters: &TriadParameters) {
         self.gyro_parameters = *parameters;
-        self.is_tame = parameters.is_tame() && self.accel_parameters.is_tame();
         self.gyro.set(parameters);
+        self.decide();
     }
 
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
-        self.is_tame = parameters.is_tame() && self.gyro_parameters.is_tame();
         self.accel.set(parameters);
+        self.decide();
     }
 
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
         self.altimeter_parameters = *parameters;
         self.altimeter.set(parameters);
+        self.decide();
+    }
+
+    /// Takes a failure of an output, or clears it; `last` are the mean signals of the interval before, if there was one.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
+        match output {
+            SensorOutput::Gyro(axis) => {
+                let last = last.map(|mean| mean.angle[axis as usize]);
+                self.gyro.set_failure(axis, failure, last, &self.gyro_parameters);
+            }
+            SensorOutput::Accelerometer(axis) => {
+                let last = last.map(|mean| mean.velocity[axis as usize]);
+                self.accel.set_failure(axis, failure, last, &self.accel_parameters);
+            }
+            SensorOutput::Altimeter => self.altimeter.set_failure(failure, last.is_some()),
+        }
+        self.decide();
+    }
+
+    /// Decides what each interval need not ask again.
+    fn decide(&mut self) {
+        self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
+        self.all_are_ideal = self.triads_are_ideal && self.altimeter.is_ideal();
+        self.is_tame = self.gyro_parameters.is_tame()
+            && self.accel_parameters.is_tame()
+            && self.gyro.fails_tamely()
+            && self.accel.fails_tamely()
+            && self.altimeter.fails_tamely();
+        self.depend_on_temperature =
+            self.gyro_parameters.depend_on_temperature() || self.accel_parameters.depend_on_temperature();
+        self.follow_intervals =
+            self.depend_on_temperature || self.gyro.has_failed() || self.accel.has_failed();
+        (self.gyro_is_silent, self.accel_is_silent) = (self.gyro.is_silent(), self.accel.is_silent());
+    }
+
+    /// Whether an effect needs the temperature.
+    pub fn depend_on_temperature(&self) -> bool {
+        self.depend_on_temperature
+    }
+
+    /// Refuses a sample of the temperature `temperature_c` if an effect needs one and it has none.
+    pub fn check_temperature(&self, temperature_c: Option<f64>) -> Result<(), Error> {
+        if self.depend_on_temperature && temperature_c.is_none() {
+            return Err(no_temperature());
+        }
+        Ok(())
+    }
+
+    /// An interval of `t` [s] begins; `temperatures_c` gives those at its ends, without one at its start that at its end.
+    #[inline]
+    pub fn begin_interval(&mut self, t: f64, temperatures_c: impl FnOnce() -> [Option<f64>; 2]) {
+        if self.follow_intervals {
+            self.follow_interval(t, temperatures_c());
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn follow_interval(&mut self, t: f64, [start, end]: [Option<f64>; 2]) {
+        let ends_c = end.map(|end| [start.unwrap_or(end), end]);
+        self.gyro.begin_interval(t, ends_c);
+        self.accel.begin_interval(t, ends_c);
+        self.gyro_is_silent = self.gyro.is_silent();
+        self.accel_is_silent = self.accel.is_silent();
     }
 
     /// The truth jumped to `height_m`: what follows the signals settles there at once, noise goes on.
@@ -78,12 +150,17 @@ impl SensorSuite {
 
     /// What the two triads make of the ideal increments of an interval, each over `dt` [s].
     #[inline]
-    pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> Saturation {
+    pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> ImuFlags {
         for (measured, ideal) in measured.iter_mut().zip(ideal) {
             *measured =
                 Increment { angle: self.gyro.sense(ideal, dt), velocity: self.accel.sense(ideal, dt) };
         }
-        Saturation { gyro: self.gyro.take_saturated(), accel: self.accel.take_saturated() }
+        ImuFlags {
+            gyro_saturated: self.gyro.take_saturated(),
+            accel_saturated: self.accel.take_saturated(),
+            gyro_invalid: self.gyro_is_silent,
+            accel_invalid: self.accel_is_silent,
+        }
     }
 
     /// Whether gyros and accelerometers cannot throw a solution out of its range in one interval.
@@ -93,11 +170,54 @@ impl SensorSuite {
 
     /// Whether gyros and accelerometers are ideal.
     pub fn are_ideal(&self) -> bool {
-        self.gyro.is_ideal() && self.accel.is_ideal()
+        self.triads_are_ideal
     }
 
     /// Whether the altimeter is ideal too.
     pub fn all_are_ideal(&self) -> bool {
-        self.are_ideal() && self.altimeter_parameters == AltimeterParameters::default()
+        self.all_are_ideal
+    }
+}
+
+#[cold]
+fn no_temperature() -> Error {
+    Error {
+        kind: ErrorKind::InvalidArgument,
+        field: "sample.temperature_c",
+        index: None,
+        value: None,
+        rule: Rule::Words(
+            "is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags, while temperature coefficients are set",
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sensors::Axis;
+
+    #[test]
+    fn a_suite_with_a_failure_is_not_ideal_and_with_a_wild_one_not_tame_until_it_is_cleared() {
+        let mut suite = SensorSuite::new(&Options::default());
+        let ideal_of = |suite: &SensorSuite| (suite.are_tame(), suite.are_ideal(), suite.all_are_ideal());
+        for output in
+            [SensorOutput::Gyro(Axis::X), SensorOutput::Accelerometer(Axis::Z), SensorOutput::Altimeter]
+        {
+            assert_eq!(ideal_of(&suite), (true, true, true));
+            for (failure, is_tame) in [
+                (Failure::Stuck, false),
+                (Failure::Dead, true),
+                (Failure::BiasStep { size: -101.0 }, false),
+                (Failure::Spikes { size: 1.0, interval_s: 1.0, duration_s: 1.0 }, true),
+                (Failure::Noise { density: 6.0 }, false),
+                (Failure::RandomDropOuts { probability: 1.0 }, true),
+            ] {
+                suite.set_failure(output, Some(failure), None);
+                assert_eq!(ideal_of(&suite), (is_tame, output == SensorOutput::Altimeter, false));
+            }
+            suite.set_failure(output, None, None);
+        }
+        assert_eq!(ideal_of(&suite), (true, true, true));
     }
 }

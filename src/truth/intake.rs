@@ -62,6 +62,12 @@ impl Intake {
         self.ring.waiting()
     }
 
+    /// Whether each point that waits has a temperature.
+    pub fn waiting_have_temperatures(&self) -> bool {
+        let has = |point: &TruthPoint| point.sample.temperature_c.is_some();
+        (0..self.waiting()).all(|back| self.ring.pushed(back).is_some_and(has))
+    }
+
     /// The oldest point that waits.
     pub fn front(&self) -> Option<&TruthPoint> {
         self.ring.front()

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::earth::Geodetic;
-use crate::error::{Error, check_range, check_ranges};
+use crate::error::{Error, check_range, check_ranges, check_temperature};
 use crate::math::Euler;
 
 /// True position, velocity and attitude at an instant, as a flight simulator gives them.
@@ -21,6 +21,8 @@ pub struct FlightSample {
     pub omega_ib_b: Option<Vector3<f64>>,
     /// Specific force in sensor axes [m/s²], if the host knows it.
     pub f_b: Option<Vector3<f64>>,
+    /// Temperature of the gyros and accelerometers [°C], if the host knows it.
+    pub temperature_c: Option<f64>,
 }
 
 impl FlightSample {
@@ -44,11 +46,15 @@ impl FlightSample {
         if let Some(force) = &self.f_b {
             check_ranges("sample.specific_force_m_s2", force.as_slice(), -1e5, 1e5)?;
         }
-        Ok(())
+        match self.temperature_c {
+            Some(temperature_c) => check_temperature("sample.temperature_c", temperature_c),
+            None => Ok(()),
+        }
     }
 
     /// The sample at rest relative to `earth`, for tests and examples: position and attitude as given, no velocity.
     pub fn at_rest(time_s: f64, place: Geodetic, euler: Euler) -> Self {
-        Self { time_s, place, v_n: Some(Vector3::zeros()), euler, omega_ib_b: None, f_b: None }
+        let v_n = Some(Vector3::zeros());
+        Self { time_s, place, v_n, euler, omega_ib_b: None, f_b: None, temperature_c: None }
     }
 }

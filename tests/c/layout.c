@@ -23,36 +23,50 @@ AT(sins_options, seed, 48);
 AT(sins_options, closed_loop_time_s, 64);
 AT(sins_options, max_acceleration_m_s2, 88);
 
-SIZE(sins_gyro_params, 512);
+SIZE(sins_gyro_params, 616);
 AT(sins_gyro_params, bias_rad_s, 8);
 AT(sins_gyro_params, markov_time_s, 80);
 AT(sins_gyro_params, random_walk_rad_sqrt_s, 104);
 AT(sins_gyro_params, scale_factor, 224);
 AT(sins_gyro_params, misalignment_rad, 296);
 AT(sins_gyro_params, dead_zone_rad_s, 488);
+AT(sins_gyro_params, reference_temperature_c, 512);
+AT(sins_gyro_params, bias_temperature_rad_s_per_k, 520);
+AT(sins_gyro_params, scale_factor_temperature2_per_k2, 592);
 
-SIZE(sins_accel_params, 536);
+SIZE(sins_accel_params, 640);
 AT(sins_accel_params, bias_m_s2, 8);
 AT(sins_accel_params, velocity_random_walk_m_s_sqrt_s, 104);
 AT(sins_accel_params, scale_factor, 224);
 AT(sins_accel_params, misalignment_rad, 296);
 AT(sins_accel_params, lever_arm_m, 440);
 AT(sins_accel_params, vibration_rectification_s2_m, 512);
+AT(sins_accel_params, reference_temperature_c, 536);
+AT(sins_accel_params, bias_temperature_m_s2_per_k, 544);
+AT(sins_accel_params, scale_factor_temperature2_per_k2, 616);
 
 SIZE(sins_altimeter_params, 56);
 AT(sins_altimeter_params, lag_s, 48);
+
+SIZE(sins_failure, 56);
+AT(sins_failure, kind, 8);
+AT(sins_failure, size, 16);
+AT(sins_failure, density, 24);
+AT(sins_failure, interval_s, 32);
+AT(sins_failure, probability, 48);
 
 SIZE(sins_initial_errors, 160);
 AT(sins_initial_errors, position_enu_m, 8);
 AT(sins_initial_errors, alignment, 152);
 
-SIZE(sins_flight_sample, 136);
+SIZE(sins_flight_sample, 144);
 AT(sins_flight_sample, flags, 4);
 AT(sins_flight_sample, time_s, 8);
 AT(sins_flight_sample, velocity_enu_m_s, 40);
 AT(sins_flight_sample, roll_rad, 64);
 AT(sins_flight_sample, angular_rate_rad_s, 88);
 AT(sins_flight_sample, specific_force_m_s2, 112);
+AT(sins_flight_sample, temperature_c, 136);
 
 SIZE(sins_navigation, 128);
 AT(sins_navigation, time_s, 8);

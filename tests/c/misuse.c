@@ -51,6 +51,7 @@ static void handles(void)
         sins_gyro_params gyro = {.struct_size = sizeof gyro};
         sins_accel_params accel = {.struct_size = sizeof accel};
         sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
+        sins_failure failure = {.struct_size = sizeof failure};
         sins_initial_errors initial = {.struct_size = sizeof initial};
         sins_flight_sample sample = {.struct_size = sizeof sample};
         sins_navigation navigation = {.struct_size = sizeof navigation};
@@ -68,6 +69,7 @@ static void handles(void)
         CHECK(sins_set_gyro(sim, &gyro) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_set_accel(sim, &accel) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_set_altimeter(sim, &altimeter) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, &failure) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_set_initial_errors(sim, &initial) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_step(sim) == SINS_ERROR_BAD_HANDLE);
@@ -117,6 +119,7 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_set_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_run(sim, NULL, 1, 0, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
@@ -151,51 +154,57 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
         unsigned char bytes[2 * sizeof(struct type)]; \
     }
 
-/* Input: every size from 0 to twice the struct's, zero tail. The struct of this release is the first, so shorter is an
- * error; longer is fine while the tail is zero. */
-#define INPUT_SIZES(type, call)                                                              \
-    do {                                                                                     \
-        ROOMY(type) in;                                                                      \
-        size_t size;                                                                         \
-        for (size = 0; size <= sizeof in; size++) {                                          \
-            struct type *pointer = &in.value;                                                \
-            int fits = size >= sizeof(struct type) && size % 8 == 0;                         \
-            sins_status status;                                                              \
-            memset(&in, 0, sizeof in);                                                       \
-            in.value.struct_size = (uint32_t)size;                                           \
-            status = (call);                                                                 \
-            CHECK((status == SINS_ERROR_STRUCT_SIZE) == !fits);                              \
-            if (fits && size > sizeof(struct type)) {                                        \
-                in.bytes[size - 1] = 1;                                                      \
-                CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                     \
-            }                                                                                \
-        }                                                                                    \
-        in.value.struct_size = 0xffffffffu;                                                  \
-        {                                                                                    \
-            struct type *pointer = &in.value;                                                \
-            CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                         \
-        }                                                                                    \
+/* Input: every size from 0 to twice the struct's, zero tail. Shorter than in the struct's first release is an error; longer
+ * than in this one is fine while the tail is zero. */
+#define INPUT_SIZES_SINCE(first, type, call)                                         \
+    do {                                                                             \
+        ROOMY(type) in;                                                              \
+        size_t size;                                                                 \
+        for (size = 0; size <= sizeof in; size++) {                                  \
+            struct type *pointer = &in.value;                                        \
+            int fits = size >= (first) && size % 8 == 0;                             \
+            sins_status status;                                                      \
+            memset(&in, 0, sizeof in);                                               \
+            in.value.struct_size = (uint32_t)size;                                   \
+            status = (call);                                                         \
+            CHECK((status == SINS_ERROR_STRUCT_SIZE) == !fits);                      \
+            if (fits && size > sizeof(struct type)) {                                \
+                in.bytes[size - 1] = 1;                                              \
+                CHECK((call) == SINS_ERROR_STRUCT_SIZE);                             \
+            }                                                                        \
+        }                                                                            \
+        in.value.struct_size = 0xffffffffu;                                          \
+        {                                                                            \
+            struct type *pointer = &in.value;                                        \
+            CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                 \
+        }                                                                            \
     } while (0)
+#define INPUT_SIZES(type, call) INPUT_SIZES_SINCE(sizeof(struct type), type, call)
 
 /* Output: what the host's struct has room for is written, struct_size stays, nothing behind is touched. */
-#define OUTPUT_SIZES(type, call)                                                             \
-    do {                                                                                     \
-        ROOMY(type) out;                                                                     \
-        size_t size, i;                                                                      \
-        for (size = 0; size <= sizeof out; size++) {                                         \
-            struct type *pointer = &out.value;                                               \
-            int fits = size >= sizeof(struct type) && size % 8 == 0;                         \
-            sins_status status;                                                              \
-            memset(&out, 0xa5, sizeof out);                                                  \
-            out.value.struct_size = (uint32_t)size;                                          \
-            status = (call);                                                                 \
-            CHECK(status == (fits ? SINS_OK : SINS_ERROR_STRUCT_SIZE));                      \
-            CHECK(out.value.struct_size == size);                                            \
-            for (i = fits ? sizeof(struct type) : 4; i < sizeof out; i++) {                  \
-                CHECK(out.bytes[i] == 0xa5);                                                 \
-            }                                                                                \
-        }                                                                                    \
+#define OUTPUT_SIZES_SINCE(first, type, call)                                        \
+    do {                                                                             \
+        ROOMY(type) out;                                                             \
+        size_t size, i;                                                              \
+        for (size = 0; size <= sizeof out; size++) {                                 \
+            struct type *pointer = &out.value;                                       \
+            int fits = size >= (first) && size % 8 == 0;                             \
+            size_t written = size < sizeof(struct type) ? size : sizeof(struct type);\
+            sins_status status;                                                      \
+            memset(&out, 0xa5, sizeof out);                                          \
+            out.value.struct_size = (uint32_t)size;                                  \
+            status = (call);                                                         \
+            CHECK(status == (fits ? SINS_OK : SINS_ERROR_STRUCT_SIZE));              \
+            CHECK(out.value.struct_size == size);                                    \
+            for (i = fits ? written : 4; i < sizeof out; i++) {                      \
+                CHECK(out.bytes[i] == 0xa5);                                         \
+            }                                                                        \
+        }                                                                            \
     } while (0)
+#define OUTPUT_SIZES(type, call) OUTPUT_SIZES_SINCE(sizeof(struct type), type, call)
+
+/* Of structs that have grown: their sizes in the first release. */
+enum { FIRST_GYRO_PARAMS = 512, FIRST_ACCEL_PARAMS = 536, FIRST_FLIGHT_SAMPLE = 136 };
 
 static sins_status create_and_destroy(const sins_options *options)
 {
@@ -226,11 +235,12 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     sins_sim *fresh = NULL;
     CHECK(sins_create(NULL, &fresh) == SINS_OK);
     INPUT_SIZES(sins_options, create_and_destroy(pointer));
-    INPUT_SIZES(sins_gyro_params, sins_set_gyro(fresh, pointer));
-    INPUT_SIZES(sins_accel_params, sins_set_accel(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_set_gyro(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_set_accel(fresh, pointer));
     INPUT_SIZES(sins_altimeter_params, sins_set_altimeter(fresh, pointer));
+    INPUT_SIZES(sins_failure, sins_set_failure(fresh, SINS_SENSOR_ACCEL, 2, pointer));
     INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
-    INPUT_SIZES(sins_flight_sample, sins_reposition(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_reposition(fresh, pointer));
     CHECK(sins_reset(fresh) == SINS_OK);
     INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
     INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
@@ -247,9 +257,9 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
-    OUTPUT_SIZES(sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
-    OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
-    OUTPUT_SIZES(sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
 }
 
 /* Parameters of which element `index` of the field at `offset` is `value`. */
@@ -281,6 +291,104 @@ static void out_of_range(sins_sim *sim, const sins_gyro_params *gyro, const sins
         fprintf(stderr, "expected %s\nfound    %s\n", sentence, text);
     }
     CHECK(strcmp(text, sentence) == 0);
+}
+
+/* A failure that is refused leaves the sensor sound. */
+static void bad_failure(sins_sim *sim, int32_t sensor, int32_t axis, const sins_failure *failure, const char *sentence)
+{
+    char text[200];
+    CHECK(sins_set_failure(sim, sensor, axis, failure) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    if (strcmp(text, sentence) != 0) {
+        fprintf(stderr, "expected %s\nfound    %s\n", sentence, text);
+    }
+    CHECK(strcmp(text, sentence) == 0);
+}
+
+static void failures(void)
+{
+    sins_sim *sim = NULL;
+    sins_failure failure = {.struct_size = sizeof failure};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    int32_t axis;
+
+    CHECK(sins_create(NULL, &sim) == SINS_OK);
+    bad_failure(sim, 3, 0, &failure, "sensor = 3: must be a SINS_SENSOR_ constant, 0 to 2");
+    bad_failure(sim, -1, 0, &failure, "sensor = -1: must be a SINS_SENSOR_ constant, 0 to 2");
+    bad_failure(sim, SINS_SENSOR_GYRO, 3, &failure, "axis = 3: must be 0, 1 or 2: x, y or z");
+    bad_failure(sim, SINS_SENSOR_ACCEL, -1, &failure, "axis = -1: must be 0, 1 or 2: x, y or z");
+    bad_failure(sim, SINS_SENSOR_ALTIMETER, 1, &failure, "axis = 1: must be 0: the altimeter has one output");
+    failure.kind = 7;
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.kind = 7: must be a SINS_FAILURE_ constant, 0 to 6");
+    failure.kind = SINS_FAILURE_DEAD;
+    failure.reserved2 = 1;
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.reserved2 = 1: must be 0");
+    failure.reserved2 = 0;
+    failure.size = 1.0;
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.size = 1: must be 0: not of this kind of failure");
+    failure.kind = SINS_FAILURE_BIAS_STEP;
+    failure.duration_s = 2.0;
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.duration_s = 2: must be 0: not of this kind of failure");
+    failure.kind = SINS_FAILURE_SPIKES;
+    failure.interval_s = 1.0;
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.duration_s = 2: must be at most failure.interval_s = 1");
+    failure.size = failure.duration_s = 0.0;
+    failure.kind = SINS_FAILURE_DROP_OUTS;
+    failure.probability = 0.5;
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.probability = 0.5: must be 0: not of this kind of failure");
+    failure.interval_s = failure.probability = 0.0;
+    failure.density = -1.0;
+    failure.kind = SINS_FAILURE_NOISE;
+    bad_failure(sim, SINS_SENSOR_ALTIMETER, 0, &failure, "failure.density = -1: must be from 0 to 100000");
+
+    /* None of those has been set; now all outputs are dead, and one sound again. */
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    sample.time_s = 0.01;
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    CHECK(sins_step(sim) == SINS_OK && sins_get_imu(sim, &imu) == SINS_OK);
+    CHECK(imu.flags == 0 && memcmp(imu.measured_angle_rad, imu.ideal_angle_rad, sizeof imu.ideal_angle_rad) == 0);
+    failure.density = 0.0;
+    failure.kind = SINS_FAILURE_DEAD;
+    for (axis = 0; axis < 3; axis++) {
+        CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, axis, &failure) == SINS_OK);
+        CHECK(sins_set_failure(sim, SINS_SENSOR_ACCEL, axis, &failure) == SINS_OK);
+    }
+    CHECK(sins_set_failure(sim, SINS_SENSOR_ALTIMETER, 0, &failure) == SINS_OK);
+    failure.kind = SINS_FAILURE_NONE;
+    CHECK(sins_set_failure(sim, SINS_SENSOR_ACCEL, 2, &failure) == SINS_OK);
+    sample.time_s = 0.02;
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) == SINS_OK);
+    CHECK(sins_get_imu(sim, &imu) == SINS_OK && imu.flags == (SINS_IMU_GYRO_INVALID | SINS_IMU_ACCEL_INVALID));
+    CHECK(imu.measured_angle_rad[2] == 0.0 && imu.measured_velocity_m_s[2] == imu.ideal_velocity_m_s[2]);
+    CHECK(sins_get_navigation(sim, &navigation) == SINS_OK);
+    CHECK(navigation.flags == SINS_NAVIGATION_VERTICAL_UNAIDED);
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
+/* A sample whose flag is forgotten while a sensor needs the temperature. */
+static void temperatures(void)
+{
+    sins_sim *sim = NULL;
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_imu imu = {.struct_size = sizeof imu};
+    char text[200];
+
+    CHECK(sins_create(NULL, &sim) == SINS_OK);
+    CHECK(sins_set_accel(sim, accel_with(offsetof(sins_accel_params, bias_temperature_m_s2_per_k), 1, 0.125)) == SINS_OK);
+    sample.temperature_c = 8.0;
+    CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "sample.temperature_c") == text && strstr(text, "SINS_SAMPLE_TEMPERATURE") != NULL);
+    sample.flags = SINS_SAMPLE_TEMPERATURE;
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    sample.time_s = 1.0;
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    CHECK(sins_step(sim) == SINS_OK && sins_get_imu(sim, &imu) == SINS_OK);
+    /* Level at rest, y north: nothing but the bias, 8 K of 0.125 m/s2 each, and gravity's north component at height 0, 0. */
+    CHECK(imu.measured_force_m_s2[1] - imu.ideal_force_m_s2[1] > 0.999 && imu.measured_force_m_s2[1] < 1.001);
+    CHECK(sins_destroy(sim) == SINS_OK);
 }
 
 static void sentences(sins_sim *sim)
@@ -345,6 +453,12 @@ static void sentences(sins_sim *sim)
                  "accel.dead_zone_m_s2[0] = -1: must be from 0 to 10000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, lever_arm_m), 7, 101.0),
                  "accel.lever_arm_m[7] = 101: must be from -100 to 100");
+    out_of_range(sim, gyro_with(offsetof(sins_gyro_params, reference_temperature_c), 0, -274.0), NULL,
+                 "gyro.reference_temperature_c = -274: must be from -273.15 to 1000");
+    out_of_range(sim, gyro_with(offsetof(sins_gyro_params, scale_factor_temperature2_per_k2), 2, 2.0), NULL,
+                 "gyro.scale_factor_temperature2_per_k2[2] = 2: must be from -1 to 1");
+    out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, bias_temperature2_m_s2_per_k2), 1, 1e5),
+                 "accel.bias_temperature2_m_s2_per_k2[1] = 100000: must be from -10000 to 10000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, vibration_rectification_s2_m), 2, 0.0 / zero),
                  "accel.vibration_rectification_s2_m[2] = NaN: must be a finite number");
 
@@ -392,6 +506,8 @@ int main(void)
     null_pointers(sim, flight);
     struct_sizes(sim, flight);
     sentences(sim);
+    failures();
+    temperatures();
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

@@ -97,6 +97,7 @@ impl Table {
                 euler: Euler { roll: angles[i].x, pitch: angles[i].y, heading: angles[i].z },
                 omega_ib_b: signals.as_ref().map(|(rate, _)| rate[i]),
                 f_b: signals.as_ref().map(|(_, force)| force[i]),
+                temperature_c: None,
             })
             .collect()
     }
@@ -210,4 +211,35 @@ pub fn fly(
         }
     }
     worst
+}
+
+/// Flies `samples` and gives the signals of each interval.
+pub fn sensed(
+    simulator: &mut sins::Simulator,
+    samples: impl IntoIterator<Item = FlightSample>,
+) -> Vec<sins::ImuInterval> {
+    let mut intervals = Vec::new();
+    for sample in samples {
+        simulator.push_sample(&sample).unwrap();
+        if simulator.step().unwrap() == sins::Step::Done {
+            intervals.push(simulator.imu().unwrap());
+        }
+    }
+    intervals
+}
+
+/// The bits of the solution, and of both errors where there are two.
+pub fn bits(simulator: &sins::Simulator) -> Vec<u64> {
+    let navigation = simulator.navigation().unwrap().unwrap().navigation;
+    let place = &navigation.place;
+    let mut values = vec![place.latitude_rad, place.longitude_rad, place.height_m];
+    values.extend_from_slice(navigation.v_n.as_slice());
+    values.extend_from_slice(navigation.q_nb.coords.as_slice());
+    for source in [sins::ErrorSource::Navigation, sins::ErrorSource::Model] {
+        if let Ok(Some((_, errors))) = simulator.errors(source) {
+            values.extend_from_slice(errors.position_n.as_slice());
+            values.extend_from_slice(errors.misalignment_n.as_slice());
+        }
+    }
+    values.into_iter().map(f64::to_bits).collect()
 }

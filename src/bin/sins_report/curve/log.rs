@@ -138,6 +138,7 @@ fn sample(values: &[f64; QUANTITIES.len()], columns: &[Option<Column>; QUANTITIE
         euler: Euler { roll, pitch, heading },
         omega_ib_b: triple(RATE),
         f_b: triple(FORCE),
+        temperature_c: None,
     }
 }
 

@@ -1,0 +1,56 @@
+//! `sins_altimeter_params`.
+
+use super::failure::{SINS_OK, sins_status};
+use super::memory::{interface_struct, read};
+use super::options::check_reserved;
+use super::simulator::{sins_sim, with_simulator};
+use crate::sensors::AltimeterParameters;
+
+/// Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_altimeter_params {
+    /// sizeof(sins_altimeter_params)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Constant bias, up to 1e5 m [m].
+    pub bias_m: f64,
+    /// Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
+    pub markov_sigma_m: f64,
+    /// Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
+    pub markov_time_s: f64,
+    /// Standard deviation of the independent error of each sample, up to 1e5 m [m].
+    pub noise_m: f64,
+    /// Scale factor error of the height, -1 to 1.
+    pub scale_factor: f64,
+    /// Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
+    pub lag_s: f64,
+}
+
+interface_struct!(sins_altimeter_params, "altimeter", 56);
+
+/// Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
+/// on.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_set_altimeter(
+    sim: *mut sins_sim,
+    params: *const sins_altimeter_params,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let params = unsafe { read(params, "params")? };
+        check_reserved("altimeter.reserved", params.reserved)?;
+        simulator.set_altimeter(&AltimeterParameters {
+            bias_m: params.bias_m,
+            markov_sigma_m: params.markov_sigma_m,
+            markov_time_s: params.markov_time_s,
+            noise_m: params.noise_m,
+            scale_factor: params.scale_factor,
+            lag_s: params.lag_s,
+        })?;
+        Ok(SINS_OK)
+    })
+}

@@ -1,0 +1,156 @@
+//! `sins_failure`.
+
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::{interface_struct, read};
+use super::options::{check_reserved, one_of};
+use super::simulator::{sins_sim, with_simulator};
+use crate::error::{Error, Rule};
+use crate::sensors::{self, Axis, SensorOutput};
+
+/// The gyros.
+pub const SINS_SENSOR_GYRO: i32 = 0;
+/// The accelerometers.
+pub const SINS_SENSOR_ACCEL: i32 = 1;
+/// The altimeter; its axis is 0.
+pub const SINS_SENSOR_ALTIMETER: i32 = 2;
+
+/// None: clears the failure that there is.
+pub const SINS_FAILURE_NONE: i32 = 0;
+/// The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
+/// it looks like data.
+pub const SINS_FAILURE_STUCK: i32 = 1;
+/// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
+/// altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+pub const SINS_FAILURE_DEAD: i32 = 2;
+/// A bias of size more. Not flagged.
+pub const SINS_FAILURE_BIAS_STEP: i32 = 3;
+/// Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+/// mean over its interval. Not flagged but where they saturate.
+pub const SINS_FAILURE_SPIKES: i32 = 4;
+/// White noise of density more; of the altimeter its mean over the interval. Not flagged.
+pub const SINS_FAILURE_NOISE: i32 = 5;
+/// Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
+/// that time, the first at once.
+pub const SINS_FAILURE_DROP_OUTS: i32 = 6;
+
+/// A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
+/// accelerometer, m of the altimeter.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_failure {
+    /// sizeof(sins_failure)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// SINS_FAILURE_...
+    pub kind: i32,
+    /// Must be 0.
+    pub reserved2: u32,
+    /// Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+    pub size: f64,
+    /// Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
+    pub density: f64,
+    /// Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
+    pub interval_s: f64,
+    /// Spikes: length of one, 1e-9 s to interval_s [s].
+    pub duration_s: f64,
+    /// Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    pub probability: f64,
+}
+
+interface_struct!(sins_failure, "failure", 56);
+
+impl sins_failure {
+    fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
+        check_reserved("failure.reserved", self.reserved)?;
+        check_reserved("failure.reserved2", self.reserved2)?;
+        let Self { size, density, interval_s, duration_s, probability, .. } = self;
+        let drop_outs = if interval_s == 0.0 {
+            sensors::Failure::RandomDropOuts { probability }
+        } else {
+            sensors::Failure::PeriodicDropOuts { interval_s }
+        };
+        let spikes = sensors::Failure::Spikes { size, interval_s, duration_s };
+        let failure = one_of(
+            "failure.kind",
+            self.kind,
+            &[
+                (SINS_FAILURE_NONE, None),
+                (SINS_FAILURE_STUCK, Some(sensors::Failure::Stuck)),
+                (SINS_FAILURE_DEAD, Some(sensors::Failure::Dead)),
+                (SINS_FAILURE_BIAS_STEP, Some(sensors::Failure::BiasStep { size })),
+                (SINS_FAILURE_SPIKES, Some(spikes)),
+                (SINS_FAILURE_NOISE, Some(sensors::Failure::Noise { density })),
+                (SINS_FAILURE_DROP_OUTS, Some(drop_outs)),
+            ],
+            "must be a SINS_FAILURE_ constant, 0 to 6",
+        )?;
+        self.check_unused(failure.as_ref())?;
+        Ok(failure)
+    }
+
+    /// Refuses values that the failure does not use: something else was meant.
+    fn check_unused(&self, failure: Option<&sensors::Failure>) -> Result<(), Failure> {
+        use sensors::Failure::{BiasStep, Noise, PeriodicDropOuts, RandomDropOuts, Spikes};
+        let is_spikes = matches!(failure, Some(Spikes { .. }));
+        let fields = [
+            ("failure.size", self.size, is_spikes || matches!(failure, Some(BiasStep { .. }))),
+            ("failure.density", self.density, matches!(failure, Some(Noise { .. }))),
+            (
+                "failure.interval_s",
+                self.interval_s,
+                is_spikes || matches!(failure, Some(PeriodicDropOuts { .. })),
+            ),
+            ("failure.duration_s", self.duration_s, is_spikes),
+            ("failure.probability", self.probability, matches!(failure, Some(RandomDropOuts { .. }))),
+        ];
+        match fields.iter().find(|(_, value, is_used)| !is_used && *value != 0.0) {
+            Some(&(field, value, _)) => {
+                let rule = Rule::Words("must be 0: not of this kind of failure");
+                Err(Error::invalid(field, value, rule).into())
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// The output that sensor and axis name.
+fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
+    const AXES: [(i32, Axis); 3] = [(0, Axis::X), (1, Axis::Y), (2, Axis::Z)];
+    let axis_of_triad = || one_of("axis", axis, &AXES, "must be 0, 1 or 2: x, y or z");
+    match sensor {
+        SINS_SENSOR_GYRO => Ok(SensorOutput::Gyro(axis_of_triad()?)),
+        SINS_SENSOR_ACCEL => Ok(SensorOutput::Accelerometer(axis_of_triad()?)),
+        SINS_SENSOR_ALTIMETER => {
+            one_of("axis", axis, &[(0, SensorOutput::Altimeter)], "must be 0: the altimeter has one output")
+        }
+        _ => one_of("sensor", sensor, &[], "must be a SINS_SENSOR_ constant, 0 to 2"),
+    }
+}
+
+/// Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
+/// until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
+/// once.
+///
+/// sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone, range and
+/// quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is there
+/// again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
+/// sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
+/// set again at the same intervals give the same bits.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
+/// solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_set_failure(
+    sim: *mut sins_sim,
+    sensor: i32,
+    axis: i32,
+    failure: *const sins_failure,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let failure = unsafe { read(failure, "failure")? };
+        simulator.set_failure(output(sensor, axis)?, failure.to_failure()?)?;
+        Ok(SINS_OK)
+    })
+}

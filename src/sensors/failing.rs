@@ -1,0 +1,163 @@
+//! Outputs as failures make them.
+
+use nalgebra::Vector3;
+
+use super::failure::{Axis, Failure};
+use super::stream::{Purpose, Source, Stream, StreamKey};
+
+/// Share of a sample interval by which a loss may be early for the interval: sums of intervals round.
+const SLACK: f64 = 1e-6;
+
+/// One output: sound, or with a failure. Its random stream goes on from one failure to the next.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FailingOutput {
+    failure: Option<Failure>,
+    /// Spikes: time since the last began. Periodic drop-outs: time to the next [s].
+    phase_s: f64,
+    /// Stuck: what is held [u].
+    held: Option<f64>,
+    /// Whether there is no signal.
+    is_silent: bool,
+    stream: Stream,
+}
+
+impl FailingOutput {
+    pub fn new(key: StreamKey, source: Source, axis: usize) -> Self {
+        Self {
+            failure: None,
+            phase_s: 0.0,
+            held: None,
+            is_silent: false,
+            stream: Stream::new(key, source, axis, Purpose::Failure),
+        }
+    }
+
+    /// Takes a failure, or clears it; `last` is the output before [u], if there was one.
+    pub fn set(&mut self, failure: Option<Failure>, last: Option<f64>) {
+        self.failure = failure;
+        self.phase_s = 0.0;
+        self.held = last;
+        self.is_silent = failure == Some(Failure::Dead);
+    }
+
+    /// Whether there is a failure.
+    pub fn has_failed(&self) -> bool {
+        self.failure.is_some()
+    }
+
+    /// Whether a step has nothing to fear of its failure, if it has one.
+    pub fn is_tame(&self) -> bool {
+        self.failure.is_none_or(|failure| failure.is_tame())
+    }
+
+    /// Whether the output has no signal in this interval.
+    pub fn is_silent(&self) -> bool {
+        self.is_silent
+    }
+
+    /// A sample interval of `t` [s] begins: drop-outs are decided.
+    pub fn begin_interval(&mut self, t: f64) {
+        match self.failure {
+            Some(Failure::RandomDropOuts { probability }) => {
+                self.is_silent = self.stream.uniform() < probability;
+            }
+            Some(Failure::PeriodicDropOuts { interval_s }) => {
+                let left = t * (1.0 - SLACK) - self.phase_s;
+                self.is_silent = left > 0.0;
+                if self.is_silent {
+                    self.phase_s += interval_s * (left / interval_s).ceil();
+                }
+                self.phase_s -= t;
+            }
+            _ => {}
+        }
+    }
+
+    /// Integral over `dt` [s] of what the failure adds [u s].
+    pub fn added(&mut self, dt: f64) -> f64 {
+        match self.failure {
+            Some(Failure::BiasStep { size }) => size * dt,
+            Some(Failure::Noise { density }) => density * dt.sqrt() * self.stream.normal(),
+            Some(Failure::Spikes { size, interval_s, duration_s }) => {
+                let end = self.phase_s + dt;
+                let whole = (end / interval_s).floor();
+                let phase = (end - whole * interval_s).max(0.0);
+                let under = whole * duration_s + phase.min(duration_s) - self.phase_s.min(duration_s);
+                self.phase_s = phase;
+                size * under
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// What is given out over `dt` [s] in place of `measured` [u s].
+    pub fn replaced(&mut self, dt: f64, measured: f64) -> f64 {
+        if self.is_silent {
+            0.0
+        } else if self.failure == Some(Failure::Stuck) {
+            *self.held.get_or_insert(measured / dt) * dt
+        } else {
+            measured
+        }
+    }
+}
+
+/// The outputs of a triad.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FailingTriad {
+    outputs: [FailingOutput; 3],
+}
+
+impl FailingTriad {
+    pub fn new(key: StreamKey, source: Source) -> Self {
+        Self { outputs: [0, 1, 2].map(|axis| FailingOutput::new(key, source, axis)) }
+    }
+
+    /// Takes a failure of one axis, as [`FailingOutput::set`].
+    pub fn set(&mut self, axis: Axis, failure: Option<Failure>, last: Option<f64>) {
+        self.outputs[axis as usize].set(failure, last);
+    }
+
+    /// Whether a failure adds to what is felt.
+    pub fn are_disturbed(&self) -> bool {
+        self.failures().any(|failure| failure.is_added())
+    }
+
+    /// Whether a failure replaces an output.
+    pub fn are_out(&self) -> bool {
+        self.failures().any(|failure| !failure.is_added())
+    }
+
+    /// Whether a step has nothing to fear of the failures.
+    pub fn are_tame(&self) -> bool {
+        self.outputs.iter().all(FailingOutput::is_tame)
+    }
+
+    /// Whether an output has no signal in this interval.
+    pub fn are_silent(&self) -> bool {
+        self.outputs.iter().any(FailingOutput::is_silent)
+    }
+
+    /// A sample interval of `t` [s] begins.
+    pub fn begin_interval(&mut self, t: f64) {
+        self.outputs.iter_mut().for_each(|output| output.begin_interval(t));
+    }
+
+    /// Adds what failures add over `dt` [s].
+    pub fn disturb(&mut self, dt: f64, measured: &mut Vector3<f64>) {
+        for (output, measured) in self.outputs.iter_mut().zip(measured.iter_mut()) {
+            *measured += output.added(dt);
+        }
+    }
+
+    /// Replaces what failures replace over `dt` [s].
+    pub fn replace(&mut self, dt: f64, measured: &mut Vector3<f64>) {
+        for (output, measured) in self.outputs.iter_mut().zip(measured.iter_mut()) {
+            *measured = output.replaced(dt, *measured);
+        }
+    }
+
+    fn failures(&self) -> impl Iterator<Item = &Failure> {
+        self.outputs.iter().filter_map(|output| output.failure.as_ref())
+    }
+}

@@ -1,0 +1,112 @@
+//! How a sensor can fail, as an instructor sets it.
+
+use crate::error::{Error, Rule, check_range};
+
+/// Axis of a triad, sensor axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// The first.
+    X = 0,
+    /// The second.
+    Y = 1,
+    /// The third.
+    Z = 2,
+}
+
+/// What can fail: one output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SensorOutput {
+    /// A gyro; the unit u of failures is rad/s.
+    Gyro(Axis),
+    /// An accelerometer; m/s².
+    Accelerometer(Axis),
+    /// The altimeter; m.
+    Altimeter,
+}
+
+/// A failure of one output, from the interval after it is set until it is cleared or another takes its place.
+///
+/// Biases, spikes and noise are added to what the sensor feels, before dead zone, range and quantization: what they make of it
+/// looks like data. The others replace the output. Noise processes, filters and residuals run on behind a failure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Failure {
+    /// The output holds the mean of the interval before the failure; where there was none, its first value.
+    Stuck,
+    /// No signal: gyros and accelerometers give 0, the altimeter nothing. Seen by the built-in test.
+    Dead,
+    /// A bias more.
+    BiasStep {
+        /// Its size [u].
+        size: f64,
+    },
+    /// A train of rectangular pulses, the first at once.
+    Spikes {
+        /// Height of a pulse [u].
+        size: f64,
+        /// From the start of one pulse to that of the next [s].
+        interval_s: f64,
+        /// Length of a pulse [s].
+        duration_s: f64,
+    },
+    /// White noise more.
+    Noise {
+        /// Its density N [u √s].
+        density: f64,
+    },
+    /// Each sample interval is lost as [`Self::Dead`] with a probability, independently of the others.
+    RandomDropOuts {
+        /// Of the loss of an interval.
+        probability: f64,
+    },
+    /// One sample interval in each so many seconds is lost, the first at once.
+    PeriodicDropOuts {
+        /// From one loss to the next [s]; where that is shorter than a sample interval, each interval is lost.
+        interval_s: f64,
+    },
+}
+
+impl Failure {
+    /// Checks every field.
+    pub fn validate(&self, output: SensorOutput) -> Result<(), Error> {
+        let limit = match output {
+            SensorOutput::Gyro(_) => 100.0,
+            SensorOutput::Accelerometer(_) => 1e4,
+            SensorOutput::Altimeter => 1e5,
+        };
+        let check_size = |size| check_range("failure.size", size, -limit, limit);
+        let check_interval = |interval_s| check_range("failure.interval_s", interval_s, 1e-4, 1e9);
+        match *self {
+            Self::Stuck | Self::Dead => Ok(()),
+            Self::BiasStep { size } => check_size(size),
+            Self::Spikes { size, interval_s, duration_s } => {
+                check_size(size)?;
+                check_interval(interval_s)?;
+                check_range("failure.duration_s", duration_s, 1e-9, 1e9)?;
+                if duration_s > interval_s {
+                    let rule = Rule::WordsAnd("must be at most failure.interval_s =", interval_s);
+                    return Err(Error::invalid("failure.duration_s", duration_s, rule));
+                }
+                Ok(())
+            }
+            Self::Noise { density } => check_range("failure.density", density, 0.0, limit),
+            Self::RandomDropOuts { probability } => check_range("failure.probability", probability, 0.0, 1.0),
+            Self::PeriodicDropOuts { interval_s } => check_interval(interval_s),
+        }
+    }
+
+    /// Whether a step has nothing to fear of it beside tame sensors: no more than a twentieth of what those may have.
+    pub(super) fn is_tame(&self) -> bool {
+        match *self {
+            Self::Dead | Self::RandomDropOuts { .. } | Self::PeriodicDropOuts { .. } => true,
+            Self::BiasStep { size } | Self::Spikes { size, .. } => size.abs() <= 100.0,
+            Self::Noise { density } => density <= 5.0,
+            // Of whatever there was.
+            Self::Stuck => false,
+        }
+    }
+
+    /// Whether it is added before the output electronics.
+    pub(super) fn is_added(&self) -> bool {
+        matches!(self, Self::BiasStep { .. } | Self::Spikes { .. } | Self::Noise { .. })
+    }
+}

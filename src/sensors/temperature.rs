@@ -1,0 +1,76 @@
+//! Errors that follow the temperature.
+
+use nalgebra::Vector3;
+
+use super::parameters::TriadParameters;
+
+/// With θ = T - T_ref, bias b1 θ + b2 θ² and scale factor error s1 θ + s2 θ² (thermal coefficients, IEEE Std 952 and 1293).
+///
+/// T runs straight from one sample to the next. Over an interval in which it changes by d about the mean m of θ, the mean of
+/// θ² is m² + d²/12: the integral of the bias is exact, and of the scale factor that of a constant signal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Temperature {
+    /// T_ref [°C].
+    reference_c: f64,
+    /// b1 [u/K], b2 [u/K²].
+    bias: [Vector3<f64>; 2],
+    /// s1 [1/K], s2 [1/K²].
+    scale_factor: [Vector3<f64>; 2],
+    mean: Errors,
+}
+
+/// The errors at a temperature, or their means over an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Errors {
+    /// [u]
+    bias: Vector3<f64>,
+    scale_factor: Vector3<f64>,
+}
+
+impl Errors {
+    const NONE: Self = Self { bias: Vector3::new(0.0, 0.0, 0.0), scale_factor: Vector3::new(0.0, 0.0, 0.0) };
+
+    /// Integral over `dt` [s], with the increment `felt` [u s]; of a signal [u], with 1.
+    fn integral(&self, felt: &Vector3<f64>, dt: f64) -> Vector3<f64> {
+        self.bias * dt + self.scale_factor.component_mul(felt)
+    }
+}
+
+impl Temperature {
+    pub fn new() -> Self {
+        let zero = [Vector3::zeros(); 2];
+        Self { reference_c: 0.0, bias: zero, scale_factor: zero, mean: Errors::NONE }
+    }
+
+    /// Takes parameters; whether they call for the effect.
+    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.reference_c = parameters.reference_temperature_c;
+        self.bias = [parameters.bias_temperature, parameters.bias_temperature2];
+        self.scale_factor = [parameters.scale_factor_temperature, parameters.scale_factor_temperature2];
+        parameters.depend_on_temperature()
+    }
+
+    /// Takes the temperatures [°C] at the ends of the interval to come.
+    pub fn begin_interval(&mut self, ends_c: [f64; 2]) {
+        let change = ends_c[1] - ends_c[0];
+        self.mean = self.errors(ends_c[0] + 0.5 * change, change * change / 12.0);
+    }
+
+    /// Error [u] at the temperature `temperature_c` [°C] of the signal `felt` [u].
+    pub fn steady_error(&self, temperature_c: f64, felt: &Vector3<f64>) -> Vector3<f64> {
+        self.errors(temperature_c, 0.0).integral(felt, 1.0)
+    }
+
+    /// Adds the error of the increment `felt` over `dt` [s].
+    pub fn apply(&self, felt: &Vector3<f64>, dt: f64, measured: &mut Vector3<f64>) {
+        *measured += self.mean.integral(felt, dt);
+    }
+
+    /// At the mean temperature `mean_c` [°C] with the variance `variance` [K²] about it.
+    fn errors(&self, mean_c: f64, variance: f64) -> Errors {
+        let mean = mean_c - self.reference_c;
+        let square = mean * mean + variance;
+        let at = |[first, second]: &[Vector3<f64>; 2]| first * mean + second * square;
+        Errors { bias: at(&self.bias), scale_factor: at(&self.scale_factor) }
+    }
+}

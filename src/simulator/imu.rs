@@ -1,0 +1,31 @@
+//! What is told of the signals of an interval.
+
+use crate::signal::Increment;
+
+/// Ideal and measured signals of an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImuInterval {
+    /// Time of its end [s].
+    pub time_s: f64,
+    /// Its length [s].
+    pub interval_s: f64,
+    /// What perfect sensors give.
+    pub ideal: Increment,
+    /// What the modelled sensors give.
+    pub measured: Increment,
+    /// What their built-in test reports.
+    pub flags: ImuFlags,
+}
+
+/// What the built-in test of the sensors reports of an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ImuFlags {
+    /// A gyro was beyond its range.
+    pub gyro_saturated: bool,
+    /// An accelerometer was.
+    pub accel_saturated: bool,
+    /// A gyro had no signal: dead, or dropped out.
+    pub gyro_invalid: bool,
+    /// An accelerometer had none.
+    pub accel_invalid: bool,
+}

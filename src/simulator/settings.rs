@@ -1,0 +1,78 @@
+//! What a host sets of the sensors, before the first sample or in flight.
+
+use super::{Mode, Simulator};
+use crate::error::Error;
+use crate::sensors::{
+    AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, TriadParameters,
+};
+use crate::signal::Increment;
+
+pub(super) const INCREMENTS_HAVE_NO_TEMPERATURE: &str =
+    "temperature coefficients need samples with a temperature; increments have none";
+
+impl Simulator {
+    /// Sets the gyro errors, from the next interval on.
+    pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
+        parameters.validate(Sensor::Gyro)?;
+        self.check_temperatures_for(parameters)?;
+        self.sensors.set_gyro(parameters);
+        Ok(())
+    }
+
+    /// Sets the accelerometer errors, from the next interval on.
+    pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
+        parameters.validate(Sensor::Accelerometer)?;
+        self.check_temperatures_for(parameters)?;
+        self.sensors.set_accel(parameters);
+        Ok(())
+    }
+
+    /// Sets the errors of the barometric height, from the next interval on.
+    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
+        parameters.validate()?;
+        self.sensors.set_altimeter(parameters);
+        Ok(())
+    }
+
+    /// Lets an output fail from the next interval on, in place of a failure that it has; `None` clears it. A reposition keeps
+    /// failures, a reset clears them all; the alignment at the start does not see them.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
+        if let Some(failure) = &failure {
+            failure.validate(output)?;
+        }
+        let last = self.imu().map(|imu| Increment {
+            angle: imu.measured.angle / imu.interval_s,
+            velocity: imu.measured.velocity / imu.interval_s,
+        });
+        self.sensors.set_failure(output, failure, last.as_ref());
+        Ok(())
+    }
+
+    /// Sets the errors with which the navigation starts; before the first step.
+    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) -> Result<(), Error> {
+        parameters.validate()?;
+        if !matches!(self.mode, Mode::Waiting) {
+            return Err(Error::bad_state(
+                "initial errors can be set before the first step, after a reset or after a reposition",
+            ));
+        }
+        self.sensors.initial = *parameters;
+        Ok(())
+    }
+
+    /// Refuses temperature coefficients that what is to be flown has no temperature for.
+    fn check_temperatures_for(&self, parameters: &TriadParameters) -> Result<(), Error> {
+        if !parameters.depend_on_temperature() {
+            return Ok(());
+        }
+        if let Mode::Navigating(_) = self.mode {
+            return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));
+        }
+        if !self.intake.waiting_have_temperatures() {
+            return Err(Error::bad_state(
+                "samples without a temperature wait; step, reset or reposition before temperature coefficients are set",
+            ));
+        }
+        Ok(())
+    }
+}
