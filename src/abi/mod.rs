@@ -14,6 +14,7 @@
 
 mod accuracy;
 mod boundary;
+mod budget;
 mod failure;
 mod flight;
 mod fpu;
@@ -34,6 +35,7 @@ mod solution;
 mod version;
 
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
+pub use budget::*;
 pub use failure::*;
 pub use flight::*;
 pub use initial::*;

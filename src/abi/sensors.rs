@@ -142,7 +142,7 @@ pub struct sins_altimeter_params {
 interface_struct!(sins_altimeter_params, "altimeter", 56);
 
 impl sins_gyro_params {
-    fn to_parameters(self) -> Result<TriadParameters, Failure> {
+    pub(super) fn to_parameters(self) -> Result<TriadParameters, Failure> {
         check_reserved("gyro.reserved", self.reserved)?;
         Ok(TriadParameters {
             bias: Vector3::from(self.bias_rad_s),
@@ -193,7 +193,7 @@ impl sins_gyro_params {
 }
 
 impl sins_accel_params {
-    fn to_parameters(self) -> Result<TriadParameters, Failure> {
+    pub(super) fn to_parameters(self) -> Result<TriadParameters, Failure> {
         check_reserved("accel.reserved", self.reserved)?;
         Ok(TriadParameters {
             bias: Vector3::from(self.bias_m_s2),
@@ -245,6 +245,20 @@ impl sins_accel_params {
     }
 }
 
+impl sins_altimeter_params {
+    pub(super) fn to_parameters(self) -> Result<AltimeterParameters, Failure> {
+        check_reserved("altimeter.reserved", self.reserved)?;
+        Ok(AltimeterParameters {
+            bias_m: self.bias_m,
+            markov_sigma_m: self.markov_sigma_m,
+            markov_time_s: self.markov_time_s,
+            noise_m: self.noise_m,
+            scale_factor: self.scale_factor,
+            lag_s: self.lag_s,
+        })
+    }
+}
+
 fn row_major(matrix: &Matrix3<f64>) -> [f64; 9] {
     core::array::from_fn(|index| matrix[(index / 3, index % 3)])
 }
@@ -289,15 +303,7 @@ pub unsafe extern "C" fn sins_set_altimeter(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let params = unsafe { read(params, "params")? };
-        check_reserved("altimeter.reserved", params.reserved)?;
-        simulator.set_altimeter(&AltimeterParameters {
-            bias_m: params.bias_m,
-            markov_sigma_m: params.markov_sigma_m,
-            markov_time_s: params.markov_time_s,
-            noise_m: params.noise_m,
-            scale_factor: params.scale_factor,
-            lag_s: params.lag_s,
-        })?;
+        simulator.set_altimeter(&params.to_parameters()?)?;
         Ok(SINS_OK)
     })
 }

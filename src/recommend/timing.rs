@@ -4,36 +4,41 @@ use std::time::Instant;
 
 use super::piece::heap_simulator;
 use crate::error::Error;
-use crate::simulator::Options;
+use crate::simulator::{Options, Simulator};
 use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.
 const ROUNDS: usize = 9;
 /// Steps of a round at the least.
-const STEPS: usize = 1000;
+pub(crate) const STEPS: usize = 1000;
 
 /// Time of a step of the whole chain with ideal sensors, push and step, over the first samples [ns].
 ///
 /// The one figure here that is not the same every time.
 pub fn step_time_ns(options: &Options, samples: &[FlightSample]) -> Result<f64, Error> {
     let stretch = &samples[..samples.len().min(STEPS + 1)];
-    let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
     let mut memory = heap_simulator(options)?;
     let [simulator] = &mut *memory else { return Ok(0.0) };
     let mut rounds = [0.0; ROUNDS];
     for round in &mut rounds {
-        let mut steps = 0;
-        let start = Instant::now();
-        for _ in 0..repeats {
-            simulator.reset();
-            for sample in stretch {
-                simulator.push_sample(sample)?;
-                simulator.step()?;
-            }
-            steps += simulator.intervals();
-        }
-        *round = start.elapsed().as_secs_f64() * 1e9 / steps.max(1) as f64;
+        *round = round_ns(simulator, stretch)?;
     }
     rounds.sort_unstable_by(f64::total_cmp);
     Ok(rounds[ROUNDS / 2])
+}
+
+/// Mean time of a push and step over `stretch`, flown from its start until there are [`STEPS`] of them [ns].
+pub(crate) fn round_ns(simulator: &mut Simulator, stretch: &[FlightSample]) -> Result<f64, Error> {
+    let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
+    let mut steps = 0;
+    let start = Instant::now();
+    for _ in 0..repeats {
+        simulator.reset();
+        for sample in stretch {
+            simulator.push_sample(sample)?;
+            simulator.step()?;
+        }
+        steps += simulator.intervals();
+    }
+    Ok(start.elapsed().as_secs_f64() * 1e9 / steps.max(1) as f64)
 }
