@@ -2,11 +2,14 @@
 
 use super::{Effect, ErrorParameters, Scene};
 use crate::error::Error;
-use crate::recommend::{STEPS, heap_simulator, room, round_ns};
+use crate::recommend::{heap_simulator, room, round_ns};
 use crate::simulator::{Options, Simulator};
 
 /// Rounds, of which the fastest counts.
 const ROUNDS: usize = 15;
+/// Steps of a round, where the scene has so many; a short one is flown again, but not without end.
+const STEPS: usize = 1000;
+const REPEATS: usize = 20;
 
 /// Times of a step, push and step over the first samples [ns].
 #[derive(Debug, Clone, PartialEq)]
@@ -44,10 +47,11 @@ pub fn step_costs_ns<'a>(
     }
     let mut fastest = room(simulators.len())?;
     fastest.resize(simulators.len(), f64::INFINITY);
+    let repeats = (STEPS / stretch.len().max(2)).clamp(1, REPEATS);
     for _ in 0..ROUNDS {
         for (fastest, memory) in fastest.iter_mut().zip(&mut simulators) {
             for simulator in &mut **memory {
-                *fastest = fastest.min(round_ns(simulator, &stretch)?);
+                *fastest = fastest.min(round_ns(simulator, &stretch, repeats)?);
             }
         }
     }

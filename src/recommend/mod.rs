@@ -17,5 +17,5 @@ pub(crate) use piece::{heap_simulator, room};
 pub(crate) use reference::fly_looking;
 pub use reference::{Reference, SolutionError, Track, fly, track};
 pub use requirement::Requirement;
+pub(crate) use timing::round_ns;
 pub use timing::step_time_ns;
-pub(crate) use timing::{STEPS, round_ns};

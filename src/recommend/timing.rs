@@ -10,26 +10,30 @@ use crate::truth::FlightSample;
 /// Rounds, of which the median counts.
 const ROUNDS: usize = 9;
 /// Steps of a round at the least.
-pub(crate) const STEPS: usize = 1000;
+const STEPS: usize = 1000;
 
 /// Time of a step of the whole chain with ideal sensors, push and step, over the first samples [ns].
 ///
 /// The one figure here that is not the same every time.
 pub fn step_time_ns(options: &Options, samples: &[FlightSample]) -> Result<f64, Error> {
     let stretch = &samples[..samples.len().min(STEPS + 1)];
+    let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
     let mut memory = heap_simulator(options)?;
     let [simulator] = &mut *memory else { return Ok(0.0) };
     let mut rounds = [0.0; ROUNDS];
     for round in &mut rounds {
-        *round = round_ns(simulator, stretch)?;
+        *round = round_ns(simulator, stretch, repeats)?;
     }
     rounds.sort_unstable_by(f64::total_cmp);
     Ok(rounds[ROUNDS / 2])
 }
 
-/// Mean time of a push and step over `stretch`, flown from its start until there are [`STEPS`] of them [ns].
-pub(crate) fn round_ns(simulator: &mut Simulator, stretch: &[FlightSample]) -> Result<f64, Error> {
-    let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
+/// Mean time of a push and step over `stretch`, flown so many times from its start [ns].
+pub(crate) fn round_ns(
+    simulator: &mut Simulator,
+    stretch: &[FlightSample],
+    repeats: usize,
+) -> Result<f64, Error> {
     let mut steps = 0;
     let start = Instant::now();
     for _ in 0..repeats {
