@@ -1,5 +1,5 @@
 /* Which effects matter? Ten minutes of an embedded flight with tactical sensors: what each of their errors contributes, and
- * which of them a host that tolerates 5 m may leave out. A host takes its own flight and its own sensors instead. */
+ * which of them a host that tolerates 50 m may leave out. A host takes its own flight and its own sensors instead. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,9 +47,9 @@ static sins_status ask(const sins_flight_sample *samples)
     sins_gyro_preset(SINS_GRADE_TACTICAL, &gyro);
     sins_accel_preset(SINS_GRADE_TACTICAL, &accel);
     gyro.scale_factor[2] = 150.0 * SINS_PPM;
-    accel.misalignment_rad[1] = 5.0 * SINS_ARCSEC;
+    accel.misalignment_rad[2] = 1.0 * SINS_ARCSEC;
     SINS_INIT(request);
-    request.position_m = 5.0;
+    request.position_m = 50.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* tells how large all of them are */
     status = sins_error_budget(samples, COUNT, &options, &gyro, &accel, NULL, NULL, &request, rows,

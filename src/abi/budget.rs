@@ -69,7 +69,7 @@ pub struct sins_budget_row {
     /// The largest share of a limit that the contribution takes up; 0 without limits.
     pub share: f64,
     /// Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
-    /// nothing set [ns]. Uncertain by 1 to 5 % of a step, so that it may be negative.
+    /// nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
     pub ns_per_step: f64,
 }
 

@@ -6,10 +6,10 @@ use crate::recommend::{heap_simulator, room, round_ns};
 use crate::simulator::{Options, Simulator};
 
 /// Rounds, of which the fastest counts.
-const ROUNDS: usize = 15;
+const ROUNDS: usize = 61;
 /// Steps of a round, where the scene has so many; a short one is flown again, but not without end.
-const STEPS: usize = 1000;
-const REPEATS: usize = 20;
+const STEPS: usize = 250;
+const REPEATS: usize = 5;
 
 /// Times of a step, push and step over the first samples [ns].
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +25,8 @@ pub struct Costs {
 /// Times a step with all that `parameters` set, with nothing, and without each of `effects`; in turns, so that a busy moment
 /// of the machine meets all alike.
 ///
-/// The fastest of 15 rounds of 1000 steps each; two differ by 1 to 5 % of a step where nothing differs, so that a small
-/// effect may come out negative.
+/// The fastest of 61 rounds of 250 steps each, which are shorter than a turn of the scheduler. Uncertain by 1 to 5 % of a
+/// step, more on a busy machine, so that a small effect may come out negative.
 pub fn step_costs_ns<'a>(
     options: &Options,
     scene: &Scene<'_>,

@@ -101,6 +101,29 @@ pub fn significant(value: f64) -> String {
     }
 }
 
+/// `value` [SI] with two digits in the usual unit that fits it; with four in the SI unit where none does.
+pub fn brief(value: f64, family: &Family) -> String {
+    let unit = usual(value, family);
+    match value / unit.si {
+        fitting if fitting == 0.0 || (0.01..1e6).contains(&fitting.abs()) => {
+            format!("{} {}", two_digits(fitting), unit.name)
+        }
+        _ => in_unit(value, unit),
+    }
+}
+
+/// Two significant digits, or all before the point.
+pub fn two_digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let scale = 10f64.powi(1 - value.abs().log10().floor() as i32);
+    let rounded = (value * scale).round() / scale;
+    // Again: 9.96 rounds to one digit more.
+    let decimals = (1 - rounded.abs().log10().floor() as i32).max(0) as usize;
+    format!("{rounded:.decimals$}")
+}
+
 /// A power of ten as plain digits or as 10 with an exponent.
 pub fn power_of_ten(exponent: i32) -> String {
     match exponent {
