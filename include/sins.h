@@ -936,7 +936,7 @@ typedef struct sins_budget_row {
     double share;
     /*
      * Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
-     * nothing set [ns]. Uncertain by 1 to 5 % of a step, so that it may be negative.
+     * nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
      */
     double ns_per_step;
 } sins_budget_row;

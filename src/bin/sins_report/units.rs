@@ -105,7 +105,7 @@ pub fn significant(value: f64) -> String {
 pub fn brief(value: f64, family: &Family) -> String {
     let unit = usual(value, family);
     match value / unit.si {
-        fitting if fitting == 0.0 || (0.01..1e6).contains(&fitting.abs()) => {
+        fitting if fitting == 0.0 || (1e-3..1e6).contains(&fitting.abs()) => {
             format!("{} {}", two_digits(fitting), unit.name)
         }
         _ => in_unit(value, unit),
@@ -201,6 +201,20 @@ mod tests {
             (power_of_ten(-2), power_of_ten(3), power_of_ten(-5)),
             ("0.01".into(), "1000".into(), "10⁻⁵".into())
         );
+    }
+
+    #[test]
+    fn brief_has_two_digits() {
+        for (value, family, text) in [
+            (1234.0, LENGTH, "1.2 km"),
+            (0.84, LENGTH, "840 mm"),
+            (-9.96e-6, SPEED, "-10 µm/s"),
+            (9.1e-12, SPEED, "0.0091 nm/s"),
+            (2.65e-15, ANGLE, "2.650×10⁻¹⁵ rad"),
+            (0.0, ANGLE, "0 rad"),
+        ] {
+            assert_eq!(brief(value, family), text);
+        }
     }
 
     #[test]

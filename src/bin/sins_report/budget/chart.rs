@@ -90,6 +90,7 @@ fn panel(survey: &Survey, lines: &[Line], (title, part, family): &Quantity, left
             (upright(Pen::Grid, left + at(10f64.powf(*place)), TITLE, bottom))
             text class="tick" x=((left + at(10f64.powf(*place))) * FINE) y=((bottom + 18.0) * FINE) { (tick) }
         }
+        @if limit > 0.0 { (upright(Pen::Limit, left + at(limit), TITLE, bottom)) }
         @for (k, line) in lines.iter().enumerate() {
             (bar(line, at(part(&line.worst)), left, k))
             text class="value" x=((left + at(part(&line.worst)) + 6.0) * FINE) y=(text_y(k)) {
@@ -97,7 +98,6 @@ fn panel(survey: &Survey, lines: &[Line], (title, part, family): &Quantity, left
             }
         }
         (upright(Pen::Axis, left, TITLE, bottom))
-        @if limit > 0.0 { (upright(Pen::Limit, left + at(limit), TITLE, bottom)) }
     }
 }
 
