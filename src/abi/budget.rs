@@ -139,7 +139,7 @@ interface_struct!(sins_budget, "budget", 128);
 ///
 /// But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
 /// and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-/// and more where effects do not add up; each flight takes 0.6 to 1 us a sample.
+/// and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
 /// may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,

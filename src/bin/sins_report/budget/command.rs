@@ -22,7 +22,7 @@ budget.html; SCENE.svg; budget.csv, a row for each effect; table.md, which it pr
 Of the scenes after them:
   --sensors GRADE       strategic, navigation, tactical, industrial, consumer or simulation2; unless stated simulation2 for
                         the patrol, navigation for logs
-  --hours HOURS         length of the patrol, 1 unless stated (48: ten minutes)
+  --hours HOURS         length of the patrol, 1 unless stated (48: half an hour of work)
   --runs RUNS           runs of each random effect, 8 to 1000, 16 unless stated
   --position METRES     what the effects that are left out may change together, at any time
   --velocity M_PER_S
