@@ -20,7 +20,7 @@ use sins::recommend::SolutionError;
 use sins::sensors::{Alignment, Grade, StreamKey, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
-use support::{DEG, DEG_PER_HOUR, G, options_at, resting_sample};
+use support::{DEG, DEG_PER_HOUR, G, interface_sample, options_at, resting_sample};
 
 const HOUR_S: u64 = 3600;
 const LATITUDE: f64 = 39.9 * DEG;
@@ -400,23 +400,7 @@ fn through_the_interface(
     request: &sins_budget_request,
     capacity: usize,
 ) -> (sins_status, usize, Vec<sins_budget_row>, sins_budget) {
-    let samples: Vec<sins_flight_sample> = samples
-        .iter()
-        .map(|sample| sins_flight_sample {
-            struct_size: size_of::<sins_flight_sample>() as u32,
-            flags: 0,
-            time_s: sample.time_s,
-            latitude_rad: sample.place.latitude_rad,
-            longitude_rad: sample.place.longitude_rad,
-            height_m: sample.place.height_m,
-            velocity_enu_m_s: sample.v_n.unwrap().into(),
-            roll_rad: sample.euler.roll,
-            pitch_rad: sample.euler.pitch,
-            heading_rad: sample.euler.heading,
-            angular_rate_rad_s: [0.0; 3],
-            specific_force_m_s2: [0.0; 3],
-        })
-        .collect();
+    let samples: Vec<sins_flight_sample> = samples.iter().map(interface_sample).collect();
     // SAFETY: structs of numbers; the pointers are those of locals.
     unsafe {
         let (mut options, mut budget): (sins_options, sins_budget) = std::mem::zeroed();

@@ -2,11 +2,11 @@
  * nothing. */
 
 #include <math.h>
-#include <pthread.h>
 #include <string.h>
 
 #include "check.h"
 #include "sins.h"
+#include "small_stack.h"
 
 enum { COUNT = 201, ROWS = 8 };
 
@@ -150,26 +150,13 @@ static void refusals(void)
     piece[9].time_s = 0.9;
 }
 
-static void *on_a_small_stack(void *unused)
-{
-    answers();
-    (void)unused;
-    return NULL;
-}
-
 int main(void)
 {
-    pthread_attr_t attributes;
-    pthread_t thread;
     make_scene();
     answers();
     refusals();
     answers();
-    /* The 64 KB that a call may take, and 16 for this program and its thread. */
-    CHECK(pthread_attr_init(&attributes) == 0);
-    CHECK(pthread_attr_setstacksize(&attributes, 80 * 1024) == 0);
-    CHECK(pthread_create(&thread, &attributes, on_a_small_stack, NULL) == 0);
-    CHECK(pthread_join(thread, NULL) == 0);
+    on_a_small_stack(answers);
     printf("budget: rows, refusals and limits as they should be\n");
     return 0;
 }
