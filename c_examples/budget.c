@@ -1,5 +1,5 @@
-/* Which effects matter? Ten minutes of an embedded flight with tactical sensors: what each of their errors contributes, and
- * which of them a host that tolerates 50 m may leave out. A host takes its own flight and its own sensors instead. */
+/* Which effects matter? Five minutes of an embedded flight with tactical sensors: what each of their errors contributes, and
+ * which of them a host that tolerates 10 m may leave out. A host takes its own flight and its own sensors instead. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "sins.h"
 
 #define RATE_HZ 50
-#define FLIGHT_S 600
+#define FLIGHT_S 300
 #define COUNT ((size_t)RATE_HZ * FLIGHT_S + 1)
 
 /* Turns to the left and to the right. */
@@ -24,7 +24,7 @@ static sins_status make_flight(sins_flight **flight)
     weave.kind = SINS_MANOEUVRE_S_TURN;
     weave.duration_s = FLIGHT_S;
     weave.heading_change_rad = 60.0 * SINS_DEG;
-    weave.turns = 4.0;
+    weave.turns = 2.0;
     weave.ramp_s = 10.0;
     return sins_flight_create(&start, &weave, 1, flight);
 }
@@ -49,7 +49,7 @@ static sins_status ask(const sins_flight_sample *samples)
     gyro.scale_factor[2] = 150.0 * SINS_PPM;
     accel.misalignment_rad[2] = 1.0 * SINS_ARCSEC;
     SINS_INIT(request);
-    request.position_m = 50.0;
+    request.position_m = 10.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* tells how large all of them are */
     status = sins_error_budget(samples, COUNT, &options, &gyro, &accel, NULL, NULL, &request, rows,
