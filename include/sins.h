@@ -1238,7 +1238,7 @@ SINS_API sins_status SINS_CALL sins_recommend(
     struct sins_options *options, struct sins_cost *cost);
 
 /*
- * Tells what each effect contributes to the errors of a scene, of 2 samples or more: which ones matter, and which can be left
+ * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
  * out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
  * of the rows anything. NULL for options is the recommended simulator, for gyro, accel, altimeter or initial an ideal one,
  * for request 16 runs and no limits; written and budget may be NULL.

@@ -64,7 +64,10 @@ fn the_patrol_and_a_log_have_their_budgets() {
     let table = std::fs::read_to_string(out.join("table.md")).unwrap();
     assert!(table == String::from_utf8_lossy(&output.stdout) && table.contains("can be left out"));
     for name in ["simulation2.svg", "airliner_cruise.svg", "budget.html"] {
-        assert!(std::fs::read_to_string(out.join(name)).unwrap().contains("gyro random walk"), "{name}");
+        assert!(
+            std::fs::read_to_string(out.join(name)).unwrap().contains("gyro angle random walk"),
+            "{name}"
+        );
     }
 }
 

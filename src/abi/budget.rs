@@ -10,8 +10,8 @@ use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
 use super::sensors::{sins_accel_params, sins_altimeter_params, sins_gyro_params};
 use crate::budget::{
-    Budget, BudgetRequest, BudgetRow, Costs, Effect, ErrorParameters, MIN_SAMPLES, Scene, error_budget,
-    step_costs_ns,
+    Budget, BudgetRequest, BudgetRow, Costs, Effect, ErrorParameters, MAX_SAMPLES, MIN_SAMPLES, Scene,
+    error_budget, step_costs_ns,
 };
 use crate::error::{Error, check_range};
 use crate::recommend::SolutionError;
@@ -117,7 +117,7 @@ pub struct sins_budget {
 
 interface_struct!(sins_budget, "budget", 128);
 
-/// Tells what each effect contributes to the errors of a scene, of 2 samples or more: which ones matter, and which can be left
+/// Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
 /// out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
 /// of the rows anything. NULL for options is the recommended simulator, for gyro, accel, altimeter or initial an ideal one,
 /// for request 16 runs and no limits; written and budget may be NULL.
@@ -179,7 +179,7 @@ pub unsafe extern "C" fn sins_error_budget(
         options.validate()?;
         request.validate()?;
         parameters.validate()?;
-        check_range("count", count as f64, MIN_SAMPLES as f64, f64::MAX)?;
+        check_range("count", count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         let needed = 1 + Effect::set_in(&parameters).count();

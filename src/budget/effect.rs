@@ -48,7 +48,7 @@ pub static EFFECTS: &[Effect] = effects! {
     "gyro flicker", "gyro.flicker_rad_s", RANDOM: gyro.flicker;
     "gyro rate random walk", "gyro.rate_random_walk_rad_s_sqrt_s", RANDOM: gyro.rate_random_walk;
     "gyro ramp", "gyro.rate_ramp_rad_s2", DETERMINISTIC: gyro.ramp;
-    "gyro random walk", "gyro.random_walk_rad_sqrt_s", RANDOM: gyro.random_walk;
+    "gyro angle random walk", "gyro.random_walk_rad_sqrt_s", RANDOM: gyro.random_walk;
     "gyro dead zone", "gyro.dead_zone_rad_s", DETERMINISTIC: gyro.dead_zone;
     "gyro range", "gyro.range_rad_s", DETERMINISTIC: gyro.range;
     "gyro quantization", "gyro.quantization_rad", DETERMINISTIC: gyro.quantization;
@@ -63,9 +63,9 @@ pub static EFFECTS: &[Effect] = effects! {
     "accel turn-on bias", "accel.bias_sigma_m_s2", RANDOM: accel.bias_sigma;
     "accel Gauss-Markov bias", "accel.markov_sigma_m_s2", RANDOM: accel.markov_sigma, accel.markov_time_s;
     "accel flicker", "accel.flicker_m_s2", RANDOM: accel.flicker;
-    "accel rate random walk", "accel.acceleration_random_walk_m_s2_sqrt_s", RANDOM: accel.rate_random_walk;
+    "acceleration random walk", "accel.acceleration_random_walk_m_s2_sqrt_s", RANDOM: accel.rate_random_walk;
     "accel ramp", "accel.ramp_m_s3", DETERMINISTIC: accel.ramp;
-    "accel random walk", "accel.velocity_random_walk_m_s_sqrt_s", RANDOM: accel.random_walk;
+    "accel velocity random walk", "accel.velocity_random_walk_m_s_sqrt_s", RANDOM: accel.random_walk;
     "accel dead zone", "accel.dead_zone_m_s2", DETERMINISTIC: accel.dead_zone;
     "accel range", "accel.range_m_s2", DETERMINISTIC: accel.range;
     "accel quantization", "accel.quantization_m_s", DETERMINISTIC: accel.quantization;

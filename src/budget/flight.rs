@@ -14,8 +14,8 @@ use crate::truth::FlightSample;
 
 /// Samples of a scene at the least: an interval.
 pub const MIN_SAMPLES: usize = 2;
-/// Samples of a scene at the most: more than an eleven-day flight at 1000 Hz.
-const MAX_SAMPLES: f64 = 1e9;
+/// Samples of a scene at the most: an eleven-day flight at 1000 Hz.
+pub const MAX_SAMPLES: usize = 1_000_000_000;
 /// Instants at which a flight is looked at, at the most.
 const INSTANTS: usize = 1000;
 
@@ -30,7 +30,7 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     pub(super) fn validate(&self) -> Result<(), Error> {
-        check_range("count", self.count as f64, MIN_SAMPLES as f64, MAX_SAMPLES)
+        check_range("count", self.count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)
     }
 
     pub(super) fn samples(&self) -> impl Iterator<Item = Result<FlightSample, Error>> {

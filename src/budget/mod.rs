@@ -16,7 +16,7 @@
 //! draws of an effect do not depend on what else is set, so it is what the effects do to each other, of second order.
 //!
 //! Out of N runs a 1σ is uncertain by the chi-square distribution of N degrees of freedom, at the most: three axes that
-//! vary together have N, independent ones 3 N.
+//! vary together have N, independent ones 3 N. The largest of many instants is found a little high where it does not grow.
 //!
 //! What is left out together stays below a limit if √((Σ sE)² + (k² Σ sE²)) does, the first sum over the deterministic, the
 //! second over the random effects among them, k the upper end of the 95 % interval of a 1σ. Effects join in the order of the
@@ -35,7 +35,7 @@ mod survey;
 
 pub use costs::{Costs, step_costs_ns};
 pub use effect::{EFFECTS, Effect};
-pub use flight::{MIN_SAMPLES, Scene};
+pub use flight::{MAX_SAMPLES, MIN_SAMPLES, Scene};
 pub use interval::Interval;
 pub use parameters::ErrorParameters;
 pub use request::BudgetRequest;

@@ -124,6 +124,7 @@ static void refusals(void)
     BAD_REQUEST(attitude_rad, INFINITY, "request.attitude_rad = inf");
     CHECK(refused(&good, 0, ROWS, "count = 0") == SINS_ERROR_INVALID_ARGUMENT);
     CHECK(refused(&good, 1, ROWS, "count = 1") == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(refused(&good, (size_t)-1, ROWS, "count = ") == SINS_ERROR_INVALID_ARGUMENT);
     CHECK(refused(&good, COUNT, 4, "capacity = 4: is too small; needed: 5") == SINS_ERROR_BUFFER_TOO_SMALL);
 
     altimeter.reserved = 3;

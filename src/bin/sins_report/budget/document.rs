@@ -147,6 +147,9 @@ mod tests {
         assert_eq!(lines.len(), 1 + 2 + 3);
         assert_eq!(lines[1], "| gyro bias |  | 1.2 km | 1.2 m/s | 0 rad | 30 |");
         assert_eq!(lines[2], "| gyro turn-on bias | 1σ, can be left out | 500 mm | 500 µm/s | 0 rad | 10 |");
-        assert!(tables.contains("1σ within 0.74 to 1.52") && tables.contains("change by 500 mm"), "{tables}");
+        assert!(
+            tables.contains("1σ is 0.74 to 1.52 times") && tables.contains("change by 500 mm"),
+            "{tables}"
+        );
     }
 }
