@@ -5,7 +5,7 @@ use core::ffi::c_char;
 use super::boundary::enter_without_simulator;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::initial::sins_initial_errors;
-use super::memory::{Array, Output, Struct, interface_struct, put, read};
+use super::memory::{Array, Output, interface_struct, put, read_or_default};
 use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
 use super::sensors::{sins_accel_params, sins_altimeter_params, sins_gyro_params};
@@ -165,14 +165,14 @@ pub unsafe extern "C" fn sins_error_budget(
         // SAFETY: the host's promise, of each.
         let (options, parameters, request, summary) = unsafe {
             (
-                given(options, "options", sins_options::to_options)?,
+                read_or_default(options, "options", sins_options::to_options)?,
                 ErrorParameters {
-                    gyro: given(gyro, "gyro", sins_gyro_params::to_parameters)?,
-                    accel: given(accel, "accel", sins_accel_params::to_parameters)?,
-                    altimeter: given(altimeter, "altimeter", sins_altimeter_params::to_parameters)?,
-                    initial: given(initial, "initial", sins_initial_errors::to_parameters)?,
+                    gyro: read_or_default(gyro, "gyro", sins_gyro_params::to_parameters)?,
+                    accel: read_or_default(accel, "accel", sins_accel_params::to_parameters)?,
+                    altimeter: read_or_default(altimeter, "altimeter", sins_altimeter_params::to_parameters)?,
+                    initial: read_or_default(initial, "initial", sins_initial_errors::to_parameters)?,
                 },
-                given(request, "request", sins_budget_request::to_request)?,
+                read_or_default(request, "request", sins_budget_request::to_request)?,
                 if budget.is_null() { None } else { Some(Output::new(budget, "budget")?) },
             )
         };
@@ -216,22 +216,6 @@ pub unsafe extern "C" fn sins_error_budget(
     })
 }
 
-/// What a struct of the host says; the default where it gave none.
-///
-/// # Safety
-/// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
-unsafe fn given<T: Struct, U: Default>(
-    pointer: *const T,
-    name: &'static str,
-    convert: impl FnOnce(T) -> Result<U, Failure>,
-) -> Result<U, Failure> {
-    if pointer.is_null() {
-        return Ok(U::default());
-    }
-    // SAFETY: as this function.
-    convert(unsafe { read(pointer, name)? })
-}
-
 impl sins_budget_request {
     fn to_request(self) -> Result<BudgetRequest, Failure> {
         check_reserved("request.reserved", self.reserved)?;
@@ -247,29 +231,33 @@ impl sins_budget_row {
     fn new(row: &BudgetRow, ns_per_step: f64) -> Self {
         let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
         Self {
-            struct_size: size_of::<Self>() as u32,
             flags: flag(row.effect.is_random, SINS_BUDGET_RANDOM)
                 | flag(row.can_be_left_out, SINS_BUDGET_CAN_BE_LEFT_OUT),
             effect: text(row.effect.name),
             field: text(row.effect.field),
-            position_m: row.worst.position_m,
-            velocity_m_s: row.worst.velocity_m_s,
-            attitude_rad: row.worst.attitude_rad,
-            end_position_m: row.end.position_m,
-            end_velocity_m_s: row.end.velocity_m_s,
-            end_attitude_rad: row.end.attitude_rad,
             share: row.share,
             ns_per_step,
+            ..Self::of(&row.worst, &row.end)
         }
     }
 
     /// The first row.
     fn own(budget: &Budget, request: &BudgetRequest, costs: &Costs) -> Self {
-        let (worst, end) = budget.own;
+        let (worst, end) = &budget.own;
+        Self {
+            effect: text("mechanization"),
+            share: request.share(worst),
+            ns_per_step: costs.own_ns,
+            ..Self::of(worst, end)
+        }
+    }
+
+    /// The errors alone.
+    fn of(worst: &SolutionError, end: &SolutionError) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: 0,
-            effect: text("mechanization"),
+            effect: text(""),
             field: text(""),
             position_m: worst.position_m,
             velocity_m_s: worst.velocity_m_s,
@@ -277,8 +265,8 @@ impl sins_budget_row {
             end_position_m: end.position_m,
             end_velocity_m_s: end.velocity_m_s,
             end_attitude_rad: end.attitude_rad,
-            share: request.share(&worst),
-            ns_per_step: costs.own_ns,
+            share: 0.0,
+            ns_per_step: 0.0,
         }
     }
 }
