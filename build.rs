@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 19] = [
+const SOURCES: [&str; 20] = [
     "version",
     "failure",
     "options",
@@ -30,6 +30,7 @@ const SOURCES: [&str; 19] = [
     "manoeuvre",
     "flight",
     "recommend",
+    "budget",
 ];
 
 fn main() {

@@ -328,6 +328,11 @@ typedef struct sins_flight sins_flight;
 /* The sinusoid moves heading alone [rad]. */
 #define SINS_CHANNEL_HEADING 5
 
+/* The row's figures are standard deviations (1 sigma) over the runs. */
+#define SINS_BUDGET_RANDOM 1
+/* The effect can be left out together with the others that are marked so. */
+#define SINS_BUDGET_CAN_BE_LEFT_OUT 2
+
 /* Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed. */
 typedef int32_t sins_status;
 
@@ -983,6 +988,94 @@ typedef struct sins_cost {
     uint64_t tried;
 } sins_cost;
 
+/* What a budget is asked for. A limit of 0 is none. */
+typedef struct sins_budget_request {
+    /* sizeof(sins_budget_request) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Runs of each random effect, 8 to 1000; 0: 16. */
+    uint64_t runs;
+    /* What the effects that are left out may change together at any time of the scene: position [m]. */
+    double position_m;
+    /* Velocity [m/s]. */
+    double velocity_m_s;
+    /* Misalignment [rad]. */
+    double attitude_rad;
+} sins_budget_request;
+
+/*
+ * An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
+ * set.
+ */
+typedef struct sins_budget_row {
+    /* sizeof(sins_budget_row) */
+    uint32_t struct_size;
+    /* SINS_BUDGET_... flags, or'ed. */
+    uint32_t flags;
+    /* Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization". */
+    char effect[32];
+    /* The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row. */
+    char field[48];
+    /* Length of the contribution to the position error, the largest of the scene [m]. */
+    double position_m;
+    /* Velocity [m/s]. */
+    double velocity_m_s;
+    /* Misalignment [rad]. */
+    double attitude_rad;
+    /* The same at the end of the scene: position [m]. */
+    double end_position_m;
+    /* Velocity [m/s]. */
+    double end_velocity_m_s;
+    /* Misalignment [rad]. */
+    double end_attitude_rad;
+    /* The largest share of a limit that the contribution takes up; 0 without limits. */
+    double share;
+    /*
+     * Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
+     * nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+     */
+    double ns_per_step;
+} sins_budget_row;
+
+/* A budget as a whole. */
+typedef struct sins_budget {
+    /* sizeof(sins_budget) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Time that was looked at: from the end of the first interval to that of the last [s]. */
+    double duration_s;
+    /* Runs of each random effect; 1 if there is none. */
+    uint64_t runs;
+    /* Flights that were flown. */
+    uint64_t flights;
+    /* A standard deviation lies with 95 % probability between its row's figure times this, ... */
+    double sigma_low;
+    /* ... and times this; both are 1 if nothing is random. */
+    double sigma_high;
+    /* Errors with all effects together, root mean square over the runs, the largest of the scene: position [m]. */
+    double position_m;
+    /* Velocity [m/s]. */
+    double velocity_m_s;
+    /* Misalignment [rad]. */
+    double attitude_rad;
+    /* What of that the sum of all rows does not explain: position [m]. */
+    double remainder_position_m;
+    /* Velocity [m/s]. */
+    double remainder_velocity_m_s;
+    /* Misalignment [rad]. */
+    double remainder_attitude_rad;
+    /* What the errors change by without the marked rows, flown: position [m]. */
+    double left_out_position_m;
+    /* Velocity [m/s]. */
+    double left_out_velocity_m_s;
+    /* Misalignment [rad]. */
+    double left_out_attitude_rad;
+    /* Measured here and now: what a step takes with all effects [ns]. */
+    double ns_per_step;
+} sins_budget;
+
 /* The version of the interface that the loaded library has. */
 SINS_API sins_status SINS_CALL sins_abi_version(uint32_t *version);
 
@@ -1259,6 +1352,44 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 SINS_API sins_status SINS_CALL sins_recommend(
     const struct sins_flight_sample *samples, size_t count, const struct sins_requirement *requirement,
     struct sins_options *options, struct sins_cost *cost);
+
+/*
+ * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
+ * out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
+ * of the rows anything. NULL for options is the recommended simulator, for gyro, accel, altimeter or initial an ideal one,
+ * for request 16 runs and no limits; written and budget may be NULL.
+ *
+ * An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
+ * none: each effect brings the misalignment along that it causes.) Its contribution is the error, navigation less truth, of
+ * a run with this effect alone less that of a run with nothing set: the length of the vector in position, in velocity and in
+ * misalignment, the largest of up to 1000 instants, equally spaced, and that of the last sample. Of an effect that is drawn it
+ * is the root mean square over the runs options.run, options.run + 1 and so on (SINS_BUDGET_RANDOM).
+ *
+ * rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
+ * position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
+ * the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+ *
+ * With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
+ * while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
+ * are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
+ * what that changes, left_out, is beyond a limit, the largest of them comes back.
+ *
+ * But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
+ * and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
+ * and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
+ * may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,
+ * SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
+ * pole. SINS_ERROR_DIVERGED: a solution left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread
+ * tells why, and at which sample.
+ */
+SINS_API sins_status SINS_CALL sins_error_budget(
+    const struct sins_flight_sample *samples, size_t count, const struct sins_options *options,
+    const struct sins_gyro_params *gyro, const struct sins_accel_params *accel,
+    const struct sins_altimeter_params *altimeter, const struct sins_initial_errors *initial,
+    const struct sins_budget_request *request, struct sins_budget_row *rows, size_t capacity, size_t *written,
+    struct sins_budget *budget);
 
 #ifdef __cplusplus
 }

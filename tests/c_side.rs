@@ -62,9 +62,14 @@ fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
 }
 
 #[test]
+fn a_budget_has_its_rows_and_a_refused_one_writes_nothing() {
+    run_test_program("budget");
+}
+
+#[test]
 fn examples_compile_without_a_warning_as_c99_and_as_cpp11() {
     let mut sources = harness_sources();
-    sources.extend(["minimal", "recommend"].map(|name| format!("c_examples/{name}.c")));
+    sources.extend(["minimal", "recommend", "budget"].map(|name| format!("c_examples/{name}.c")));
     for source in &sources {
         for (mut compiler, standard) in
             [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
@@ -96,6 +101,9 @@ fn the_small_examples_run() {
 
     let text = prints_as_both("recommend_example", &["c_examples/recommend.c"], &[]);
     assert!(text.contains("meets 1 m an hour") && text.contains("flown for an hour: "), "{text}");
+
+    let text = prints_as_both("budget_example", &["c_examples/budget.c"], &[]);
+    assert!(text.contains("can be left out") && text.contains("left out: "), "{text}");
 
     let folder = library_folder("cpp_host");
     let cpp_host = link(cpp_compiler(), &["-std=c++11"], &["c_examples/cpp_host.cpp"], &folder, "cpp_host");

@@ -13,7 +13,7 @@ use sins::sensors::TriadParameters;
 use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
-use support::{DEG, options_at};
+use support::{DEG, interface_sample, options_at};
 
 const CRUISE: FlightStart = FlightStart {
     latitude_rad: 40.0 * DEG,
@@ -64,24 +64,6 @@ fn asked_through_the_interface(
         cost.struct_size = size_of::<sins_cost>() as u32;
         let status = sins_recommend(samples.as_ptr(), samples.len(), &requirement, &mut options, &mut cost);
         (status, [options.scheme, options.subsamples, options.updates_per_sample], cost)
-    }
-}
-
-fn interface_sample(sample: &FlightSample) -> sins_flight_sample {
-    sins_flight_sample {
-        struct_size: size_of::<sins_flight_sample>() as u32,
-        flags: 0,
-        time_s: sample.time_s,
-        latitude_rad: sample.place.latitude_rad,
-        longitude_rad: sample.place.longitude_rad,
-        height_m: sample.place.height_m,
-        velocity_enu_m_s: sample.v_n.unwrap().into(),
-        roll_rad: sample.euler.roll,
-        pitch_rad: sample.euler.pitch,
-        heading_rad: sample.euler.heading,
-        angular_rate_rad_s: [0.0; 3],
-        specific_force_m_s2: [0.0; 3],
-        temperature_c: 0.0,
     }
 }
 

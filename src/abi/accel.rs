@@ -76,7 +76,7 @@ pub struct sins_accel_params {
 interface_struct!(sins_accel_params, "accel", 536);
 
 impl sins_accel_params {
-    fn to_parameters(self) -> Result<TriadParameters, Failure> {
+    pub(super) fn to_parameters(self) -> Result<TriadParameters, Failure> {
         check_reserved("accel.reserved", self.reserved)?;
         Ok(TriadParameters {
             bias: Vector3::from(self.bias_m_s2),

@@ -1,6 +1,6 @@
 //! `sins_altimeter_params`.
 
-use super::failure::{SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
@@ -30,6 +30,20 @@ pub struct sins_altimeter_params {
 
 interface_struct!(sins_altimeter_params, "altimeter", 56);
 
+impl sins_altimeter_params {
+    pub(super) fn to_parameters(self) -> Result<AltimeterParameters, Failure> {
+        check_reserved("altimeter.reserved", self.reserved)?;
+        Ok(AltimeterParameters {
+            bias_m: self.bias_m,
+            markov_sigma_m: self.markov_sigma_m,
+            markov_time_s: self.markov_time_s,
+            noise_m: self.noise_m,
+            scale_factor: self.scale_factor,
+            lag_s: self.lag_s,
+        })
+    }
+}
+
 /// Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
 /// on.
 ///
@@ -42,15 +56,7 @@ pub unsafe extern "C" fn sins_set_altimeter(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let params = unsafe { read(params, "params")? };
-        check_reserved("altimeter.reserved", params.reserved)?;
-        simulator.set_altimeter(&AltimeterParameters {
-            bias_m: params.bias_m,
-            markov_sigma_m: params.markov_sigma_m,
-            markov_time_s: params.markov_time_s,
-            noise_m: params.noise_m,
-            scale_factor: params.scale_factor,
-            lag_s: params.lag_s,
-        })?;
+        simulator.set_altimeter(&params.to_parameters()?)?;
         Ok(SINS_OK)
     })
 }

@@ -73,7 +73,7 @@ pub struct sins_gyro_params {
 interface_struct!(sins_gyro_params, "gyro", 512);
 
 impl sins_gyro_params {
-    fn to_parameters(self) -> Result<TriadParameters, Failure> {
+    pub(super) fn to_parameters(self) -> Result<TriadParameters, Failure> {
         check_reserved("gyro.reserved", self.reserved)?;
         Ok(TriadParameters {
             bias: Vector3::from(self.bias_rad_s),

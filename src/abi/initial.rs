@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::failure::{SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{interface_struct, read};
 use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
@@ -43,6 +43,31 @@ pub struct sins_initial_errors {
 
 interface_struct!(sins_initial_errors, "initial", 160);
 
+impl sins_initial_errors {
+    pub(super) fn to_parameters(self) -> Result<InitialErrorParameters, Failure> {
+        check_reserved("initial.reserved", self.reserved)?;
+        check_reserved("initial.reserved2", self.reserved2)?;
+        let alignment = one_of(
+            "initial.alignment",
+            self.alignment,
+            &[
+                (SINS_ALIGNMENT_GIVEN, Alignment::Given),
+                (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, Alignment::LevelAndGyrocompass),
+            ],
+            "must be a SINS_ALIGNMENT_ constant, 0 or 1",
+        )?;
+        Ok(InitialErrorParameters {
+            position_n: Vector3::from(self.position_enu_m),
+            velocity_n: Vector3::from(self.velocity_enu_m_s),
+            misalignment_n: Vector3::from(self.misalignment_enu_rad),
+            position_sigma_n: Vector3::from(self.position_sigma_enu_m),
+            velocity_sigma_n: Vector3::from(self.velocity_sigma_enu_m_s),
+            misalignment_sigma_n: Vector3::from(self.misalignment_sigma_enu_rad),
+            alignment,
+        })
+    }
+}
+
 /// Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
@@ -54,26 +79,7 @@ pub unsafe extern "C" fn sins_set_initial_errors(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let errors = unsafe { read(errors, "errors")? };
-        check_reserved("initial.reserved", errors.reserved)?;
-        check_reserved("initial.reserved2", errors.reserved2)?;
-        let alignment = one_of(
-            "initial.alignment",
-            errors.alignment,
-            &[
-                (SINS_ALIGNMENT_GIVEN, Alignment::Given),
-                (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, Alignment::LevelAndGyrocompass),
-            ],
-            "must be a SINS_ALIGNMENT_ constant, 0 or 1",
-        )?;
-        simulator.set_initial_errors(&InitialErrorParameters {
-            position_n: Vector3::from(errors.position_enu_m),
-            velocity_n: Vector3::from(errors.velocity_enu_m_s),
-            misalignment_n: Vector3::from(errors.misalignment_enu_rad),
-            position_sigma_n: Vector3::from(errors.position_sigma_enu_m),
-            velocity_sigma_n: Vector3::from(errors.velocity_sigma_enu_m_s),
-            misalignment_sigma_n: Vector3::from(errors.misalignment_sigma_enu_rad),
-            alignment,
-        })?;
+        simulator.set_initial_errors(&errors.to_parameters()?)?;
         Ok(SINS_OK)
     })
 }

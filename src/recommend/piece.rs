@@ -83,7 +83,7 @@ impl Piece {
 /// A simulator on the heap: two of them and a step are more than the stack that a call may take. A slice of one, which unlike
 /// a `Box` can be allocated without aborting.
 #[inline(never)]
-pub(super) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
+pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
     let mut memory = room(1)?;
     options.validate()?;
     memory.push(Simulator::with_valid(options));
@@ -91,7 +91,7 @@ pub(super) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Erro
 }
 
 /// Room for `count` elements, or an error.
-pub(super) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
+pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
     let mut vector = Vec::new();
     vector.try_reserve_exact(count).map_err(|_| {
         let rule = Rule::Words("no memory for them");

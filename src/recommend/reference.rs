@@ -33,6 +33,23 @@ impl SolutionError {
         }
     }
 
+    /// So many times it.
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            position_m: self.position_m * factor,
+            velocity_m_s: self.velocity_m_s * factor,
+            attitude_rad: self.attitude_rad * factor,
+        }
+    }
+
+    /// The largest share of a limit that it takes up, of those that are not 0.
+    pub fn share_of(&self, limits: &Self) -> f64 {
+        let errors = [self.position_m, self.velocity_m_s, self.attitude_rad];
+        let limits = [limits.position_m, limits.velocity_m_s, limits.attitude_rad];
+        let share = |(error, limit): (f64, f64)| if limit > 0.0 { error / limit } else { 0.0 };
+        errors.into_iter().zip(limits).map(share).fold(0.0, f64::max)
+    }
+
     /// Takes the difference of `state` from `reference` in, if it is worse.
     fn include(&mut self, state: &EarthFixedState, reference: &EarthFixedState) {
         let rotation = rotation_vector(&relative_rotation(&reference.q_eb, &state.q_eb));
@@ -61,14 +78,14 @@ impl Track {
 }
 
 /// Flies `samples` and looks at the simulator after each step, of the sample that ends it, until told to stop.
-fn fly_looking(
+pub(crate) fn fly_looking(
     simulator: &mut Simulator,
-    samples: &[FlightSample],
+    samples: impl Iterator<Item = Result<FlightSample, Error>>,
     mut look: impl FnMut(usize, &Simulator) -> Result<ControlFlow<()>, Error>,
 ) -> Result<(), Refusal> {
-    for (index, sample) in samples.iter().enumerate() {
+    for (index, sample) in samples.enumerate() {
         let mut step = || {
-            simulator.push_sample(sample)?;
+            simulator.push_sample(&sample?)?;
             Ok(match simulator.step()? {
                 Step::Done => look(index, simulator)?,
                 Step::NeedSample => ControlFlow::Continue(()),
@@ -98,7 +115,7 @@ pub fn track(
     let earth = simulator.options().earth();
     let mut states = room(instants.len())?;
     let mut instants = instants.iter().peekable();
-    fly_looking(simulator, samples, |index, simulator| {
+    fly_looking(simulator, samples.iter().copied().map(Ok), |index, simulator| {
         if instants.next_if(|&&instant| instant == index).is_some()
             && let Some(solution) = simulator.navigation()?
         {
@@ -151,7 +168,7 @@ impl Reference {
         let mut worst = SolutionError::default();
         let [simulator] = &mut *memory else { return Ok(worst) };
         let mut states = self.track.states.iter();
-        fly_looking(simulator, samples, |_, simulator| {
+        fly_looking(simulator, samples.iter().copied().map(Ok), |_, simulator| {
             if let (Some(state), Some(solution)) = (states.next(), simulator.navigation()?) {
                 worst.include(&solution.navigation.earth_fixed(&earth), state);
             }

@@ -34,7 +34,7 @@ impl Requirement {
         check_range("requirement.position_m", self.position_m, 0.0, 1e12)?;
         check_range("requirement.velocity_m_s", self.velocity_m_s, 0.0, 1e12)?;
         check_range("requirement.attitude_rad", self.attitude_rad, 0.0, 1e12)?;
-        if self.limits().iter().all(|&limit| limit == 0.0) {
+        if self.limits() == SolutionError::default() {
             let words = "position_m, velocity_m_s or attitude_rad must be greater than 0";
             return Err(Error::invalid("requirement.position_m", self.position_m, Rule::Words(words)));
         }
@@ -43,14 +43,12 @@ impl Requirement {
 
     /// The share of the requirement that an error takes up with the margin, the largest of the three; met up to 1.
     pub fn share(&self, error: &SolutionError) -> f64 {
-        let errors = [error.position_m, error.velocity_m_s, error.attitude_rad];
-        let of_limit =
-            |(error, limit): (f64, f64)| if limit > 0.0 { error * self.margin / limit } else { 0.0 };
-        errors.into_iter().zip(self.limits()).map(of_limit).fold(0.0, f64::max)
+        error.times(self.margin).share_of(&self.limits())
     }
 
-    fn limits(&self) -> [f64; 3] {
-        [self.position_m, self.velocity_m_s, self.attitude_rad]
+    fn limits(&self) -> SolutionError {
+        let Self { position_m, velocity_m_s, attitude_rad, .. } = *self;
+        SolutionError { position_m, velocity_m_s, attitude_rad }
     }
 }
 

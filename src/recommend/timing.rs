@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::piece::heap_simulator;
 use crate::error::Error;
-use crate::simulator::Options;
+use crate::simulator::{Options, Simulator};
 use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.
@@ -22,18 +22,27 @@ pub fn step_time_ns(options: &Options, samples: &[FlightSample]) -> Result<f64, 
     let [simulator] = &mut *memory else { return Ok(0.0) };
     let mut rounds = [0.0; ROUNDS];
     for round in &mut rounds {
-        let mut steps = 0;
-        let start = Instant::now();
-        for _ in 0..repeats {
-            simulator.reset();
-            for sample in stretch {
-                simulator.push_sample(sample)?;
-                simulator.step()?;
-            }
-            steps += simulator.intervals();
-        }
-        *round = start.elapsed().as_secs_f64() * 1e9 / steps.max(1) as f64;
+        *round = round_ns(simulator, stretch, repeats)?;
     }
     rounds.sort_unstable_by(f64::total_cmp);
     Ok(rounds[ROUNDS / 2])
+}
+
+/// Mean time of a push and step over `stretch`, flown so many times from its start [ns].
+pub(crate) fn round_ns(
+    simulator: &mut Simulator,
+    stretch: &[FlightSample],
+    repeats: usize,
+) -> Result<f64, Error> {
+    let mut steps = 0;
+    let start = Instant::now();
+    for _ in 0..repeats {
+        simulator.reset();
+        for sample in stretch {
+            simulator.push_sample(sample)?;
+            simulator.step()?;
+        }
+        steps += simulator.intervals();
+    }
+    Ok(start.elapsed().as_secs_f64() * 1e9 / steps.max(1) as f64)
 }

@@ -126,6 +126,30 @@ AT(sins_cost, instructions_per_step, 72);
 AT(sins_cost, ns_per_step, 80);
 AT(sins_cost, tried, 88);
 
+SIZE(sins_budget_request, 40);
+AT(sins_budget_request, reserved, 4);
+AT(sins_budget_request, runs, 8);
+AT(sins_budget_request, attitude_rad, 32);
+
+SIZE(sins_budget_row, 152);
+AT(sins_budget_row, flags, 4);
+AT(sins_budget_row, effect, 8);
+AT(sins_budget_row, field, 40);
+AT(sins_budget_row, position_m, 88);
+AT(sins_budget_row, end_position_m, 112);
+AT(sins_budget_row, share, 136);
+AT(sins_budget_row, ns_per_step, 144);
+
+SIZE(sins_budget, 128);
+AT(sins_budget, reserved, 4);
+AT(sins_budget, runs, 16);
+AT(sins_budget, flights, 24);
+AT(sins_budget, sigma_low, 32);
+AT(sins_budget, position_m, 48);
+AT(sins_budget, remainder_position_m, 72);
+AT(sins_budget, left_out_attitude_rad, 112);
+AT(sins_budget, ns_per_step, 120);
+
 SIZE(sins_manoeuvre, 240);
 AT(sins_manoeuvre, kind, 8);
 AT(sins_manoeuvre, duration_s, 16);

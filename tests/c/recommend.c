@@ -3,11 +3,11 @@
 
 #include <limits.h>
 #include <math.h>
-#include <pthread.h>
 #include <string.h>
 
 #include "check.h"
 #include "sins.h"
+#include "small_stack.h"
 
 enum { COUNT = 501 };
 
@@ -164,25 +164,12 @@ static void refusals(void)
     CHECK(refused(samples, 2, good, options, "cosine of") == SINS_ERROR_SINGULAR);
 }
 
-static void *on_a_small_stack(void *unused)
-{
-    answers();
-    (void)unused;
-    return NULL;
-}
-
 int main(void)
 {
-    pthread_attr_t attributes;
-    pthread_t thread;
     make_piece();
     answers();
     refusals();
-    /* The 64 KB that a call may take, and 16 for this program and its thread. */
-    CHECK(pthread_attr_init(&attributes) == 0);
-    CHECK(pthread_attr_setstacksize(&attributes, 80 * 1024) == 0);
-    CHECK(pthread_create(&thread, &attributes, on_a_small_stack, NULL) == 0);
-    CHECK(pthread_join(thread, NULL) == 0);
+    on_a_small_stack(answers);
     printf("recommend: kept, replaced, refused as it should be\n");
     return 0;
 }

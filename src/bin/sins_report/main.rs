@@ -4,23 +4,28 @@
 //! figure. The data flow is `run`, `summary` → `series`, `spectrum` → `axis`, `plot` → `figures` → `page`.
 //!
 //! `allan` is a command of its own: it plots the Allan deviation of an IMU log and fits the noises that explain it.
+//! `budget` is a command of its own: it flies each effect of the sensors alone and draws which ones matter.
 //! `curve` is a command of its own: it flies and times the mechanization and draws what accuracy costs.
 #![allow(clippy::disallowed_methods, reason = "a plot needs no bits that are the same on every platform")]
 #![forbid(unsafe_code)]
 
 mod allan;
 mod axis;
+mod budget;
 mod comparison;
 mod curve;
 mod errors;
 mod failure;
 mod figures;
+mod flight_log;
 mod lines;
 mod overview;
 mod page;
+mod parallel;
 mod pen;
 mod picture;
 mod plot;
+mod rows;
 mod run;
 mod series;
 mod spectrum;
@@ -39,6 +44,7 @@ use run::Run;
 const USAGE: &str = "\
 Usage: sins_report RUN.csv [RUN.csv ...] -o REPORT.html [--picture PICTURE.svg]
        sins_report allan LOG.csv -o OUT.svg [...]: noises of an IMU log; sins_report allan --help
+       sins_report budget -o DIR [...]: which effects matter; sins_report budget --help
        sins_report curve -o DIR [...]: what accuracy costs; sins_report curve --help
 
 Plots recorded runs into one HTML file. RUN_summary.csv has to lie beside each RUN.csv; an argument that ends in
@@ -59,6 +65,9 @@ fn main() -> ExitCode {
     let mut arguments = std::env::args_os().skip(1).peekable();
     if arguments.next_if(|first| first == "allan").is_some() {
         return of_its_own("allan", allan::USAGE, allan::order(arguments), allan::run);
+    }
+    if arguments.next_if(|first| first == "budget").is_some() {
+        return of_its_own("budget", budget::USAGE, budget::order(arguments), budget::run);
     }
     if arguments.next_if(|first| first == "curve").is_some() {
         return of_its_own("curve", curve::USAGE, curve::order(arguments), curve::run);

@@ -50,10 +50,17 @@ pub enum Pen {
     Band,
     /// What one term alone would make.
     Asymptote,
+    /// Bars: of a random effect, of a deterministic one, of the mechanization, of all together.
+    Random,
+    Deterministic,
+    Own,
+    Together,
+    /// What may be left out.
+    Limit,
 }
 
 impl Pen {
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 36] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -85,6 +92,11 @@ impl Pen {
         Self::Floor,
         Self::Band,
         Self::Asymptote,
+        Self::Random,
+        Self::Deterministic,
+        Self::Own,
+        Self::Together,
+        Self::Limit,
     ];
 
     /// Its class in the style sheet.
@@ -121,6 +133,11 @@ impl Pen {
             Self::Floor => "floor",
             Self::Band => "band",
             Self::Asymptote => "asymptote",
+            Self::Random => "random",
+            Self::Deterministic => "deterministic",
+            Self::Own => "own",
+            Self::Together => "together",
+            Self::Limit => "limit",
         }
     }
 

@@ -101,6 +101,29 @@ pub fn significant(value: f64) -> String {
     }
 }
 
+/// `value` [SI] with two digits in the usual unit that fits it; with four in the SI unit where none does.
+pub fn brief(value: f64, family: &Family) -> String {
+    let unit = usual(value, family);
+    match value / unit.si {
+        fitting if fitting == 0.0 || (1e-3..1e6).contains(&fitting.abs()) => {
+            format!("{} {}", two_digits(fitting), unit.name)
+        }
+        _ => in_unit(value, unit),
+    }
+}
+
+/// Two significant digits, or all before the point.
+pub fn two_digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let scale = 10f64.powi(1 - value.abs().log10().floor() as i32);
+    let rounded = (value * scale).round() / scale;
+    // Again: 9.96 rounds to one digit more.
+    let decimals = (1 - rounded.abs().log10().floor() as i32).max(0) as usize;
+    format!("{rounded:.decimals$}")
+}
+
 /// A power of ten as plain digits or as 10 with an exponent.
 pub fn power_of_ten(exponent: i32) -> String {
     match exponent {
@@ -178,6 +201,20 @@ mod tests {
             (power_of_ten(-2), power_of_ten(3), power_of_ten(-5)),
             ("0.01".into(), "1000".into(), "10⁻⁵".into())
         );
+    }
+
+    #[test]
+    fn brief_has_two_digits() {
+        for (value, family, text) in [
+            (1234.0, LENGTH, "1.2 km"),
+            (0.84, LENGTH, "840 mm"),
+            (-9.96e-6, SPEED, "-10 µm/s"),
+            (9.1e-12, SPEED, "0.0091 nm/s"),
+            (2.65e-15, ANGLE, "2.650×10⁻¹⁵ rad"),
+            (0.0, ANGLE, "0 rad"),
+        ] {
+            assert_eq!(brief(value, family), text);
+        }
     }
 
     #[test]

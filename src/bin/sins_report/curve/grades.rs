@@ -4,8 +4,8 @@ use sins::recommend::{Refusal, Track};
 use sins::sensors::{self, StreamKey, TriadParameters};
 use sins::{Options, Simulator};
 
-use super::matrix::in_parallel;
 use super::scene::{Rate, Scene};
+use crate::parallel::in_parallel;
 
 /// At which rate the sensors are flown [Hz]: the one nearest to it.
 const RATE_HZ: f64 = 100.0;

@@ -1,11 +1,10 @@
 //! The surveys as CSV.
 
-use csv::Writer;
-
 use super::front::beaten_by;
 use super::instructions::Instructions;
 use super::survey::{Point, Survey};
 use crate::failure::Failure;
+use crate::rows::text;
 
 const COLUMNS: [&str; 15] = [
     "scene",
@@ -103,15 +102,4 @@ pub fn scenes(surveys: &[Survey]) -> Result<String, Failure> {
         rows.push(row);
     }
     text(&rows)
-}
-
-fn text(rows: &[Vec<String>]) -> Result<String, Failure> {
-    let failure =
-        |error: &dyn std::fmt::Display| Failure::new(format!("the table could not be written: {error}"));
-    let mut writer = Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).map_err(|error| failure(&error))?;
-    }
-    let bytes = writer.into_inner().map_err(|error| failure(&error))?;
-    String::from_utf8(bytes).map_err(|error| failure(&error))
 }

@@ -2,7 +2,7 @@
 
 use super::front::cheapest;
 use super::survey::Survey;
-use crate::units::{self, in_unit, usual};
+use crate::units::{self, brief, two_digits};
 
 /// Accuracies asked for, for an hour [m].
 const ACCURACIES_M: [(&str, f64); 4] = [("100 m", 100.0), ("1 m", 1.0), ("1 cm", 0.01), ("1 mm", 0.001)];
@@ -47,21 +47,7 @@ pub fn short(value: f64) -> String {
 
 /// A length with two digits.
 pub fn rounded(length_m: f64) -> String {
-    let unit = usual(length_m, units::LENGTH);
-    let digits = two_digits(length_m / unit.si);
-    if digits.is_empty() { in_unit(length_m, unit) } else { format!("{digits} {}", unit.name) }
-}
-
-/// Two significant digits, or all before the point.
-pub fn two_digits(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return value.to_string();
-    }
-    let scale = 10f64.powi(1 - value.abs().log10().floor() as i32);
-    let rounded = (value * scale).round() / scale;
-    // Again: 9.96 rounds to one digit more.
-    let decimals = (1 - rounded.abs().log10().floor() as i32).max(0) as usize;
-    format!("{rounded:.decimals$}")
+    brief(length_m, units::LENGTH)
 }
 
 #[cfg(test)]

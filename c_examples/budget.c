@@ -1,0 +1,100 @@
+/* Which effects matter? Five minutes of an embedded flight with tactical sensors: what each of their errors contributes, and
+ * which of them a host that tolerates 10 m may leave out. A host takes its own flight and its own sensors instead. */
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "sins.h"
+
+#define RATE_HZ 50
+#define FLIGHT_S 300
+#define COUNT ((size_t)RATE_HZ * FLIGHT_S + 1)
+
+/* Turns to the left and to the right. */
+static sins_status make_flight(sins_flight **flight)
+{
+    sins_flight_start start;
+    sins_manoeuvre weave;
+
+    SINS_INIT(start);
+    SINS_INIT(weave);
+    start.latitude_rad = 47.0 * SINS_DEG;
+    start.height_m = 3000.0;
+    start.speed_m_s = 120.0;
+    weave.kind = SINS_MANOEUVRE_S_TURN;
+    weave.duration_s = FLIGHT_S;
+    weave.heading_change_rad = 60.0 * SINS_DEG;
+    weave.turns = 2.0;
+    weave.ramp_s = 10.0;
+    return sins_flight_create(&start, &weave, 1, flight);
+}
+
+static sins_status ask(const sins_flight_sample *samples)
+{
+    sins_options options;
+    sins_gyro_params gyro;
+    sins_accel_params accel;
+    sins_budget_request request;
+    sins_budget_row rows[16];
+    sins_budget budget;
+    size_t count = 0, k;
+    sins_status status;
+
+    SINS_INIT(options); /* as the host flies: here the recommended simulator, at 50 Hz */
+    options.sample_period_s = 1.0 / RATE_HZ;
+    SINS_INIT(gyro);
+    SINS_INIT(accel);
+    sins_gyro_preset(SINS_GRADE_TACTICAL, &gyro);
+    sins_accel_preset(SINS_GRADE_TACTICAL, &accel);
+    gyro.scale_factor[2] = 150.0 * SINS_PPM;
+    accel.misalignment_rad[2] = 1.0 * SINS_ARCSEC;
+    SINS_INIT(request);
+    request.position_m = 10.0;
+    SINS_INIT(budget);
+    SINS_INIT(rows[0]); /* tells how large all of them are */
+    status = sins_error_budget(samples, COUNT, &options, &gyro, &accel, NULL, NULL, &request, rows,
+                               sizeof rows / sizeof rows[0], &count, &budget);
+    if (status != SINS_OK) {
+        return status;
+    }
+    printf("%-28s %12s %12s %12s\n", "", "m", "m/s", "rad");
+    for (k = 0; k < count; k++) {
+        printf("%-28s %12.3g %12.3g %12.3g%s%s\n", rows[k].effect, rows[k].position_m, rows[k].velocity_m_s,
+               rows[k].attitude_rad, rows[k].flags & SINS_BUDGET_RANDOM ? " 1 sigma" : "",
+               rows[k].flags & SINS_BUDGET_CAN_BE_LEFT_OUT ? ", can be left out" : "");
+    }
+    printf("%-28s %12.3g %12.3g %12.3g\n", "all together", budget.position_m, budget.velocity_m_s,
+           budget.attitude_rad);
+    printf("%-28s %12.3g %12.3g %12.3g\n", "not their sum", budget.remainder_position_m,
+           budget.remainder_velocity_m_s, budget.remainder_attitude_rad);
+    printf("left out: %.3g m of %.3g m; %d runs, the true 1 sigma is %.2f to %.2f times that\n", budget.left_out_position_m,
+           request.position_m, (int)budget.runs, budget.sigma_low, budget.sigma_high);
+    for (k = 0; k < count; k++) {
+        fprintf(stderr, "%-28s %6.0f ns a step\n", rows[k].effect, rows[k].ns_per_step);
+    }
+    return status;
+}
+
+int main(void)
+{
+    sins_flight *flight = NULL;
+    sins_flight_sample *samples = (sins_flight_sample *)malloc(COUNT * sizeof *samples);
+    sins_status status = samples ? make_flight(&flight) : SINS_ERROR_OUT_OF_MEMORY;
+    size_t k;
+
+    for (k = 0; status == SINS_OK && k < COUNT; k++) {
+        SINS_INIT(samples[k]);
+        status = sins_flight_sample_at(flight, (double)k / RATE_HZ, &samples[k]);
+    }
+    if (status == SINS_OK) {
+        status = ask(samples);
+    }
+    if (status < 0) {
+        char sentence[512] = "";
+        sins_last_error(NULL, sentence, sizeof sentence, NULL);
+        fprintf(stderr, "budget: %s\n", sentence);
+    }
+    sins_flight_destroy(flight);
+    free(samples);
+    return status == SINS_OK ? 0 : 1;
+}

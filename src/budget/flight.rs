@@ -1,0 +1,142 @@
+//! One flight of a scene, and its errors on the way.
+
+use core::ops::ControlFlow;
+
+use nalgebra::{SVector, Vector3};
+
+use super::ErrorParameters;
+use crate::error::{Error, check_range};
+use crate::math::{relative_rotation, rotation_quaternion, rotation_vector};
+use crate::recommend::{Refusal, fly_looking, heap_simulator, room};
+use crate::sensors::StreamKey;
+use crate::simulator::{ErrorSource, Options};
+use crate::truth::FlightSample;
+
+/// Samples of a scene at the least: an interval.
+pub const MIN_SAMPLES: usize = 2;
+/// Samples of a scene at the most: an eleven-day flight at 1000 Hz.
+pub const MAX_SAMPLES: usize = 1_000_000_000;
+/// Instants at which a flight is looked at, at the most.
+const INSTANTS: usize = 1000;
+
+/// Samples that are fetched as they are flown: a long scene need not lie in memory.
+#[derive(Clone, Copy)]
+pub struct Scene<'a> {
+    /// How many.
+    pub count: usize,
+    /// The sample of an index, the same each time it is asked for.
+    pub sample: &'a dyn Fn(usize) -> Result<FlightSample, Error>,
+}
+
+impl Scene<'_> {
+    pub(super) fn validate(&self) -> Result<(), Error> {
+        check_range("count", self.count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)
+    }
+
+    pub(super) fn samples(&self) -> impl Iterator<Item = Result<FlightSample, Error>> {
+        (0..self.count).map(self.sample)
+    }
+
+    /// Number of instants.
+    pub(super) fn instants(&self) -> usize {
+        INSTANTS.min(self.count - 1)
+    }
+
+    /// The sample at which instant `k` is: equally spaced from the end of the first interval to that of the last.
+    fn instant(&self, k: usize) -> usize {
+        match self.instants() {
+            1 => 1,
+            instants => 1 + (k as u64 * (self.count as u64 - 2) / (instants as u64 - 1)) as usize,
+        }
+    }
+}
+
+/// Position [m], velocity [m/s] and misalignment [rad], or differences of them.
+pub(super) type Deviation = SVector<f64, 9>;
+
+/// `errors` - `from`; of the misalignments the rotation vector between the two attitudes, which no half turn makes jump.
+pub(super) fn difference(errors: &Deviation, from: &Deviation) -> Deviation {
+    let attitude =
+        |errors: &Deviation| rotation_quaternion(&errors.fixed_rows::<3>(MISALIGNMENT).into_owned());
+    let mut difference = errors - from;
+    let rotation = rotation_vector(&relative_rotation(&attitude(from), &attitude(errors)));
+    difference.fixed_rows_mut::<3>(MISALIGNMENT).copy_from(&rotation);
+    difference
+}
+
+/// Where the misalignment begins.
+const MISALIGNMENT: usize = 6;
+
+/// The errors of a flight, navigation minus truth, at the instants of its scene.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Track {
+    /// Time from the first instant to the last [s].
+    pub span_s: f64,
+    pub errors: Vec<Deviation>,
+}
+
+/// Flies `scene` with `parameters`, the draws those of run number `run` after that of `options`.
+pub(super) fn fly(
+    options: &Options,
+    scene: &Scene<'_>,
+    parameters: &ErrorParameters,
+    run: u64,
+) -> Result<Track, Refusal> {
+    let key = StreamKey { run: options.key.run.wrapping_add(run), ..options.key };
+    let mut memory = heap_simulator(&Options { key, error_model: false, ..*options })?;
+    let instants = scene.instants();
+    let mut track = Track { span_s: 0.0, errors: room(instants)? };
+    let [simulator] = &mut *memory else { return Ok(track) };
+    parameters.set_to(simulator)?;
+    let mut start_s = None;
+    fly_looking(simulator, scene.samples(), |index, simulator| {
+        if track.errors.len() < instants
+            && index == scene.instant(track.errors.len())
+            && let Some((time_s, errors)) = simulator.errors(ErrorSource::Navigation)?
+        {
+            track.span_s = time_s - *start_s.get_or_insert(time_s);
+            let mut deviation = Deviation::zeros();
+            let parts: [Vector3<f64>; 3] = [errors.position_n, errors.velocity_n, errors.misalignment_n];
+            for (part, row) in parts.iter().zip([0, 3, MISALIGNMENT]) {
+                deviation.fixed_rows_mut::<3>(row).copy_from(part);
+            }
+            track.errors.push(deviation);
+        }
+        Ok(ControlFlow::Continue(()))
+    })?;
+    Ok(track)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turns of 3.1 and -3.1 rad about an axis are 0.083 rad apart, and small ones as far as their vectors.
+    #[test]
+    fn attitudes_differ_by_the_rotation_between_them() {
+        let about = |angle: f64| {
+            let mut deviation = Deviation::zeros();
+            (deviation[0], deviation[7]) = (5.0 * angle, angle);
+            deviation
+        };
+        let far = difference(&about(3.1), &about(-3.1));
+        assert_eq!(far[0], 31.0);
+        assert!((far[7] - (6.2 - core::f64::consts::TAU)).abs() < 1e-15, "{far}");
+        let near = difference(&about(3e-9), &about(1e-9));
+        assert!((near[7] - 2e-9).abs() < 1e-24, "{near}");
+    }
+
+    #[test]
+    fn instants_are_every_sample_or_equally_spaced() {
+        let sample = |_| Err(Error::bad_state("not flown"));
+        for count in [2, 3, 17, 1000, 1001, 1002, 5000, 17_280_001] {
+            let scene = Scene { count, sample: &sample };
+            let all: Vec<usize> = (0..scene.instants()).map(|k| scene.instant(k)).collect();
+            assert_eq!((all[0], all[all.len() - 1]), (1, count - 1), "{count}");
+            assert!(all.windows(2).all(|pair| pair[0] < pair[1]), "{count}");
+            let steps = all.windows(2).map(|pair| pair[1] - pair[0]);
+            let (least, most) = (steps.clone().min().unwrap_or(1), steps.max().unwrap_or(1));
+            assert!(most - least <= 1, "{count}");
+        }
+    }
+}

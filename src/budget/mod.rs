@@ -1,0 +1,42 @@
+//! The error budget: what each effect contributes to the errors of a scene, what their sum leaves unexplained, and which of
+//! them can be left out.
+//!
+//! With e the errors of a run (navigation minus truth: position, velocity and misalignment, each a vector over time), e0
+//! those of the same run with nothing set, and eE those with the effect E alone,
+//!
+//! ```text
+//! contribution   dE(t) = eE(t) - e0(t)
+//! deterministic  sE(t) = |dE(t)|
+//! random         sE(t) = √(mean over N runs of |dE(t)|²)          1σ, as the mean of dE is 0 to first order
+//! remainder      r(t)  = e(t) - e0(t) - Σ dE(t)                   e: all together, with the same draws in the same run
+//! ```
+//!
+//! A difference of misalignments is the rotation vector between the two attitudes, to first order that of the vectors.
+//! Each is told as its largest value over the scene's instants and as that at its end. The remainder is no statistics: the
+//! draws of an effect do not depend on what else is set, so it is what the effects do to each other, of second order.
+//!
+//! Out of N runs a 1σ is uncertain by the chi-square distribution of N degrees of freedom, at the most: three axes that
+//! vary together have N, independent ones 3 N. The largest of many instants is found a little high where it does not grow.
+//!
+//! What is left out together stays below a limit if √((Σ sE)² + (k² Σ sE²)) does, the first sum over the deterministic, the
+//! second over the random effects among them, k the upper end of the 95 % interval of a 1σ. Effects join in the order of the
+//! shares of the limits that they take up, smallest first. Then all is flown again without them; if what that changes is
+//! beyond a limit (effects that do not add up: dead zones, ranges, quantization), the largest comes back.
+
+mod contribution;
+mod costs;
+mod effect;
+mod flight;
+mod interval;
+mod parameters;
+mod request;
+mod selection;
+mod survey;
+
+pub use costs::{Costs, step_costs_ns};
+pub use effect::{EFFECTS, Effect};
+pub use flight::{MAX_SAMPLES, MIN_SAMPLES, Scene};
+pub use interval::Interval;
+pub use parameters::ErrorParameters;
+pub use request::BudgetRequest;
+pub use survey::{Budget, BudgetRow, error_budget};

@@ -1,0 +1,66 @@
+//! What a budget is asked for.
+
+use crate::error::{Error, check_range};
+use crate::recommend::SolutionError;
+
+/// How many runs, and how much may be left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BudgetRequest {
+    /// Runs of each random effect, [`Self::RUNS`] at the least and the most.
+    pub runs: u64,
+    /// What may be left out together, at any time of the scene; each 0 if it is not asked about.
+    pub limits: SolutionError,
+}
+
+impl Default for BudgetRequest {
+    fn default() -> Self {
+        Self { runs: 16, limits: SolutionError::default() }
+    }
+}
+
+impl BudgetRequest {
+    /// Fewest runs, below which a 1σ says little, and most.
+    pub const RUNS: (u64, u64) = (8, 1000);
+
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_range("request.runs", self.runs as f64, Self::RUNS.0 as f64, Self::RUNS.1 as f64)?;
+        check_range("request.position_m", self.limits.position_m, 0.0, 1e12)?;
+        check_range("request.velocity_m_s", self.limits.velocity_m_s, 0.0, 1e12)?;
+        check_range("request.attitude_rad", self.limits.attitude_rad, 0.0, 1e12)
+    }
+
+    /// Whether there is a limit.
+    pub fn has_limits(&self) -> bool {
+        self.limits != SolutionError::default()
+    }
+
+    /// The largest share of a limit that `error` takes up; 0 without limits.
+    pub fn share(&self, error: &SolutionError) -> f64 {
+        error.share_of(&self.limits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bad_field_is_named() {
+        let good = BudgetRequest::default();
+        assert_eq!(good.validate(), Ok(()));
+        let limits = |position_m, velocity_m_s, attitude_rad| BudgetRequest {
+            limits: SolutionError { position_m, velocity_m_s, attitude_rad },
+            ..good
+        };
+        for (bad, field) in [
+            (BudgetRequest { runs: 7, ..good }, "request.runs"),
+            (BudgetRequest { runs: 1001, ..good }, "request.runs"),
+            (limits(-1.0, 0.0, 0.0), "request.position_m"),
+            (limits(0.0, f64::NAN, 0.0), "request.velocity_m_s"),
+            (limits(0.0, 0.0, f64::INFINITY), "request.attitude_rad"),
+        ] {
+            assert_eq!(bad.validate().unwrap_err().field, field);
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Which effects can be left out.
+
+use super::BudgetRequest;
+use crate::recommend::SolutionError;
+
+/// What is left out so far: deterministic contributions add up by their sizes, random ones by their squares.
+#[derive(Debug, Clone, Copy, Default)]
+struct Together {
+    sums: [f64; 3],
+    squares: [f64; 3],
+}
+
+impl Together {
+    fn with(&self, worst: &SolutionError, is_random: bool, high: f64) -> Self {
+        let mut together = *self;
+        for (k, size) in [worst.position_m, worst.velocity_m_s, worst.attitude_rad].into_iter().enumerate() {
+            if is_random {
+                together.squares[k] += (high * size) * (high * size);
+            } else {
+                together.sums[k] += size;
+            }
+        }
+        together
+    }
+
+    fn size(&self) -> SolutionError {
+        let root = |k: usize| (self.sums[k] * self.sums[k] + self.squares[k]).sqrt();
+        SolutionError { position_m: root(0), velocity_m_s: root(1), attitude_rad: root(2) }
+    }
+}
+
+/// Whether each contribution (its worst, and whether it is random), sorted with the largest share of a limit first, can be
+/// left out: from the last on, those that still fit. `high` is the factor by which a 1σ may be larger than it was found.
+pub(super) fn left_out(
+    contributions: &[(SolutionError, bool)],
+    request: &BudgetRequest,
+    high: f64,
+    marks: &mut [bool],
+) {
+    let mut together = Together::default();
+    for ((worst, is_random), mark) in contributions.iter().zip(marks).rev() {
+        let more = together.with(worst, *is_random, high);
+        *mark = request.has_limits() && request.share(&more.size()) <= 1.0;
+        if *mark {
+            together = more;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn marks(contributions: &[(f64, f64, bool)], limits: (f64, f64)) -> Vec<bool> {
+        let error = |position_m, velocity_m_s| SolutionError { position_m, velocity_m_s, attitude_rad: 9e9 };
+        let limits = SolutionError { attitude_rad: 0.0, ..error(limits.0, limits.1) };
+        let request = BudgetRequest { limits, ..Default::default() };
+        let sorted: Vec<_> = contributions.iter().map(|&(p, v, random)| (error(p, v), random)).collect();
+        let mut marks = vec![true; sorted.len()];
+        left_out(&sorted, &request, 2.0, &mut marks);
+        marks
+    }
+
+    #[test]
+    fn sizes_add_and_random_ones_add_their_squares() {
+        let (steady, random) = (false, true);
+        assert_eq!(marks(&[(5.0, 0.0, steady), (3.0, 0.0, steady)], (7.9, 0.0)), [false, true]);
+        assert_eq!(marks(&[(5.0, 0.0, steady), (3.0, 0.0, steady)], (8.0, 0.0)), [true, true]);
+        // √(6² + 8²), each twice as large as it was found.
+        assert_eq!(marks(&[(4.0, 0.0, random), (3.0, 0.0, random)], (10.0, 0.0)), [true, true]);
+        assert_eq!(marks(&[(4.0, 0.0, random), (3.0, 0.0, random)], (9.99, 0.0)), [false, true]);
+        assert_eq!(marks(&[(4.0, 0.0, steady), (1.5, 0.0, random)], (5.0, 0.0)), [true, true]);
+        assert_eq!(marks(&[(4.0, 0.0, steady), (1.5, 0.0, random)], (4.99, 0.0)), [false, true]);
+    }
+
+    #[test]
+    fn each_limit_is_kept_and_none_leaves_all_in() {
+        // The second does not fit, the first, which has another quantity, does.
+        assert_eq!(
+            marks(&[(0.0, 1.0, false), (6.0, 0.0, false), (5.0, 0.0, false)], (10.0, 1.0)),
+            [true, false, true]
+        );
+        assert_eq!(marks(&[(0.0, 0.0, false)], (0.0, 0.0)), [false]);
+    }
+}

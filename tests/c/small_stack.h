@@ -1,0 +1,26 @@
+/* Runs a test on the stack that a call may take: 64 KB, and 16 for this program and its thread. */
+
+#ifndef SMALL_STACK_H
+#define SMALL_STACK_H
+
+#include <pthread.h>
+
+#include "check.h"
+
+static void *small_stack_body(void *test)
+{
+    (*(void (**)(void))test)();
+    return NULL;
+}
+
+static void on_a_small_stack(void (*test)(void))
+{
+    pthread_attr_t attributes;
+    pthread_t thread;
+    CHECK(pthread_attr_init(&attributes) == 0);
+    CHECK(pthread_attr_setstacksize(&attributes, 80 * 1024) == 0);
+    CHECK(pthread_create(&thread, &attributes, small_stack_body, &test) == 0);
+    CHECK(pthread_join(thread, NULL) == 0);
+}
+
+#endif
