@@ -27,9 +27,15 @@ impl Effect {
     /// Number of effects.
     pub const COUNT: usize = 15;
 
-    /// Whether it acts before the errors of what is felt.
+    /// Whether it changes what is felt.
     fn is_before_felt(self) -> bool {
         matches!(self, Self::LeverArms | Self::Bandwidth)
+    }
+
+    /// Whether it is an error of what is felt, or changes that.
+    fn is_on_signal(self) -> bool {
+        self.is_before_felt()
+            || matches!(self, Self::Linear | Self::Asymmetry | Self::Quadratic | Self::GSensitivity)
     }
 }
 
@@ -37,14 +43,16 @@ impl Effect {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plan {
     effects: [Effect; Effect::COUNT],
-    /// Of these the first so many change what is felt.
+    /// Of these the first so many change what is felt, and so many more are errors of that.
     before_felt: u8,
+    on_signal: u8,
     count: u8,
 }
 
 impl Plan {
     /// Nothing.
-    pub const IDEAL: Self = Self { effects: [Effect::Bias; Effect::COUNT], before_felt: 0, count: 0 };
+    pub const IDEAL: Self =
+        Self { effects: [Effect::Bias; Effect::COUNT], before_felt: 0, on_signal: 0, count: 0 };
 
     /// The effects, in order, that are called for.
     pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
@@ -53,6 +61,7 @@ impl Plan {
             plan.effects[usize::from(plan.count)] = effect;
             plan.count += 1;
             plan.before_felt += u8::from(effect.is_before_felt());
+            plan.on_signal += u8::from(effect.is_on_signal());
         }
         plan
     }
@@ -62,16 +71,28 @@ impl Plan {
         self.count == 0
     }
 
+    /// Whether an effect asks what is felt.
+    #[inline]
+    pub fn acts_on_signal(&self) -> bool {
+        self.on_signal > 0
+    }
+
     /// The steps that change what is felt.
     #[inline]
     pub fn before_felt(&self) -> Range<usize> {
         0..usize::from(self.before_felt)
     }
 
+    /// The steps that make errors of it.
+    #[inline]
+    pub fn of_felt(&self) -> Range<usize> {
+        usize::from(self.before_felt)..usize::from(self.on_signal)
+    }
+
     /// The steps after those.
     #[inline]
-    pub fn after_felt(&self) -> Range<usize> {
-        usize::from(self.before_felt)..usize::from(self.count)
+    pub fn after_signal(&self) -> Range<usize> {
+        usize::from(self.on_signal)..usize::from(self.count)
     }
 
     /// What is done at a step.
@@ -105,14 +126,12 @@ mod tests {
             Effect::Quantization,
         ];
         let plan = Plan::new(&all.map(|effect| (effect, true)));
-        assert_eq!(
-            plan.before_felt().chain(plan.after_felt()).map(|i| plan.effect(i)).collect::<Vec<_>>(),
-            all
-        );
-        assert_eq!(plan.before_felt(), 0..2);
+        let steps = plan.before_felt().chain(plan.of_felt()).chain(plan.after_signal());
+        assert_eq!(steps.map(|i| plan.effect(i)).collect::<Vec<_>>(), all);
+        assert_eq!((plan.before_felt(), plan.of_felt()), (0..2, 2..6));
         let some = [Effect::Bandwidth, Effect::RandomWalk, Effect::Bias];
         let plan = Plan::new(&all.map(|effect| (effect, some.contains(&effect))));
-        assert_eq!((plan.before_felt(), plan.after_felt()), (0..1, 1..3));
+        assert_eq!((plan.before_felt(), plan.of_felt(), plan.after_signal()), (0..1, 1..1, 1..3));
         assert_eq!([0, 1, 2].map(|i| plan.effect(i)), [Effect::Bandwidth, Effect::Bias, Effect::RandomWalk]);
         assert!(Plan::new(&all.map(|effect| (effect, false))).is_ideal() && !plan.is_ideal());
     }

@@ -79,10 +79,9 @@ impl SensorSuite {
     /// What the two triads make of the ideal increments of an interval, each over `dt` [s].
     #[inline]
     pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> Saturation {
-        for (measured, ideal) in measured.iter_mut().zip(ideal) {
-            *measured =
-                Increment { angle: self.gyro.sense(ideal, dt), velocity: self.accel.sense(ideal, dt) };
-        }
+        measured.copy_from_slice(ideal);
+        self.gyro.sense_each(ideal, dt, measured);
+        self.accel.sense_each(ideal, dt, measured);
         Saturation { gyro: self.gyro.take_saturated(), accel: self.accel.take_saturated() }
     }
 
