@@ -40,6 +40,11 @@ impl AltimeterParameters {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Altimeter {
     parameters: AltimeterParameters,
+    is_ideal: bool,
+    /// Length of the interval [s] that the next two are for; 0: for none yet.
+    dt: f64,
+    markov_step: MarkovStep,
+    lag_decay: f64,
     /// Gauss-Markov process of unit variance.
     x: f64,
     markov: Stream,
@@ -55,12 +60,44 @@ impl Altimeter {
         let mut markov = Stream::new(key, Source::Altimeter, 0, Purpose::GaussMarkov);
         let noise = Stream::new(key, Source::Altimeter, 0, Purpose::SampleNoise);
         let x = markov.normal();
-        Self { parameters: AltimeterParameters::default(), x, markov, noise, height_m, lagged_m: height_m }
+        Self {
+            parameters: AltimeterParameters::default(),
+            is_ideal: true,
+            dt: 0.0,
+            markov_step: MarkovStep::NONE,
+            lag_decay: 0.0,
+            x,
+            markov,
+            noise,
+            height_m,
+            lagged_m: height_m,
+        }
     }
 
     /// Takes validated parameters.
     pub fn set(&mut self, parameters: &AltimeterParameters) {
         self.parameters = *parameters;
+        let AltimeterParameters { bias_m, markov_sigma_m, noise_m, scale_factor, lag_s, .. } = *parameters;
+        self.is_ideal =
+            [bias_m, markov_sigma_m, noise_m, scale_factor, lag_s].iter().all(|size| *size == 0.0);
+        self.dt = 0.0;
+    }
+
+    /// Whether it shows the true height.
+    pub fn is_ideal(&self) -> bool {
+        self.is_ideal
+    }
+
+    #[cold]
+    fn set_interval(&mut self, dt: f64) {
+        let p = &self.parameters;
+        self.dt = dt;
+        if p.lag_s > 0.0 {
+            self.lag_decay = 1.0 + exp_m1(-dt / p.lag_s);
+        }
+        if p.markov_sigma_m > 0.0 {
+            self.markov_step = MarkovStep::new(dt, p.markov_time_s);
+        }
     }
 
     /// The truth jumped to `height_m`: the lag settles there at once.
@@ -70,13 +107,25 @@ impl Altimeter {
     }
 
     /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last.
+    #[inline]
     pub fn sense(&mut self, height_m: f64, dt: f64) -> f64 {
+        if !self.is_ideal && !cfg!(sins_without = "altimeter") {
+            return self.indicated(height_m, dt);
+        }
+        self.reposition(height_m);
+        height_m
+    }
+
+    #[inline(never)]
+    fn indicated(&mut self, height_m: f64, dt: f64) -> f64 {
+        if dt != self.dt {
+            self.set_interval(dt);
+        }
         let p = &self.parameters;
         // Lag of a height that ran straight from the last sample to this, exactly.
         if p.lag_s > 0.0 {
             let behind = (height_m - self.height_m) / dt * p.lag_s;
-            let decayed = 1.0 + exp_m1(-dt / p.lag_s);
-            self.lagged_m = height_m - behind + (self.lagged_m - self.height_m + behind) * decayed;
+            self.lagged_m = height_m - behind + (self.lagged_m - self.height_m + behind) * self.lag_decay;
         } else {
             self.lagged_m = height_m;
         }
@@ -84,7 +133,7 @@ impl Altimeter {
 
         let mut indicated = self.lagged_m + p.bias_m + p.scale_factor * self.lagged_m;
         if p.markov_sigma_m > 0.0 {
-            MarkovStep::new(dt, p.markov_time_s).advance(&mut self.x, &mut self.markov);
+            self.markov_step.advance(&mut self.x, &mut self.markov);
             indicated += p.markov_sigma_m * self.x;
         }
         if p.noise_m > 0.0 {

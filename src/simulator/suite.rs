@@ -97,6 +97,6 @@ impl SensorSuite {
 
     /// Whether the altimeter is ideal too.
     pub fn all_are_ideal(&self) -> bool {
-        self.are_ideal() && self.altimeter_parameters == AltimeterParameters::default()
+        self.are_ideal() && self.altimeter.is_ideal()
     }
 }
