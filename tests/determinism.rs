@@ -129,6 +129,7 @@ fn the_call_pattern_does_not_matter() {
         for sample in burst {
             bursts.push_sample(sample).unwrap();
             let _ = (bursts.truth().unwrap(), bursts.accuracy().unwrap(), bursts.imu());
+            let _ = (bursts.navigation().unwrap(), bursts.errors(ErrorSource::Model).unwrap());
         }
         while bursts.step().unwrap() == Step::Done {
             flown += 1;
