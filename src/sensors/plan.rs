@@ -37,6 +37,28 @@ impl Effect {
         self.is_before_felt()
             || matches!(self, Self::Linear | Self::Asymmetry | Self::Quadratic | Self::GSensitivity)
     }
+
+    /// Whether this build does without it, to show what its being off costs (benches/effects.sh).
+    #[inline(always)]
+    const fn is_left_out(self) -> bool {
+        match self {
+            Self::LeverArms => cfg!(sins_without = "lever_arms"),
+            Self::Bandwidth => cfg!(sins_without = "bandwidth"),
+            Self::Linear => cfg!(sins_without = "linear"),
+            Self::Asymmetry => cfg!(sins_without = "asymmetry"),
+            Self::Quadratic => cfg!(sins_without = "quadratic"),
+            Self::GSensitivity => cfg!(sins_without = "g_sensitivity"),
+            Self::Bias => cfg!(sins_without = "bias"),
+            Self::GaussMarkov => cfg!(sins_without = "gauss_markov"),
+            Self::Flicker => cfg!(sins_without = "flicker"),
+            Self::RateRandomWalk => cfg!(sins_without = "rate_random_walk"),
+            Self::Ramp => cfg!(sins_without = "ramp"),
+            Self::RandomWalk => cfg!(sins_without = "random_walk"),
+            Self::DeadZone => cfg!(sins_without = "dead_zone"),
+            Self::Range => cfg!(sins_without = "range"),
+            Self::Quantization => cfg!(sins_without = "quantization"),
+        }
+    }
 }
 
 /// The active effects in order: what is to be done for an increment.
@@ -57,7 +79,8 @@ impl Plan {
     /// The effects, in order, that are called for.
     pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
         let mut plan = Self::IDEAL;
-        for &(effect, _) in calls.iter().filter(|(_, is_called_for)| *is_called_for) {
+        let active = |(effect, is_called_for): &&(Effect, bool)| *is_called_for && !effect.is_left_out();
+        for &(effect, _) in calls.iter().filter(active) {
             plan.effects[usize::from(plan.count)] = effect;
             plan.count += 1;
             plan.before_felt += u8::from(effect.is_before_felt());
@@ -98,7 +121,10 @@ impl Plan {
     /// What is done at a step.
     #[inline]
     pub fn effect(&self, step: usize) -> Effect {
-        self.effects[step]
+        let effect = self.effects[step];
+        // Of an effect that is left out no code remains where effects are told apart.
+        assert!(!effect.is_left_out());
+        effect
     }
 }
 

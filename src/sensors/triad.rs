@@ -140,7 +140,7 @@ impl Triad {
                 Effect::Bias => self.bias.apply(dt, outputs),
                 Effect::GaussMarkov => self.gauss_markov.apply(outputs),
                 Effect::RandomWalk => self.random_walk.apply(outputs),
-                effect => self.act(effect, dt, outputs),
+                _ => self.act(step, dt, outputs),
             }
         }
     }
@@ -152,26 +152,28 @@ impl Triad {
             for step in self.plan.before_felt() {
                 match self.plan.effect(step) {
                     Effect::LeverArms => self.size_effect.apply(&ideal.angle, dt, output),
-                    _ => self.bandwidth.apply(dt, output),
+                    Effect::Bandwidth => self.bandwidth.apply(dt, output),
+                    _ => {}
                 }
             }
             let felt = *output;
             for step in self.plan.of_felt() {
-                *output += match self.plan.effect(step) {
-                    Effect::Linear => self.linear.error(&felt),
-                    Effect::Asymmetry => self.asymmetry.error(&felt),
-                    Effect::Quadratic => self.quadratic.error(&felt, dt),
-                    _ => self.g_sensitivity.error(&ideal.velocity),
-                };
+                match self.plan.effect(step) {
+                    Effect::Linear => *output += self.linear.error(&felt),
+                    Effect::Asymmetry => *output += self.asymmetry.error(&felt),
+                    Effect::Quadratic => *output += self.quadratic.error(&felt, dt),
+                    Effect::GSensitivity => *output += self.g_sensitivity.error(&ideal.velocity),
+                    _ => {}
+                }
             }
         }
     }
 
-    /// Lets an effect act on all increments that few triads have: out of the way of the others.
+    /// Lets the effect of a step act on all increments, one that few triads have: out of the way of the others.
     #[inline(never)]
-    fn act(&mut self, effect: Effect, dt: f64, mut outputs: Outputs<'_>) {
+    fn act(&mut self, step: usize, dt: f64, mut outputs: Outputs<'_>) {
         let outputs = outputs.iter_mut();
-        match effect {
+        match self.plan.effect(step) {
             Effect::Flicker => outputs.for_each(|output| self.flicker.apply(output)),
             Effect::RateRandomWalk => outputs.for_each(|output| self.rate_random_walk.apply(dt, output)),
             Effect::Ramp => outputs.for_each(|output| self.ramp.apply(dt, output)),
@@ -179,15 +181,7 @@ impl Triad {
             Effect::Range => outputs.for_each(|output| self.saturated |= self.range.apply(dt, output)),
             Effect::Quantization => outputs.for_each(|output| self.quantization.apply(output)),
             // Of `act_on_signal` and `sense_each`.
-            Effect::LeverArms
-            | Effect::Bandwidth
-            | Effect::Linear
-            | Effect::Asymmetry
-            | Effect::Quadratic
-            | Effect::GSensitivity
-            | Effect::Bias
-            | Effect::GaussMarkov
-            | Effect::RandomWalk => {}
+            _ => {}
         }
     }
 
