@@ -255,7 +255,10 @@ impl Chain {
         match source {
             ErrorSource::Navigation => Some(*self.navigation_errors(truth)),
             ErrorSource::Model => self.error_model.as_ref().map(|model| {
-                *self.views.model.get_or_init(|| model.errors(self.true_view(truth), self.options.axes))
+                *self
+                    .views
+                    .model
+                    .get_or_init(|| model.errors(truth, self.true_view(truth), self.options.axes))
             }),
         }
     }
