@@ -83,13 +83,10 @@ impl Earth {
     }
 
     /// The same, and the unit vectors east, north and up there.
-    pub fn to_earth_fixed_with_axes(
-        &self,
-        place: &Geodetic,
-    ) -> (Vector3<f64>, (Vector3<f64>, Vector3<f64>, Vector3<f64>)) {
+    pub fn to_earth_fixed_with_axes(&self, place: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let direction = Direction::of(place);
         let (high, low) = self.position(&direction, place.height_m);
-        (high + low, direction.east_north_up())
+        (high + low, direction.east_north_up().into())
     }
 
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
