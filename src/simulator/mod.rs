@@ -61,7 +61,7 @@ enum Mode {
     Navigating(Navigator),
 }
 
-/// A strapdown inertial navigation system in simulation.
+/// A strapdown inertial navigation system in simulation. `Send`, not `Sync`: a read keeps what it made for the next.
 #[derive(Debug, Clone)]
 pub struct Simulator {
     options: Options,
