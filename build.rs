@@ -38,6 +38,13 @@ fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
+    // Effects of the sensors that the library is built without, to show what their being off costs: benches/effects.sh.
+    println!("cargo:rustc-check-cfg=cfg(sins_without, values(any()))");
+    println!("cargo:rerun-if-env-changed=SINS_WITHOUT");
+    for effect in env::var("SINS_WITHOUT").unwrap_or_default().split_whitespace() {
+        println!("cargo:rustc-cfg=sins_without=\"{effect}\"");
+    }
+
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let header = header(&root);
     let generated = PathBuf::from(variable("OUT_DIR")).join("sins.h");

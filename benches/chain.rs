@@ -2,6 +2,8 @@
 //!
 //! Figures compare within one run; another run meets another machine's mood.
 
+#[path = "src/c_scene.rs"]
+mod c_scene;
 #[path = "src/scene.rs"]
 mod scene;
 
@@ -171,8 +173,8 @@ fn simulator(options: &sins_options, noisy: bool) -> *mut sins_sim {
 
 /// The whole chain through the C interface: simulation 2's errors, both error data, and what each of them adds.
 fn chain(criterion: &mut Criterion) {
-    let samples = scene::c_samples(&scene::patrol(STEPS + 1));
-    let full = scene::c_options();
+    let samples = c_scene::c_samples(&scene::patrol(STEPS + 1));
+    let full = c_scene::c_options();
     let mut group = criterion.benchmark_group("chain");
     group.throughput(Throughput::Elements(STEPS as u64));
     let off = SINS_ERROR_MODEL_OFF;

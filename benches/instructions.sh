@@ -4,20 +4,10 @@
 # `sins_report curve --instructions`.
 set -eu
 cd "$(dirname "$0")"
+source counting.sh
 cargo build --release --quiet --bin steps
-# per_step SHORT LONG WHAT...: the difference of two runs.
-per_step() {
-    local short=$1 long=$2 count first second
-    shift 2
-    for count in "$short" "$long"; do
-        first=${second:-}
-        second=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null target/release/steps "$@" "$count" 2>&1 |
-            sed -n 's/.*Collected : //p')
-    done
-    echo $(((second - first) / (long - short)))
-}
 row() {
-    echo "$1,$(per_step 500 1500 "$1")"
+    echo "$1,$(per_step 500 1500 target/release/steps "$1")"
 }
 if [ "${1:-}" = matrix ]; then
     echo scheme,subsamples,updates_per_sample,frame,instructions_per_step
@@ -29,7 +19,7 @@ if [ "${1:-}" = matrix ]; then
     row exact,2,2,Earth-fixed
     row polynomial,4,2,Earth-fixed
 else
-    for what in simulation2 ideal free; do
-        echo "$what: $(per_step 10000 20000 $what) instructions a step"
+    for what in simulation2 reads ideal free; do
+        echo "$what: $(per_step 10000 20000 target/release/steps $what) instructions a step"
     done
 fi

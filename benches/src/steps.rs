@@ -1,7 +1,9 @@
 //! Flies a number of steps, for an instruction counter: the difference between two numbers of steps is the cost of a step.
-//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`, or SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed)
-//! by push and step of the Rust simulator.
+//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`; reads: simulation 2 with push, step, and read
+//! navigation and both errors, each a call; or SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed) by push and step of the Rust
+//! simulator.
 
+mod c_scene;
 mod scene;
 
 use std::ptr::null_mut;
@@ -11,7 +13,7 @@ use sins::mechanization::{Frame, Scheme};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 
-/// Samples that are made whatever the count: outside of what is counted.
+/// Samples that are made whatever the count, as far as it goes: outside of what is counted.
 const SAMPLES: usize = 20_001;
 const FEW_SAMPLES: usize = 2_001;
 
@@ -20,13 +22,13 @@ fn main() {
     let what = arguments.get(1).map(String::as_str).unwrap_or_default();
     let count = arguments.get(2).and_then(|count| count.parse::<usize>().ok());
     match (what, options(what), count) {
-        ("simulation2" | "ideal" | "free", _, Some(count)) => run(what, count),
+        ("simulation2" | "reads" | "ideal" | "free", _, Some(count)) => run(what, count),
         (_, Some(options), Some(count)) => {
             let samples = scene::patrol(FEW_SAMPLES);
             push_and_step(&options, &samples[..=count.min(samples.len() - 1)]);
         }
         _ => {
-            eprintln!("usage: steps simulation2|ideal|free|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT");
+            eprintln!("usage: steps simulation2|reads|ideal|free|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT");
             std::process::exit(2);
         }
     }
@@ -61,9 +63,10 @@ fn push_and_step(options: &Options, samples: &[FlightSample]) {
 }
 
 fn run(what: &str, count: usize) {
-    let samples = scene::c_samples(&scene::patrol(SAMPLES));
-    let mut options = scene::c_options();
-    if what != "simulation2" {
+    let samples = c_scene::c_samples(&scene::patrol(if count < FEW_SAMPLES { FEW_SAMPLES } else { SAMPLES }));
+    let mut options = c_scene::c_options();
+    let noisy = matches!(what, "simulation2" | "reads");
+    if !noisy {
         options.error_model = SINS_ERROR_MODEL_OFF;
     }
     if what == "free" {
@@ -73,7 +76,7 @@ fn run(what: &str, count: usize) {
     unsafe {
         let mut sim = null_mut();
         assert_eq!(sins_create(&options, &mut sim), SINS_OK);
-        if what == "simulation2" {
+        if noisy {
             let mut gyro: sins_gyro_params = core::mem::zeroed();
             gyro.struct_size = size_of::<sins_gyro_params>() as u32;
             let mut accel: sins_accel_params = core::mem::zeroed();
@@ -83,8 +86,32 @@ fn run(what: &str, count: usize) {
             assert_eq!(sins_set_gyro(sim, &gyro), SINS_OK);
             assert_eq!(sins_set_accel(sim, &accel), SINS_OK);
         }
-        let count = count.min(samples.len() - 1);
-        assert_eq!(sins_run(sim, samples.as_ptr(), count + 1, 0, null_mut(), 0, null_mut()), SINS_OK);
+        let samples = &samples[..=count.min(samples.len() - 1)];
+        if what == "reads" {
+            push_step_read(sim, samples);
+        } else {
+            assert_eq!(sins_run(sim, samples.as_ptr(), samples.len(), 0, null_mut(), 0, null_mut()), SINS_OK);
+        }
         assert_eq!(sins_destroy(sim), SINS_OK);
+    }
+}
+
+/// # Safety
+/// `sim` is a living handle.
+unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
+    // SAFETY: structs of their own size.
+    unsafe {
+        let mut navigation: sins_navigation = core::mem::zeroed();
+        navigation.struct_size = size_of::<sins_navigation>() as u32;
+        let mut errors: sins_errors = core::mem::zeroed();
+        errors.struct_size = size_of::<sins_errors>() as u32;
+        for sample in samples {
+            sins_push_sample(sim, sample);
+            sins_step(sim);
+            sins_get_navigation(sim, &mut navigation);
+            sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors);
+            sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors);
+        }
+        assert!(errors.time_s > 0.0);
     }
 }

@@ -232,9 +232,8 @@ impl From<&ImuInterval> for sins_imu {
 
 /// The errors of `source`, or `None` before the first sample.
 pub(super) fn errors_of(simulator: &Simulator, source: ErrorSource) -> Result<Option<sins_errors>, Failure> {
-    let errors = simulator.errors(source)?;
-    let near_pole = simulator.truth()?.is_some_and(|truth| truth.near_pole);
-    Ok(errors.map(|(time_s, errors)| sins_errors::new(time_s, &errors, near_pole)))
+    let errors = simulator.errors_and_pole(source)?;
+    Ok(errors.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole)))
 }
 
 /// Writes `value`, or answers that there is none yet.

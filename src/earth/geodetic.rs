@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{atan2, hypot, rotate, sin_cos_each, two_product, two_sum};
+use crate::math::{atan2, hypot, sin_cos_each, two_product, two_sum};
 
 /// A place by its geodetic coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -42,6 +42,31 @@ struct Latitude {
     cos: f64,
 }
 
+/// Sines and cosines of latitude and longitude.
+#[derive(Debug, Clone, Copy)]
+struct Direction {
+    sin_latitude: f64,
+    cos_latitude: f64,
+    sin_longitude: f64,
+    cos_longitude: f64,
+}
+
+impl Direction {
+    #[inline]
+    fn of(place: &Geodetic) -> Self {
+        let ([sin_latitude, sin_longitude], [cos_latitude, cos_longitude]) =
+            sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
+        Self { sin_latitude, cos_latitude, sin_longitude, cos_longitude }
+    }
+
+    /// Unit vectors, Earth-fixed axes.
+    #[inline]
+    fn east_north_up(&self) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
+        let Self { sin_latitude: sl, cos_latitude: cl, sin_longitude: so, cos_longitude: co } = *self;
+        (Vector3::new(-so, co, 0.0), Vector3::new(-sl * co, -sl * so, cl), Vector3::new(cl * co, cl * so, sl))
+    }
+}
+
 impl Latitude {
     #[inline]
     fn of(sin: f64, cos: f64) -> Self {
@@ -53,8 +78,15 @@ impl Latitude {
 impl Earth {
     /// Earth-fixed position [m] of a place, to half a unit in the last place and the rounding of the sines.
     pub fn to_earth_fixed(&self, place: &Geodetic) -> Vector3<f64> {
-        let (high, low) = self.position(place);
+        let (high, low) = self.position(&Direction::of(place), place.height_m);
         high + low
+    }
+
+    /// The same, and the unit vectors east, north and up there.
+    pub fn to_earth_fixed_with_axes(&self, place: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
+        let direction = Direction::of(place);
+        let (high, low) = self.position(&direction, place.height_m);
+        (high + low, direction.east_north_up().into())
     }
 
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
@@ -67,9 +99,10 @@ impl Earth {
             height_m,
         };
         // One Newton step on the position in twice the precision takes out what rounding left: up to 3 nm.
-        let (high, low) = self.position(&place);
+        let direction = Direction::of(&place);
+        let (high, low) = self.position(&direction, height_m);
         let residual = (r_e - high) - low;
-        let (east, north, up) = self.east_north_up(&place);
+        let (east, north, up) = direction.east_north_up();
         place.latitude_rad += residual.dot(&north) / (self.radii(latitude.sin).meridian_m + height_m);
         place.latitude_rad = place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
         if p > 1.0 {
@@ -80,9 +113,8 @@ impl Earth {
     }
 
     /// Earth-fixed position as an unevaluated sum of two doubles.
-    fn position(&self, place: &Geodetic) -> (Vector3<f64>, Vector3<f64>) {
-        let ([sin_latitude, sin_longitude], [cos_latitude, cos_longitude]) =
-            sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
+    fn position(&self, direction: &Direction, height_m: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let Direction { sin_latitude, cos_latitude, sin_longitude, cos_longitude } = *direction;
         let times = |(high, low): (f64, f64), factor: f64| {
             let (product, error) = two_product(high, factor);
             (product, error + low * factor)
@@ -92,8 +124,8 @@ impl Earth {
         let bulge = self.eccentricity2 * sin_latitude * sin_latitude;
         let w = (1.0 - bulge).sqrt();
         let excess = a * bulge / (w * (1.0 + w));
-        let p = times(two_sum(a, excess + place.height_m), cos_latitude);
-        let flattened = excess * (1.0 - self.eccentricity2) - a * self.eccentricity2 + place.height_m;
+        let p = times(two_sum(a, excess + height_m), cos_latitude);
+        let flattened = excess * (1.0 - self.eccentricity2) - a * self.eccentricity2 + height_m;
         let (x, y, z) =
             (times(p, cos_longitude), times(p, sin_longitude), times(two_sum(a, flattened), sin_latitude));
         (Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1))
@@ -177,8 +209,7 @@ impl Earth {
 
     /// Unit vectors east, north and up at a place, Earth-fixed axes.
     pub fn east_north_up(&self, place: &Geodetic) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        let q_en = navigation_axes(place.latitude_rad, place.longitude_rad);
-        (rotate(&q_en, &Vector3::x()), rotate(&q_en, &Vector3::y()), rotate(&q_en, &Vector3::z()))
+        Direction::of(place).east_north_up()
     }
 }
 

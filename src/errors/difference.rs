@@ -12,8 +12,8 @@ pub fn navigation_minus_truth(
     navigation: &Navigation,
     truth: &Navigation,
 ) -> NavigationErrors {
-    let displacement = earth.to_earth_fixed(&navigation.place) - earth.to_earth_fixed(&truth.place);
-    let (east, north, _) = earth.east_north_up(&truth.place);
+    let (r_e, [east, north, _]) = earth.to_earth_fixed_with_axes(&truth.place);
+    let displacement = earth.to_earth_fixed(&navigation.place) - r_e;
     NavigationErrors {
         position_n: nalgebra::Vector3::new(
             displacement.dot(&east),

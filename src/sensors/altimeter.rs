@@ -41,6 +41,11 @@ impl AltimeterParameters {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Altimeter {
     parameters: AltimeterParameters,
+    is_ideal: bool,
+    /// Length of the interval [s] that the next two are for; 0: for none yet.
+    dt: f64,
+    markov_step: MarkovStep,
+    lag_decay: f64,
     /// Gauss-Markov process of unit variance.
     x: f64,
     markov: Stream,
@@ -61,6 +66,10 @@ impl Altimeter {
         let x = markov.normal();
         Self {
             parameters: AltimeterParameters::default(),
+            is_ideal: true,
+            dt: 0.0,
+            markov_step: MarkovStep::NONE,
+            lag_decay: 0.0,
             x,
             markov,
             noise,
@@ -74,11 +83,40 @@ impl Altimeter {
     /// Takes validated parameters.
     pub fn set(&mut self, parameters: &AltimeterParameters) {
         self.parameters = *parameters;
+        self.dt = 0.0;
+        self.decide();
+    }
+
+    /// Decides what each interval need not ask again.
+    fn decide(&mut self) {
+        let AltimeterParameters { bias_m, markov_sigma_m, noise_m, scale_factor, lag_s, .. } =
+            self.parameters;
+        self.is_ideal =
+            [bias_m, markov_sigma_m, noise_m, scale_factor, lag_s].iter().all(|size| *size == 0.0)
+                && !self.has_failed();
+    }
+
+    /// Whether it shows the true height.
+    pub fn is_ideal(&self) -> bool {
+        self.is_ideal
+    }
+
+    #[cold]
+    fn set_interval(&mut self, dt: f64) {
+        let p = &self.parameters;
+        self.dt = dt;
+        if p.lag_s > 0.0 {
+            self.lag_decay = 1.0 + exp_m1(-dt / p.lag_s);
+        }
+        if p.markov_sigma_m > 0.0 {
+            self.markov_step = MarkovStep::new(dt, p.markov_time_s);
+        }
     }
 
     /// Takes a failure, or clears it; `has_shown` tells whether there is an indication to be stuck at.
     pub fn set_failure(&mut self, failure: Option<Failure>, has_shown: bool) {
         self.failing.set(failure, has_shown.then_some(self.indicated_m));
+        self.decide();
     }
 
     /// Whether it has a failure.
@@ -91,11 +129,6 @@ impl Altimeter {
         self.failing.is_tame()
     }
 
-    /// Whether it shows the true height.
-    pub fn is_ideal(&self) -> bool {
-        self.parameters == AltimeterParameters::default() && !self.has_failed()
-    }
-
     /// The truth jumped to `height_m`: lag and indication settle there at once.
     pub fn reposition(&mut self, height_m: f64) {
         self.height_m = height_m;
@@ -104,13 +137,25 @@ impl Altimeter {
     }
 
     /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal.
+    #[inline]
     pub fn sense(&mut self, height_m: f64, dt: f64) -> Option<f64> {
+        if !self.is_ideal && !cfg!(sins_without = "altimeter") {
+            return self.indicated(height_m, dt);
+        }
+        self.reposition(height_m);
+        Some(height_m)
+    }
+
+    #[inline(never)]
+    fn indicated(&mut self, height_m: f64, dt: f64) -> Option<f64> {
+        if dt != self.dt {
+            self.set_interval(dt);
+        }
         let p = &self.parameters;
         // Lag of a height that ran straight from the last sample to this, exactly.
         if p.lag_s > 0.0 {
             let behind = (height_m - self.height_m) / dt * p.lag_s;
-            let decayed = 1.0 + exp_m1(-dt / p.lag_s);
-            self.lagged_m = height_m - behind + (self.lagged_m - self.height_m + behind) * decayed;
+            self.lagged_m = height_m - behind + (self.lagged_m - self.height_m + behind) * self.lag_decay;
         } else {
             self.lagged_m = height_m;
         }
@@ -118,7 +163,7 @@ impl Altimeter {
 
         let mut indicated = self.lagged_m + p.bias_m + p.scale_factor * self.lagged_m;
         if p.markov_sigma_m > 0.0 {
-            MarkovStep::new(dt, p.markov_time_s).advance(&mut self.x, &mut self.markov);
+            self.markov_step.advance(&mut self.x, &mut self.markov);
             indicated += p.markov_sigma_m * self.x;
         }
         if p.noise_m > 0.0 {

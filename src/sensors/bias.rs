@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
 
@@ -32,9 +33,10 @@ impl Bias {
         self.value
     }
 
-    /// Adds the integral over `dt` [s].
+    /// Adds the integral over each increment of length `dt` [s].
     #[inline]
-    pub fn apply(&self, dt: f64, measured: &mut Vector3<f64>) {
-        *measured += self.value * dt;
+    pub fn apply(&self, dt: f64, mut outputs: Outputs<'_>) {
+        let integral = self.value * dt;
+        outputs.iter_mut().for_each(|output| *output += integral);
     }
 }

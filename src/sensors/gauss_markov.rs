@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
 use crate::math::{exp_m1, tanh};
@@ -112,13 +113,16 @@ impl GaussMarkov {
         self.sigma.component_mul(&self.x)
     }
 
-    /// Adds the integral over one increment.
+    /// Adds the integral over each increment.
     #[inline(never)]
-    pub fn apply(&mut self, measured: &mut Vector3<f64>) {
+    pub fn apply(&mut self, mut outputs: Outputs<'_>) {
         for axis in 0..3 {
-            if self.sigma[axis] != 0.0 {
-                let integral = self.steps[axis].advance_integral(&mut self.x[axis], &mut self.streams[axis]);
-                measured[axis] += self.sigma[axis] * integral;
+            let (sigma, step, mut stream) = (self.sigma[axis], self.steps[axis], self.streams[axis].clone());
+            if sigma != 0.0 {
+                for output in outputs.iter_mut() {
+                    output[axis] += sigma * step.advance_integral(&mut self.x[axis], &mut stream);
+                }
+                self.streams[axis] = stream;
             }
         }
     }

@@ -22,13 +22,8 @@ impl Linear {
     }
 
     /// Error [u] for the ideal signal [u].
+    #[inline]
     pub fn error(&self, ideal: &Vector3<f64>) -> Vector3<f64> {
         self.matrix * ideal
-    }
-
-    /// Adds the error of an ideal increment.
-    #[inline(never)]
-    pub fn apply(&self, ideal: &Vector3<f64>, measured: &mut Vector3<f64>) {
-        *measured += self.error(ideal);
     }
 }

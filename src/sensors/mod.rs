@@ -39,6 +39,7 @@ mod g_sensitivity;
 mod gauss_markov;
 mod initial;
 mod linear;
+mod outputs;
 mod parameters;
 mod plan;
 mod preset;

@@ -31,9 +31,42 @@ impl Effect {
     /// Number of effects.
     pub const COUNT: usize = 18;
 
-    /// Whether it acts before the errors of what is felt.
+    /// Whether it changes what is felt.
     fn is_before_felt(self) -> bool {
         matches!(self, Self::LeverArms | Self::Bandwidth)
+    }
+
+    /// Whether it is an error of what is felt, or changes that.
+    fn is_on_signal(self) -> bool {
+        self.is_before_felt()
+            || matches!(
+                self,
+                Self::Linear | Self::Asymmetry | Self::Quadratic | Self::GSensitivity | Self::Temperature
+            )
+    }
+
+    /// Whether this build does without it, to show what its being off costs (benches/effects.sh).
+    #[inline(always)]
+    const fn is_left_out(self) -> bool {
+        match self {
+            Self::LeverArms => cfg!(sins_without = "lever_arms"),
+            Self::Bandwidth => cfg!(sins_without = "bandwidth"),
+            Self::Linear => cfg!(sins_without = "linear"),
+            Self::Asymmetry => cfg!(sins_without = "asymmetry"),
+            Self::Quadratic => cfg!(sins_without = "quadratic"),
+            Self::GSensitivity => cfg!(sins_without = "g_sensitivity"),
+            Self::Temperature => cfg!(sins_without = "temperature"),
+            Self::Bias => cfg!(sins_without = "bias"),
+            Self::GaussMarkov => cfg!(sins_without = "gauss_markov"),
+            Self::Flicker => cfg!(sins_without = "flicker"),
+            Self::RateRandomWalk => cfg!(sins_without = "rate_random_walk"),
+            Self::Ramp => cfg!(sins_without = "ramp"),
+            Self::RandomWalk => cfg!(sins_without = "random_walk"),
+            Self::Disturbance | Self::Outage => cfg!(sins_without = "failures"),
+            Self::DeadZone => cfg!(sins_without = "dead_zone"),
+            Self::Range => cfg!(sins_without = "range"),
+            Self::Quantization => cfg!(sins_without = "quantization"),
+        }
     }
 }
 
@@ -41,22 +74,26 @@ impl Effect {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plan {
     effects: [Effect; Effect::COUNT],
-    /// Of these the first so many change what is felt.
+    /// Of these the first so many change what is felt, and so many more are errors of that.
     before_felt: u8,
+    on_signal: u8,
     count: u8,
 }
 
 impl Plan {
     /// Nothing.
-    pub const IDEAL: Self = Self { effects: [Effect::Bias; Effect::COUNT], before_felt: 0, count: 0 };
+    pub const IDEAL: Self =
+        Self { effects: [Effect::Bias; Effect::COUNT], before_felt: 0, on_signal: 0, count: 0 };
 
     /// The effects, in order, that are called for.
     pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
         let mut plan = Self::IDEAL;
-        for &(effect, _) in calls.iter().filter(|(_, is_called_for)| *is_called_for) {
+        let active = |(effect, is_called_for): &&(Effect, bool)| *is_called_for && !effect.is_left_out();
+        for &(effect, _) in calls.iter().filter(active) {
             plan.effects[usize::from(plan.count)] = effect;
             plan.count += 1;
             plan.before_felt += u8::from(effect.is_before_felt());
+            plan.on_signal += u8::from(effect.is_on_signal());
         }
         plan
     }
@@ -66,22 +103,37 @@ impl Plan {
         self.count == 0
     }
 
+    /// Whether an effect asks what is felt.
+    #[inline]
+    pub fn acts_on_signal(&self) -> bool {
+        self.on_signal > 0
+    }
+
     /// The steps that change what is felt.
     #[inline]
     pub fn before_felt(&self) -> Range<usize> {
         0..usize::from(self.before_felt)
     }
 
+    /// The steps that make errors of it.
+    #[inline]
+    pub fn of_felt(&self) -> Range<usize> {
+        usize::from(self.before_felt)..usize::from(self.on_signal)
+    }
+
     /// The steps after those.
     #[inline]
-    pub fn after_felt(&self) -> Range<usize> {
-        usize::from(self.before_felt)..usize::from(self.count)
+    pub fn after_signal(&self) -> Range<usize> {
+        usize::from(self.on_signal)..usize::from(self.count)
     }
 
     /// What is done at a step.
     #[inline]
     pub fn effect(&self, step: usize) -> Effect {
-        self.effects[step]
+        let effect = self.effects[step];
+        // Of an effect that is left out no code remains where effects are told apart.
+        assert!(!effect.is_left_out());
+        effect
     }
 }
 
@@ -112,14 +164,12 @@ mod tests {
             Effect::Outage,
         ];
         let plan = Plan::new(&all.map(|effect| (effect, true)));
-        assert_eq!(
-            plan.before_felt().chain(plan.after_felt()).map(|i| plan.effect(i)).collect::<Vec<_>>(),
-            all
-        );
-        assert_eq!(plan.before_felt(), 0..2);
+        let steps = plan.before_felt().chain(plan.of_felt()).chain(plan.after_signal());
+        assert_eq!(steps.map(|i| plan.effect(i)).collect::<Vec<_>>(), all);
+        assert_eq!((plan.before_felt(), plan.of_felt()), (0..2, 2..7));
         let some = [Effect::Bandwidth, Effect::RandomWalk, Effect::Bias];
         let plan = Plan::new(&all.map(|effect| (effect, some.contains(&effect))));
-        assert_eq!((plan.before_felt(), plan.after_felt()), (0..1, 1..3));
+        assert_eq!((plan.before_felt(), plan.of_felt(), plan.after_signal()), (0..1, 1..1, 1..3));
         assert_eq!([0, 1, 2].map(|i| plan.effect(i)), [Effect::Bandwidth, Effect::Bias, Effect::RandomWalk]);
         assert!(Plan::new(&all.map(|effect| (effect, false))).is_ideal() && !plan.is_ideal());
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
 
@@ -35,12 +36,14 @@ impl RandomWalk {
         self.step = self.density * dt.sqrt();
     }
 
-    /// Adds one increment's noise.
-    #[inline(always)]
-    pub fn apply(&mut self, measured: &mut Vector3<f64>) {
+    /// Adds each increment's noise.
+    #[inline(never)]
+    pub fn apply(&mut self, mut outputs: Outputs<'_>) {
         for axis in 0..3 {
-            if self.step[axis] != 0.0 {
-                measured[axis] += self.step[axis] * self.streams[axis].normal();
+            let (step, mut stream) = (self.step[axis], self.streams[axis].clone());
+            if step != 0.0 {
+                outputs.iter_mut().for_each(|output| output[axis] += step * stream.normal());
+                self.streams[axis] = stream;
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Three sensors and the effects that are active in them.
 
+use core::slice::{from_mut, from_ref};
+
 use nalgebra::Vector3;
 
 use super::asymmetry::Asymmetry;
@@ -12,6 +14,7 @@ use super::flicker::Flicker;
 use super::g_sensitivity::GSensitivity;
 use super::gauss_markov::GaussMarkov;
 use super::linear::Linear;
+use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::plan::{Effect, Plan};
 use super::quadratic::Quadratic;
@@ -158,76 +161,78 @@ impl Triad {
         self.bandwidth.reposition();
     }
 
-    /// What the triad makes of the ideal increment over `dt` [s]: the active effects act one after the other.
-    #[inline(always)]
+    /// What the triad makes of one ideal increment over `dt` [s].
     pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
+        let mut measured = *ideal;
+        self.sense_each(from_ref(ideal), dt, from_mut(&mut measured));
+        match self.sensor {
+            Sensor::Gyro => measured.angle,
+            Sensor::Accelerometer => measured.velocity,
+        }
+    }
+
+    /// Makes of its part of `measured`, which is that of the increments `ideal`, each over `dt` [s], what the triad gives: the
+    /// active effects act one after the other, each on all increments.
+    #[inline]
+    pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
         if (dt - self.dt).abs() > 1e-7 * dt {
             self.set_interval(dt);
         }
-        let mut felt = match self.sensor {
-            Sensor::Gyro => ideal.angle,
-            Sensor::Accelerometer => ideal.velocity,
-        };
-        if !self.plan.before_felt().is_empty() {
-            felt = self.felt(&felt, &ideal.angle, dt);
+        if self.plan.acts_on_signal() {
+            self.act_on_signal(ideal, dt, measured);
         }
-        let mut measured = felt;
-        for step in self.plan.after_felt() {
+        for step in self.plan.after_signal() {
+            let outputs = Outputs::new(self.sensor, measured);
             match self.plan.effect(step) {
-                Effect::Linear => self.linear.apply(&felt, &mut measured),
-                Effect::Bias => self.bias.apply(dt, &mut measured),
-                Effect::GaussMarkov => self.gauss_markov.apply(&mut measured),
-                Effect::RandomWalk => self.random_walk.apply(&mut measured),
-                effect => self.apply(effect, &felt, &ideal.velocity, dt, &mut measured),
+                Effect::Bias => self.bias.apply(dt, outputs),
+                Effect::GaussMarkov => self.gauss_markov.apply(outputs),
+                Effect::RandomWalk => self.random_walk.apply(outputs),
+                _ => self.act(step, dt, outputs),
             }
         }
-        measured
     }
 
-    /// What the sensors feel of their part `ideal` of an increment with the angle `angle` [rad].
+    /// What the sensors feel of the increments, and its errors that grow with it.
     #[inline(never)]
-    fn felt(&mut self, ideal: &Vector3<f64>, angle: &Vector3<f64>, dt: f64) -> Vector3<f64> {
-        let mut felt = *ideal;
-        for step in self.plan.before_felt() {
-            match self.plan.effect(step) {
-                Effect::LeverArms => self.size_effect.apply(angle, dt, &mut felt),
-                _ => self.bandwidth.apply(dt, &mut felt),
+    fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
+        for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
+            for step in self.plan.before_felt() {
+                match self.plan.effect(step) {
+                    Effect::LeverArms => self.size_effect.apply(&ideal.angle, dt, output),
+                    Effect::Bandwidth => self.bandwidth.apply(dt, output),
+                    _ => {}
+                }
+            }
+            let felt = *output;
+            for step in self.plan.of_felt() {
+                match self.plan.effect(step) {
+                    Effect::Linear => *output += self.linear.error(&felt),
+                    Effect::Asymmetry => *output += self.asymmetry.error(&felt),
+                    Effect::Quadratic => *output += self.quadratic.error(&felt, dt),
+                    Effect::GSensitivity => *output += self.g_sensitivity.error(&ideal.velocity),
+                    Effect::Temperature => self.temperature.apply(&felt, dt, output),
+                    _ => {}
+                }
             }
         }
-        felt
     }
 
-    /// Lets an effect act that few triads have: out of the way of the others.
+    /// Lets the effect of a step act on all increments, one that few triads have: out of the way of the others.
     #[inline(never)]
-    fn apply(
-        &mut self,
-        effect: Effect,
-        felt: &Vector3<f64>,
-        velocity: &Vector3<f64>,
-        dt: f64,
-        measured: &mut Vector3<f64>,
-    ) {
-        match effect {
-            Effect::Asymmetry => *measured += self.asymmetry.error(felt),
-            Effect::Quadratic => *measured += self.quadratic.error(felt, dt),
-            Effect::GSensitivity => *measured += self.g_sensitivity.error(velocity),
-            Effect::Temperature => self.temperature.apply(felt, dt, measured),
-            Effect::Flicker => self.flicker.apply(measured),
-            Effect::RateRandomWalk => self.rate_random_walk.apply(dt, measured),
-            Effect::Ramp => self.ramp.apply(dt, measured),
-            Effect::Disturbance => self.failing.disturb(dt, measured),
-            Effect::DeadZone => self.dead_zone.apply(dt, measured),
-            Effect::Range => self.saturated |= self.range.apply(dt, measured),
-            Effect::Quantization => self.quantization.apply(measured),
-            Effect::Outage => self.failing.replace(dt, measured),
-            // Of `felt` and `sense`.
-            Effect::LeverArms
-            | Effect::Bandwidth
-            | Effect::Linear
-            | Effect::Bias
-            | Effect::GaussMarkov
-            | Effect::RandomWalk => {}
+    fn act(&mut self, step: usize, dt: f64, mut outputs: Outputs<'_>) {
+        let outputs = outputs.iter_mut();
+        match self.plan.effect(step) {
+            Effect::Flicker => outputs.for_each(|output| self.flicker.apply(output)),
+            Effect::RateRandomWalk => outputs.for_each(|output| self.rate_random_walk.apply(dt, output)),
+            Effect::Ramp => outputs.for_each(|output| self.ramp.apply(dt, output)),
+            Effect::Disturbance => outputs.for_each(|output| self.failing.disturb(dt, output)),
+            Effect::DeadZone => outputs.for_each(|output| self.dead_zone.apply(dt, output)),
+            Effect::Range => outputs.for_each(|output| self.saturated |= self.range.apply(dt, output)),
+            Effect::Quantization => outputs.for_each(|output| self.quantization.apply(output)),
+            Effect::Outage => outputs.for_each(|output| self.failing.replace(dt, output)),
+            // Of `act_on_signal` and `sense_each`.
+            _ => {}
         }
     }
 

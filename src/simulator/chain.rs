@@ -2,7 +2,9 @@
 
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
+use super::solution::is_near_pole;
 use super::start::{start_errors, with_errors};
+use super::views::Views;
 use super::{ErrorSource, ImuFlags, ImuInterval, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
@@ -13,6 +15,7 @@ use crate::errors::{
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
+use crate::state::Navigation;
 use crate::truth::{Recent, TruthPoint};
 
 /// The interval flown last.
@@ -41,6 +44,7 @@ pub(super) struct Chain {
     intervals: u64,
     closure: Closure,
     closed_loop: Option<ClosedLoop>,
+    views: Views,
 }
 
 impl Chain {
@@ -75,6 +79,7 @@ impl Chain {
             intervals: 0,
             closure: Closure::new(),
             closed_loop,
+            views: Views::default(),
         })
     }
 
@@ -127,6 +132,7 @@ impl Chain {
         let next = recent.next;
         let t = next.interval_s;
         let count = self.increments();
+        self.views = Views::default();
 
         // Signal generator.
         let motion = self.generator.advance(recent);
@@ -180,7 +186,7 @@ impl Chain {
         self.closure.advance(&self.earth, next, &inconsistency);
         self.intervals += 1;
         if self.accuracy.is_due(next.time_s) {
-            let errors = self.navigation_errors(next);
+            let errors = *self.navigation_errors(next);
             self.accuracy.add(next.time_s, &errors);
         }
     }
@@ -192,17 +198,21 @@ impl Chain {
     /// The solution of the truth, which is at `truth`.
     pub fn truth(&self, truth: &TruthPoint) -> Solution {
         let inconsistent = self.closure.last_flagged();
-        Solution { inconsistent, ..Solution::of_truth(&self.options, &self.earth, truth) }
+        Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, *self.true_view(truth)) }
+    }
+
+    /// Whether the truth, which is at `truth`, is near a pole.
+    pub fn is_near_pole(&self, truth: &TruthPoint) -> bool {
+        is_near_pole(&self.earth, self.true_view(truth))
     }
 
     /// The navigated solution while the truth is at `truth`.
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
-        let navigation = self.mechanization.navigation(self.options.axes);
         let vertical_unaided = match &self.last {
             Some(last) => last.vertical_unaided,
             None => self.options.vertical == VerticalMode::Free,
         };
-        Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, navigation) }
+        Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, *self.navigated_view()) }
     }
 
     pub fn ideal_increments(&self) -> &[Increment] {
@@ -229,21 +239,30 @@ impl Chain {
         self.options.subsamples * self.options.updates_per_sample
     }
 
-    fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
-        let axes = self.options.axes;
-        let truth = truth.navigation(&self.earth, axes);
-        navigation_minus_truth(&self.earth, &self.mechanization.navigation(axes), &truth)
+    fn true_view(&self, truth: &TruthPoint) -> &Navigation {
+        self.views.truth.get_or_init(|| truth.navigation(&self.earth, self.options.axes))
+    }
+
+    fn navigated_view(&self) -> &Navigation {
+        self.views.navigation.get_or_init(|| self.mechanization.navigation(self.options.axes))
+    }
+
+    fn navigation_errors(&self, truth: &TruthPoint) -> &NavigationErrors {
+        self.views
+            .difference
+            .get_or_init(|| navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(truth)))
     }
 
     /// The errors while the truth is at `truth`; `None` while the error model is off.
     pub fn errors(&self, source: ErrorSource, truth: &TruthPoint) -> Option<NavigationErrors> {
-        let axes = self.options.axes;
         match source {
-            ErrorSource::Navigation => Some(self.navigation_errors(truth)),
-            ErrorSource::Model => self
-                .error_model
-                .as_ref()
-                .map(|model| model.errors(&truth.navigation(&self.earth, axes), axes)),
+            ErrorSource::Navigation => Some(*self.navigation_errors(truth)),
+            ErrorSource::Model => self.error_model.as_ref().map(|model| {
+                *self
+                    .views
+                    .model
+                    .get_or_init(|| model.errors(truth, self.true_view(truth), self.options.axes))
+            }),
         }
     }
 
@@ -256,7 +275,7 @@ impl Chain {
     }
 
     pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
-        self.closure.figures(&self.earth, truth, &self.navigation_errors(truth))
+        self.closure.figures(&self.earth, truth, self.navigation_errors(truth))
     }
 }
 

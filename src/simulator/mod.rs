@@ -10,6 +10,7 @@ mod settings;
 mod solution;
 mod start;
 mod suite;
+mod views;
 
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
@@ -60,7 +61,7 @@ enum Mode {
     Navigating(Navigator),
 }
 
-/// A strapdown inertial navigation system in simulation.
+/// A strapdown inertial navigation system in simulation. `Send`, not `Sync`: a read keeps what it made for the next.
 #[derive(Debug, Clone)]
 pub struct Simulator {
     options: Options,
@@ -228,12 +229,22 @@ impl Simulator {
 
     /// Time [s] and errors of the navigated solution; `None` before the first sample.
     pub fn errors(&self, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
+        Ok(self.errors_and_pole(source)?.map(|(time_s, errors, _)| (time_s, errors)))
+    }
+
+    /// The same, with whether the truth is near a pole: longitude and heading and their errors have no meaning there.
+    pub(crate) fn errors_and_pole(
+        &self,
+        source: ErrorSource,
+    ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
         self.refuse_while_navigating()?;
         if source == ErrorSource::Model && !self.options.error_model {
             return Err(Error::bad_state("the error model is off: options.error_model"));
         }
-        let errors =
-            self.read(|chain, truth| chain.errors(source, truth).map(|errors| (truth.time_s, errors)))?;
+        let errors = self.read(|chain, truth| {
+            let near_pole = chain.is_near_pole(truth);
+            chain.errors(source, truth).map(|errors| (truth.time_s, errors, near_pole))
+        })?;
         Ok(errors.flatten())
     }
 

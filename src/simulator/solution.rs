@@ -8,6 +8,9 @@ use crate::truth::TruthPoint;
 /// Distance from the Earth's axis [m] below which a solution is flagged.
 const NEAR_POLE_M: f64 = 20e3;
 
+/// Latitude [rad] up to which no solution is so near: at the lowest height that there can be, -500 km, the axis is 63 km away.
+const FAR_FROM_POLE_RAD: f64 = 1.56;
+
 /// A solution and what is to be known of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solution {
@@ -25,7 +28,7 @@ pub struct Solution {
 
 impl Solution {
     pub(super) fn new(earth: &Earth, time_s: f64, navigation: Navigation) -> Self {
-        let near_pole = navigation.distance_from_axis(earth) < NEAR_POLE_M;
+        let near_pole = is_near_pole(earth, &navigation);
         Self { time_s, navigation, near_pole, vertical_unaided: false, inconsistent: false }
     }
 
@@ -33,4 +36,11 @@ impl Solution {
     pub(super) fn of_truth(options: &Options, earth: &Earth, point: &TruthPoint) -> Self {
         Self::new(earth, point.time_s, point.navigation(earth, options.axes))
     }
+}
+
+/// Whether longitude and heading have lost their meaning.
+#[inline]
+pub(super) fn is_near_pole(earth: &Earth, navigation: &Navigation) -> bool {
+    navigation.place.latitude_rad.abs() > FAR_FROM_POLE_RAD
+        && navigation.distance_from_axis(earth) < NEAR_POLE_M
 }

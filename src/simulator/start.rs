@@ -63,8 +63,7 @@ pub(super) fn with_errors(
     truth: &Navigation,
     start: &StartErrors,
 ) -> Navigation {
-    let (east, north, _) = earth.east_north_up(&truth.place);
-    let r_e = earth.to_earth_fixed(&truth.place);
+    let (r_e, [east, north, _]) = earth.to_earth_fixed_with_axes(&truth.place);
     let mut place = truth.place;
     if start.position_n.x != 0.0 || start.position_n.y != 0.0 {
         place = earth.to_geodetic(&(r_e + east * start.position_n.x + north * start.position_n.y));

@@ -151,10 +151,9 @@ impl SensorSuite {
     /// What the two triads make of the ideal increments of an interval, each over `dt` [s].
     #[inline]
     pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> ImuFlags {
-        for (measured, ideal) in measured.iter_mut().zip(ideal) {
-            *measured =
-                Increment { angle: self.gyro.sense(ideal, dt), velocity: self.accel.sense(ideal, dt) };
-        }
+        measured.copy_from_slice(ideal);
+        self.gyro.sense_each(ideal, dt, measured);
+        self.accel.sense_each(ideal, dt, measured);
         ImuFlags {
             gyro_saturated: self.gyro.take_saturated(),
             accel_saturated: self.accel.take_saturated(),

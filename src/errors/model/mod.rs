@@ -161,12 +161,11 @@ impl ErrorModel {
         }
     }
 
-    /// The errors, at the true solution `truth`.
-    pub fn errors(&self, truth: &Navigation, axes: BodyAxes) -> NavigationErrors {
-        let state = truth.earth_fixed(&self.earth);
-        let local = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
+    /// The errors at the truth `point`, which is `truth` in geographic terms.
+    pub fn errors(&self, point: &TruthPoint, truth: &Navigation, axes: BodyAxes) -> NavigationErrors {
+        let local = LocalGeometry::new(&self.earth, &point.vertical());
         let StartErrors { position_n, velocity_n, misalignment_n } = match &self.form {
-            Form::EarthFixed(form) => form.errors(&local, &state.v_e),
+            Form::EarthFixed(form) => form.errors(&local, &point.state.v_e),
             Form::Geographic(form) => form.errors(&local),
         };
         // C~ = (I - [φ×]) C, to first order a rotation by -φ.

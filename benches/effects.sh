@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# What the effects of the sensors cost, in instructions by callgrind, which do not depend on the machine's mood.
+#   effects.sh            the table: what each effect adds to a step, with times; as Markdown
+#   effects.sh --check    that an effect that is off costs nothing: a step takes as many instructions as one of a library
+#                         that is built without the effect, within 0.5 %, in each scene that does not have it; each effect
+#                         alone, and all at once (twenty minutes)
+#   effects.sh --check A,B C   without A and B, and without C ("all", "catalogue": all that simulation 2 does not have)
+set -eu
+cd "$(dirname "$0")"
+source counting.sh
+
+table() {
+    local counts
+    counts=$(mktemp)
+    cargo build --release --quiet --bin effects
+    target/release/effects names | while read -r name; do
+        echo "$name;$(per_step 500 1500 target/release/effects fly "$name")"
+    done >"$counts"
+    target/release/effects table "$counts"
+    rm "$counts"
+}
+
+paper="bias random_walk"
+catalogue="lever_arms bandwidth linear asymmetry quadratic g_sensitivity temperature failures gauss_markov flicker
+    rate_random_walk ramp dead_zone range quantization altimeter"
+limit=0.5
+
+# counts SCENE...: of the library that was built last.
+counts() {
+    local scene
+    for scene in "$@"; do
+        echo "$scene $(per_step 500 1500 target/release/steps "$scene")"
+    done
+}
+
+check() {
+    local build effects scenes status=0 scene off without
+    cargo build --release --quiet --bin steps
+    counts simulation2 reads ideal free >target/off.txt
+    printf '%-20s %-12s %10s %10s %8s\n' "built without" scene off without %
+    for build in "$@"; do
+        case $build in
+        all) effects="$catalogue $paper" ;;
+        catalogue) effects=$catalogue ;;
+        *) effects=${build//,/ } ;;
+        esac
+        # Simulation 2 has effects of its own.
+        scenes="ideal free"
+        grep -Eq "(^| )(${paper// /|})( |$)" <<<"$effects" || scenes="simulation2 reads $scenes"
+        SINS_WITHOUT=$effects cargo build --release --quiet --bin steps
+        while read -r scene without; do
+            off=$(sed -n "s/^$scene //p" target/off.txt)
+            awk -v build="$build" -v scene="$scene" -v off="$off" -v without="$without" -v limit=$limit 'BEGIN {
+                excess = 100 * (off - without) / without
+                printf "%-20s %-12s %10d %10d %8.2f\n", build, scene, off, without, excess
+                exit (excess > limit || excess < -limit)
+            }' || status=1
+        done < <(counts $scenes)
+    done
+    [ $status -eq 0 ] || echo "an effect that is off costs more than $limit %" >&2
+    return $status
+}
+
+case ${1:-} in
+--check)
+    shift
+    [ $# -gt 0 ] || set -- all catalogue $paper $catalogue
+    check "$@"
+    ;;
+"") table ;;
+*)
+    sed -n '2,/^set/{/^#/p}' "$0" >&2
+    exit 2
+    ;;
+esac
