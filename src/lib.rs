@@ -129,6 +129,8 @@ pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
 #[forbid(unsafe_code)]
+pub mod mounting;
+#[forbid(unsafe_code)]
 pub mod recommend;
 #[forbid(unsafe_code)]
 pub mod sensors;

@@ -1,7 +1,10 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
+use nalgebra::Vector3;
+
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
+use super::mounted::{aid_of_block, block_at_start};
 use super::start::{start_errors, with_errors};
 use super::{ErrorSource, Options, Saturation, SensorSuite, Solution, singular};
 use crate::earth::Earth;
@@ -12,7 +15,9 @@ use crate::errors::{
 };
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
-use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
+use crate::mounting::Block;
+use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS, SignalGenerator};
+use crate::state::Navigation;
 use crate::truth::{Recent, TruthPoint};
 
 /// Ideal and measured signals of an interval.
@@ -49,6 +54,10 @@ pub(super) struct Chain {
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
     last: Option<LastInterval>,
+    /// The sensors' block, where it does not sit at the reference point.
+    block: Option<Block>,
+    /// True less normal gravity at the last sample [m/s²], where it is other.
+    disturbance_e: Option<Vector3<f64>>,
     mechanization: Mechanization,
     error_model: Option<ErrorModel>,
     accuracy: Accuracy,
@@ -58,24 +67,37 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// The INS set up at the truth `first` with its initial errors.
+    /// The INS set up at the truth `first` with its initial errors; `interval` is the first, if its end is known.
     pub fn start(
         options: &Options,
         earth: Earth,
         first: &TruthPoint,
+        interval: Option<&Recent<'_>>,
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
-        let truth = first.navigation(&earth, options.axes);
-        let start = start_errors(options, &earth, first, &truth, sensors)?;
+        let mounting = sensors.mounting.as_ref();
+        let block = mounting.map(|mounting| block_at_start(mounting, options, &earth, first, interval));
+        let (sensors_state, truth) = match &block {
+            Some(block) => {
+                let state = block.state(first);
+                (state, state.navigation(&earth, options.axes))
+            }
+            None => (first.state, first.navigation(&earth, options.axes)),
+        };
+        let disturbance_e = sensors.gravity.is_on().then(|| sensors.gravity.at(&earth, first));
+        let at = (first, &sensors_state);
+        let start = start_errors(options, &earth, at, &truth, disturbance_e.as_ref(), sensors)?;
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
         let errs = start != StartErrors::NONE;
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
-            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &first.state);
+            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
             ClosedLoop::new(time_constant_s, first.time_s, errs.then(at_truth))
         });
-        let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, &start));
+        let error_model = options
+            .error_model
+            .then(|| ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, &start));
         Ok(Self {
             options: *options,
             earth,
@@ -83,6 +105,8 @@ impl Chain {
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
             last: None,
+            block,
+            disturbance_e,
             mechanization,
             error_model,
             accuracy: Accuracy::new(first.time_s),
@@ -139,42 +163,80 @@ impl Chain {
         let motion = self.generator.advance(recent);
         let ideal = &mut self.ideal[..count];
         motion.integrate(ideal);
+        if let Some(block) = &mut self.block {
+            block.mount(&self.earth, &motion, recent.current, ideal);
+        }
         if let Some(closed_loop) = &self.closed_loop {
             closed_loop.trim(ideal, t);
         }
+
+        // True gravity: to an INS that computes with normal gravity, what agrees with that is error-free.
+        let in_normal_gravity;
+        let error_free = if let Some(start_e) = self.disturbance_e {
+            in_normal_gravity = self.ideal;
+            sensors.gravity.advance(&self.earth, recent.current, next);
+            let end_e = sensors.gravity.at(&self.earth, next);
+            disturb(&motion, &[start_e, end_e], self.block.as_ref(), &mut self.ideal[..count]);
+            self.disturbance_e = Some(end_e);
+            &in_normal_gravity[..count]
+        } else {
+            &self.ideal[..count]
+        };
+        let ideal = &self.ideal[..count];
 
         // Sensors.
         let sensors_were_ideal = sensors.are_ideal();
         let mut saturation = Saturation::default();
         let increments = if sensors_were_ideal {
-            &*ideal
+            ideal
         } else {
             let measured = &mut self.measured[..count];
             saturation = sensors.sense(ideal, t / count as f64, measured);
             &*measured
         };
         self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation });
+        if let Some(block) = &mut self.block {
+            block.set_gyro_error(SensorErrors::between(error_free, increments, t).gyro_b);
+        }
 
         // Mechanization, and the error-free one beside it.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
+        let (earth, block) = (&self.earth, self.block.as_ref());
         let errs = !sensors.all_are_ideal();
         if let Some(shadow) =
             self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow(&self.mechanization, errs))
         {
             let aid = vertical_aid(self.options.vertical, next, |height_m| height_m);
-            navigate(shadow, &self.options, ideal, t, &aid);
+            navigate(shadow, &self.options, error_free, t);
+            match block {
+                None => shadow.aid_vertical(&aid, t),
+                Some(block) => {
+                    let state = shadow.state();
+                    let aid = aid_of_block(earth, &aid, &state, &block.true_reference_point(&state));
+                    shadow.aid_vertical(&aid, t);
+                }
+            }
         }
-        navigate(&mut self.mechanization, &self.options, increments, t, &aid);
+        navigate(&mut self.mechanization, &self.options, increments, t);
+        match block {
+            None => self.mechanization.aid_vertical(&aid, t),
+            Some(block) => {
+                let state = self.mechanization.state();
+                let aid = aid_of_block(earth, &aid, &state, &block.reference_point(&state));
+                self.mechanization.aid_vertical(&aid, t);
+            }
+        }
         if let Some(closed_loop) = &mut self.closed_loop {
-            closed_loop.observe(&self.mechanization, next);
+            let truth = block.map_or(next.state, |block| block.state(next));
+            closed_loop.observe(&self.mechanization, &truth, next.time_s);
         }
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let errors = SensorErrors::between(ideal, increments, t);
-            model.advance(&motion, next, &errors, &aid);
+            let errors = SensorErrors::between(error_free, increments, t);
+            model.advance(&motion, next, &errors, &aid, block);
         }
         let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
         self.closure.advance(&self.earth, next, &inconsistency);
@@ -197,7 +259,7 @@ impl Chain {
 
     /// The navigated solution while the truth is at `truth`.
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
-        let navigation = self.mechanization.navigation(self.options.axes);
+        let navigation = self.navigated();
         let vertical_unaided = self.options.vertical == VerticalMode::Free;
         Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, navigation) }
     }
@@ -226,10 +288,18 @@ impl Chain {
         self.options.subsamples * self.options.updates_per_sample
     }
 
-    fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
+    /// What the INS gives out, of the reference point.
+    fn navigated(&self) -> Navigation {
         let axes = self.options.axes;
-        let truth = truth.navigation(&self.earth, axes);
-        navigation_minus_truth(&self.earth, &self.mechanization.navigation(axes), &truth)
+        match &self.block {
+            None => self.mechanization.navigation(axes),
+            Some(block) => block.reference_point(&self.mechanization.state()).navigation(&self.earth, axes),
+        }
+    }
+
+    fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
+        let truth = truth.navigation(&self.earth, self.options.axes);
+        navigation_minus_truth(&self.earth, &self.navigated(), &truth)
     }
 
     /// The errors while the truth is at `truth`; `None` while the error model is off.
@@ -237,10 +307,9 @@ impl Chain {
         let axes = self.options.axes;
         match source {
             ErrorSource::Navigation => Some(self.navigation_errors(truth)),
-            ErrorSource::Model => self
-                .error_model
-                .as_ref()
-                .map(|model| model.errors(&truth.navigation(&self.earth, axes), axes)),
+            ErrorSource::Model => self.error_model.as_ref().map(|model| {
+                model.errors(truth, &truth.navigation(&self.earth, axes), axes, self.block.as_ref())
+            }),
         }
     }
 
@@ -257,18 +326,30 @@ impl Chain {
     }
 }
 
-/// Navigates over an interval of length `t` [s], with the vertical channel's aid at its end.
-fn navigate(
-    mechanization: &mut Mechanization,
-    options: &Options,
-    increments: &[Increment],
-    t: f64,
-    aid: &VerticalAid,
-) {
+/// Navigates over an interval of length `t` [s].
+fn navigate(mechanization: &mut Mechanization, options: &Options, increments: &[Increment], t: f64) {
     for update in increments.chunks_exact(options.subsamples) {
         mechanization.update(update, t / options.updates_per_sample as f64);
     }
-    mechanization.aid_vertical(aid, t);
+}
+
+/// Takes from `increments` over the interval of `motion` what gravity does to the vehicle beyond normal gravity:
+/// `disturbance_e` at the start and at the end [m/s²].
+fn disturb(
+    motion: &IntervalMotion<'_>,
+    disturbance_e: &[Vector3<f64>; 2],
+    block: Option<&Block>,
+    increments: &mut [Increment],
+) {
+    let mut felt = [Increment::ZERO; MAX_INCREMENTS];
+    let felt = &mut felt[..increments.len()];
+    motion.with_force(disturbance_e).integrate(felt);
+    for (increment, felt) in increments.iter_mut().zip(felt) {
+        increment.velocity -= match block {
+            None => felt.velocity,
+            Some(block) => block.in_block_axes(&felt.velocity),
+        };
+    }
 }
 
 /// What the vertical channel is told at the sample `next`; `sense` makes the indicated height of the true one.

@@ -1,8 +1,10 @@
 //! The sensors of a simulator and what the host set of them.
 
 use super::Options;
+use crate::mounting::MountingParameters;
 use crate::sensors::{
-    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
+    Altimeter, AltimeterParameters, GravityDisturbance, InitialErrorParameters, Sensor, Triad,
+    TriadParameters,
 };
 use crate::signal::Increment;
 
@@ -21,7 +23,11 @@ pub(super) struct SensorSuite {
     pub gyro: Triad,
     pub accel: Triad,
     pub altimeter: Altimeter,
+    /// Of the gravity that the accelerometers feel.
+    pub gravity: GravityDisturbance,
     pub initial: InitialErrorParameters,
+    /// Where gyros and accelerometers sit, if not at the reference point.
+    pub mounting: Option<MountingParameters>,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
     is_tame: bool,
@@ -34,7 +40,9 @@ impl SensorSuite {
             gyro: Triad::new(options.key, Sensor::Gyro),
             accel: Triad::new(options.key, Sensor::Accelerometer),
             altimeter: Altimeter::new(options.key, 0.0),
+            gravity: GravityDisturbance::new(options.key),
             initial: InitialErrorParameters::default(),
+            mounting: None,
             gyro_parameters: TriadParameters::default(),
             accel_parameters: TriadParameters::default(),
             is_tame: true,
@@ -46,6 +54,8 @@ impl SensorSuite {
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
         fresh.initial = self.initial;
+        fresh.mounting = self.mounting;
+        fresh.gravity.set(self.gravity.parameters());
         fresh.set_gyro(&self.gyro_parameters);
         fresh.set_accel(&self.accel_parameters);
         fresh.set_altimeter(&self.altimeter_parameters);
@@ -88,7 +98,7 @@ impl SensorSuite {
 
     /// Whether gyros and accelerometers cannot throw a solution out of its range in one interval.
     pub fn are_tame(&self) -> bool {
-        self.is_tame
+        self.is_tame && self.mounting.is_none()
     }
 
     /// Whether gyros and accelerometers are ideal.
@@ -96,8 +106,11 @@ impl SensorSuite {
         self.gyro.is_ideal() && self.accel.is_ideal()
     }
 
-    /// Whether the altimeter is ideal too.
+    /// Whether nothing makes the INS err: the altimeter is ideal too, gravity is normal and the mounting known.
     pub fn all_are_ideal(&self) -> bool {
-        self.are_ideal() && self.altimeter_parameters == AltimeterParameters::default()
+        self.are_ideal()
+            && self.altimeter_parameters == AltimeterParameters::default()
+            && !self.gravity.is_on()
+            && self.mounting.as_ref().is_none_or(MountingParameters::is_believed)
     }
 }
