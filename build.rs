@@ -10,13 +10,15 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 18] = [
     "version",
     "failure",
     "options",
     "simulator",
     "sensors",
     "initial",
+    "mounting",
+    "gravity",
     "sample",
     "run",
     "solution",

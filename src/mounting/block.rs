@@ -25,6 +25,22 @@ pub struct Block {
     gyro_error_s: Vector3<f64>,
 }
 
+/// Where an INS takes its block to sit, and how it takes it to turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Belief {
+    placement: Placement,
+    /// ω_is, block axes [rad/s].
+    rate_s: Vector3<f64>,
+    earth_rate: f64,
+}
+
+impl Belief {
+    /// What the INS gives out for the reference point when it has the solution `block`.
+    pub fn reference_point(&self, block: &EarthFixedState) -> EarthFixedState {
+        self.placement.reference_point(block, &self.rate_s, self.earth_rate)
+    }
+}
+
 /// What an INS with an error-free solution of the block gives out wrongly of the reference point, and the arm by which the
 /// block's own errors come there: true body axes, velocities against inertial axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,8 +85,9 @@ impl Block {
 
     /// Makes of the reference point's `increments` over the interval of `motion`, which begins at `start`, those of the block.
     ///
-    /// The rate is taken up where the last interval left it, so that the block's velocity is v + C (ω×l) at each sample even
-    /// while the generator's stencil still grows.
+    /// While the generator's stencil still grows, its rate jumps by J from one interval to the next. The arm's velocity is
+    /// ω×l at each sample all the same: over the interval it goes over evenly, from (ω + J)×l.
+    #[inline(never)]
     pub fn mount(
         &mut self,
         earth: &Earth,
@@ -81,18 +98,23 @@ impl Block {
         let arm_b = &self.placement.arm_b;
         let part = 1.0 / increments.len() as f64;
         let dt = motion.interval_s * part;
+        let mut rate_b = motion.angular_rate(0.0);
+        let jump_b = (self.rate_b - rate_b).cross(arm_b);
         for (m, increment) in increments.iter_mut().enumerate() {
-            let rate_b = motion.angular_rate((m as f64 + 1.0) * part);
+            let (middle, end) = ((m as f64 + 0.5) * part, (m as f64 + 1.0) * part);
+            let end_rate_b = motion.angular_rate(end);
             let mean_b = increment.angle / dt;
-            let felt = lever_arm_velocity(&(rate_b - self.rate_b), &mean_b, dt, arm_b);
-            let to_earth = motion.to_earth((m as f64 + 0.5) * part);
+            let felt = lever_arm_velocity(&(end_rate_b - rate_b), &mean_b, dt, arm_b);
+            let felt_of_jump = mean_b.cross(&jump_b) * ((1.0 - middle) * dt) - jump_b * part;
+            let to_earth = motion.to_earth(middle);
             let gravitation_b = to_earth.tr_mul(&gravitation_along(earth, start, &(to_earth * arm_b)));
             *increment = Increment {
                 angle: self.to_block * increment.angle,
-                velocity: self.to_block * (increment.velocity + felt - gravitation_b * dt),
+                velocity: self.to_block * (increment.velocity + felt + felt_of_jump - gravitation_b * dt),
             };
-            self.rate_b = rate_b;
+            rate_b = end_rate_b;
         }
+        self.rate_b = rate_b;
     }
 
     /// Turns increments of velocity [m/s] from body axes to the block's.
@@ -105,9 +127,10 @@ impl Block {
         self.to_block.tr_mul(vector_s)
     }
 
-    /// Takes what the gyros had wrong in the last interval, on average [rad/s].
-    pub fn set_gyro_error(&mut self, gyro_error_s: Vector3<f64>) {
-        self.gyro_error_s = gyro_error_s;
+    /// Takes what the sensors made of `error_free` in the last interval, of length `t` [s].
+    #[inline(never)]
+    pub fn observe(&mut self, error_free: &[Increment], measured: &[Increment], t: f64) {
+        self.gyro_error_s = (Increment::sum(measured).angle - Increment::sum(error_free).angle) / t;
     }
 
     /// The true state of the block while the vehicle is at `truth`, the last sample.
@@ -115,16 +138,16 @@ impl Block {
         self.placement.block(&truth.state, &self.rate_b, self.earth_rate)
     }
 
-    /// What an INS that believes its mounting, and has the rate at the sample from gyros read much faster than the increments,
-    /// gives out for the reference point when it has the solution `block`.
-    pub fn reference_point(&self, block: &EarthFixedState) -> EarthFixedState {
+    /// What the INS makes of the mounting at the last sample. Its rate there is that of gyros read much faster than the
+    /// increments, with their mean error.
+    pub fn belief(&self) -> Belief {
         let rate_s = self.to_block * self.rate_b + self.gyro_error_s;
-        self.believed.reference_point(block, &rate_s, self.earth_rate)
+        Belief { placement: self.believed, rate_s, earth_rate: self.earth_rate }
     }
 
-    /// The same with the true mounting and perfect gyros.
-    pub fn true_reference_point(&self, block: &EarthFixedState) -> EarthFixedState {
-        self.placement.reference_point(block, &(self.to_block * self.rate_b), self.earth_rate)
+    /// What an INS would that knows its mounting and has perfect gyros.
+    pub fn true_belief(&self) -> Belief {
+        Belief { placement: self.placement, rate_s: self.to_block * self.rate_b, earth_rate: self.earth_rate }
     }
 
     /// Velocity and specific force of the block at the start, in the middle and at the end of `motion`. Gravity and curvature

@@ -12,7 +12,7 @@ mod block;
 mod lever_arm;
 mod placement;
 
-pub use block::Block;
+pub use block::{Belief, Block, MountingErrors};
 pub(crate) use lever_arm::{centripetal, lever_arm_velocity};
 pub use placement::Placement;
 

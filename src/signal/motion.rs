@@ -141,13 +141,6 @@ impl<'a> IntervalMotion<'a> {
         rotation_matrix(&(rotation_quaternion(&earth_turn) * self.start.state.q_eb * turned))
     }
 
-    /// The same motion, of a body that feels `force_e` [m/s²] alone: its values at the start and at the end, Earth-fixed axes,
-    /// changing evenly.
-    pub fn with_force(&self, [start_e, end_e]: &[Vector3<f64>; 2]) -> Self {
-        let t = self.interval_s;
-        Self { force: [start_e * t, (end_e - start_e) * t, Vector3::zeros(), Vector3::zeros()], ..*self }
-    }
-
     /// Displacement over the interval by its velocity, Earth-fixed axes [m].
     pub fn displacement(&self) -> Vector3<f64> {
         let [v0, v1, v2, v3] = &self.velocity;

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
-use super::mounted::{aid_of_block, block_at_start};
+use super::disturbed::feel_gravity;
+use super::mounted::{aid_vertical, block_at_start};
 use super::start::{start_errors, with_errors};
 use super::{ErrorSource, Options, Saturation, SensorSuite, Solution, singular};
 use crate::earth::Earth;
@@ -15,8 +16,8 @@ use crate::errors::{
 };
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
-use crate::mounting::Block;
-use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS, SignalGenerator};
+use crate::mounting::{Belief, Block};
+use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::state::Navigation;
 use crate::truth::{Recent, TruthPoint};
 
@@ -176,7 +177,8 @@ impl Chain {
             in_normal_gravity = self.ideal;
             sensors.gravity.advance(&self.earth, recent.current, next);
             let end_e = sensors.gravity.at(&self.earth, next);
-            disturb(&motion, &[start_e, end_e], self.block.as_ref(), &mut self.ideal[..count]);
+            let block = self.block.as_ref();
+            feel_gravity(&motion, &[start_e, end_e], block, &mut self.ideal[..count]);
             self.disturbance_e = Some(end_e);
             &in_normal_gravity[..count]
         } else {
@@ -196,38 +198,23 @@ impl Chain {
         };
         self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation });
         if let Some(block) = &mut self.block {
-            block.set_gyro_error(SensorErrors::between(error_free, increments, t).gyro_b);
+            block.observe(error_free, increments, t);
         }
 
         // Mechanization, and the error-free one beside it.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
-        let (earth, block) = (&self.earth, self.block.as_ref());
-        let errs = !sensors.all_are_ideal();
-        if let Some(shadow) =
-            self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow(&self.mechanization, errs))
-        {
-            let aid = vertical_aid(self.options.vertical, next, |height_m| height_m);
-            navigate(shadow, &self.options, error_free, t);
-            match block {
-                None => shadow.aid_vertical(&aid, t),
-                Some(block) => {
-                    let state = shadow.state();
-                    let aid = aid_of_block(earth, &aid, &state, &block.true_reference_point(&state));
-                    shadow.aid_vertical(&aid, t);
-                }
-            }
+        let (earth, options, block) = (&self.earth, &self.options, self.block.as_ref());
+        let shadow = self
+            .closed_loop
+            .as_mut()
+            .and_then(|closed_loop| closed_loop.shadow(&self.mechanization, !sensors.all_are_ideal()));
+        if let Some(shadow) = shadow {
+            let aid = vertical_aid(options.vertical, next, |height_m| height_m);
+            navigate(shadow, options, earth, error_free, t, &aid, block.map(Block::true_belief));
         }
-        navigate(&mut self.mechanization, &self.options, increments, t);
-        match block {
-            None => self.mechanization.aid_vertical(&aid, t),
-            Some(block) => {
-                let state = self.mechanization.state();
-                let aid = aid_of_block(earth, &aid, &state, &block.reference_point(&state));
-                self.mechanization.aid_vertical(&aid, t);
-            }
-        }
+        navigate(&mut self.mechanization, options, earth, increments, t, &aid, block.map(Block::belief));
         if let Some(closed_loop) = &mut self.closed_loop {
             let truth = block.map_or(next.state, |block| block.state(next));
             closed_loop.observe(&self.mechanization, &truth, next.time_s);
@@ -293,7 +280,9 @@ impl Chain {
         let axes = self.options.axes;
         match &self.block {
             None => self.mechanization.navigation(axes),
-            Some(block) => block.reference_point(&self.mechanization.state()).navigation(&self.earth, axes),
+            Some(block) => {
+                block.belief().reference_point(&self.mechanization.state()).navigation(&self.earth, axes)
+            }
         }
     }
 
@@ -326,29 +315,23 @@ impl Chain {
     }
 }
 
-/// Navigates over an interval of length `t` [s].
-fn navigate(mechanization: &mut Mechanization, options: &Options, increments: &[Increment], t: f64) {
+/// Navigates over an interval of length `t` [s], with the vertical channel's aid at its end.
+#[inline]
+fn navigate(
+    mechanization: &mut Mechanization,
+    options: &Options,
+    earth: &Earth,
+    increments: &[Increment],
+    t: f64,
+    aid: &VerticalAid,
+    belief: Option<Belief>,
+) {
     for update in increments.chunks_exact(options.subsamples) {
         mechanization.update(update, t / options.updates_per_sample as f64);
     }
-}
-
-/// Takes from `increments` over the interval of `motion` what gravity does to the vehicle beyond normal gravity:
-/// `disturbance_e` at the start and at the end [m/s²].
-fn disturb(
-    motion: &IntervalMotion<'_>,
-    disturbance_e: &[Vector3<f64>; 2],
-    block: Option<&Block>,
-    increments: &mut [Increment],
-) {
-    let mut felt = [Increment::ZERO; MAX_INCREMENTS];
-    let felt = &mut felt[..increments.len()];
-    motion.with_force(disturbance_e).integrate(felt);
-    for (increment, felt) in increments.iter_mut().zip(felt) {
-        increment.velocity -= match block {
-            None => felt.velocity,
-            Some(block) => block.in_block_axes(&felt.velocity),
-        };
+    match belief {
+        None => mechanization.aid_vertical(aid, t),
+        Some(belief) => aid_vertical(mechanization, earth, aid, t, &belief),
     }
 }
 

@@ -3,6 +3,7 @@
 mod chain;
 mod closed_loop;
 mod closure;
+mod disturbed;
 mod mounted;
 mod navigator;
 mod options;

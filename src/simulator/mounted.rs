@@ -4,13 +4,13 @@ use nalgebra::Vector3;
 
 use super::Options;
 use crate::earth::Earth;
-use crate::mechanization::{VerticalAid, VerticalState};
-use crate::mounting::{Block, MountingParameters};
-use crate::signal::SignalGenerator;
-use crate::state::EarthFixedState;
+use crate::math::{relative_rotation, rotate_inverse, rotation_vector};
+use crate::mechanization::{Mechanization, VerticalAid, VerticalState};
+use crate::mounting::{Belief, Block, MountingParameters};
 use crate::truth::{Recent, TruthPoint};
 
-/// The block at `first`: its rate is the host's, else that of the first interval, else the Earth's.
+/// The block at `first`: its rate is the host's, else the mean of the first interval, as the generator has it then, else the
+/// Earth's.
 pub(super) fn block_at_start(
     parameters: &MountingParameters,
     options: &Options,
@@ -18,24 +18,25 @@ pub(super) fn block_at_start(
     first: &TruthPoint,
     interval: Option<&Recent<'_>>,
 ) -> Block {
-    let rate_b = match (first.sample.omega_ib_b, interval) {
-        (Some(rate_b), _) => rate_b,
-        (None, Some(recent)) => SignalGenerator::new(earth.rate_rad_s).advance(recent).angular_rate(0.0),
-        (None, None) => first.to_earth.tr_mul(&Vector3::new(0.0, 0.0, earth.rate_rad_s)),
-    };
+    let against_earth = interval.map_or(Vector3::zeros(), |recent| {
+        let turn = relative_rotation(&first.state.q_eb, &recent.next.state.q_eb);
+        rotation_vector(&turn) / recent.next.interval_s
+    });
+    let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth.rate_rad_s));
+    let rate_b = first.sample.omega_ib_b.unwrap_or(against_earth + earth_rate_b);
     Block::new(parameters, options.axes, earth.rate_rad_s, rate_b)
 }
 
-/// `aid`, which is about the reference point, for the navigator of the block: it has the solution `block`, and with that
-/// `reference_point`.
-pub(super) fn aid_of_block(
+/// Keeps the vertical channel of a navigator of the block by `aid`, which is about the reference point, over `t` [s].
+#[inline(never)]
+pub(super) fn aid_vertical(
+    navigator: &mut Mechanization,
     earth: &Earth,
     aid: &VerticalAid,
-    block: &EarthFixedState,
-    reference_point: &EarthFixedState,
-) -> VerticalAid {
-    if *aid == VerticalAid::None {
-        return *aid;
-    }
-    aid.moved(&VerticalState::of(earth, reference_point), &VerticalState::of(earth, block))
+    t: f64,
+    belief: &Belief,
+) {
+    let block = navigator.state();
+    let reference_point = VerticalState::of(earth, &belief.reference_point(&block));
+    navigator.aid_vertical(&aid.moved(&reference_point, &VerticalState::of(earth, &block)), t);
 }
