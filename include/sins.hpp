@@ -212,6 +212,11 @@ public:
     void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }
     void set_accel(const sins_accel_params &params) { done(sins_set_accel(sim_, &params)); }
     void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(sim_, &params)); }
+    void set_mounting(const sins_mounting &mounting) { done(sins_set_mounting(sim_, &mounting)); }
+    void set_gravity_disturbance(const sins_gravity_params &params)
+    {
+        done(sins_set_gravity_disturbance(sim_, &params));
+    }
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
 
     void push_sample(const sins_flight_sample &sample) { done(sins_push_sample(sim_, &sample)); }

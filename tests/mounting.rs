@@ -391,10 +391,11 @@ fn a_start_in_a_roll_has_the_blocks_velocity() {
         last = angle;
         let errors = errors(&simulator, ErrorSource::Navigation);
         let arm_rate = change * arm_m;
-        assert!(errors.position_n.norm() < 2e-9 + 0.5 * 0.01 * arm_rate, "{k}: {errors:?}");
+        // Eight roundings of a position in Earth-fixed axes.
+        assert!(errors.position_n.norm() < 8e-9 + 0.5 * 0.01 * arm_rate, "{k}: {errors:?}");
         assert!(errors.velocity_n.norm() < 1e-9 + arm_rate * rotation.powi(2), "{k}: {errors:?}");
     }
-    assert!(errors(&simulator, ErrorSource::Navigation).position_n.norm() > 1e-9, "the start is in a roll");
+    assert!(errors(&simulator, ErrorSource::Navigation).position_n.norm() > 8e-9, "the start is in a roll");
 }
 
 #[test]

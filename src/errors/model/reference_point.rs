@@ -18,26 +18,30 @@ impl ErrorModel {
     pub(super) fn of_reference_point(&self, truth: &TruthPoint, block: &Block) -> StartErrors {
         let mounting = block.errors();
         let state = block.state(truth);
-        let local = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
-        let from_body = |v_b: &Vector3<f64>| local.in_local_axes(&(truth.to_earth * v_b));
+        let at_block = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
+        let StartErrors { position_n, velocity_n, misalignment_n } =
+            self.in_local_terms(&at_block, &state.v_e);
+        let lean_e = at_block.in_earth_axes(&at_block.rotation_of_axes(&position_n));
+        let psi_e = at_block.in_earth_axes(&misalignment_n) - lean_e;
 
-        let at_block = self.in_local_terms(&local, &state.v_e);
-        let axes = local.rotation_of_axes(&at_block.position_n);
-        let psi = at_block.misalignment_n - axes;
-        let earth_rate = Vector3::new(0.0, local.cos, local.sin) * self.earth.rate_rad_s;
-        let displacement = psi.cross(&from_body(&mounting.arm_b)) + from_body(&mounting.position_b);
-        let velocity = at_block.velocity_n
-            + axes.cross(&local.in_local_axes(&state.v_e))
-            + psi.cross(&from_body(&mounting.arm_rate_b))
+        let from_body = |v_b: &Vector3<f64>| truth.to_earth * v_b;
+        let displacement_e = psi_e.cross(&from_body(&mounting.arm_b)) + from_body(&mounting.position_b);
+        let position_e = at_block.in_earth_axes(&position_n) + displacement_e;
+        let velocity_e = at_block.in_earth_axes(&velocity_n)
+            + lean_e.cross(&state.v_e)
+            + psi_e.cross(&from_body(&mounting.arm_rate_b))
             + from_body(&mounting.velocity_b)
-            - earth_rate.cross(&displacement);
+            - Vector3::new(0.0, 0.0, self.earth.rate_rad_s).cross(&displacement_e);
+        let psi_e = psi_e + from_body(&mounting.misalignment_b);
 
-        let position_n = at_block.position_n + displacement;
-        let axes = local.rotation_of_axes(&position_n);
+        let at_point = LocalGeometry::new(&self.earth, &truth.vertical());
+        let position_n = at_point.in_local_axes(&position_e);
+        let lean_n = at_point.rotation_of_axes(&position_n);
+        let v_n = at_point.in_local_axes(&truth.state.v_e);
         StartErrors {
             position_n,
-            velocity_n: velocity - axes.cross(&local.in_local_axes(&truth.state.v_e)),
-            misalignment_n: psi + from_body(&mounting.misalignment_b) + axes,
+            velocity_n: at_point.in_local_axes(&velocity_e) - lean_n.cross(&v_n),
+            misalignment_n: at_point.in_local_axes(&psi_e) + lean_n,
         }
     }
 }
