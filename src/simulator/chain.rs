@@ -1,11 +1,12 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
-use nalgebra::Vector3;
+mod beside;
 
+use super::aid::vertical_aid;
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
-use super::disturbed::feel_gravity;
-use super::mounted::{aid_vertical, block_at_start};
+use super::disturbance::Disturbance;
+use super::mounted::block_at_start;
 use super::start::{start_errors, with_errors};
 use super::{ErrorSource, Options, Saturation, SensorSuite, Solution, singular};
 use crate::earth::Earth;
@@ -15,8 +16,8 @@ use crate::errors::{
     navigation_minus_truth,
 };
 use crate::math::sin_cos;
-use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
-use crate::mounting::{Belief, Block};
+use crate::mechanization::{Frame, Mechanization, VerticalMode};
+use crate::mounting::Block;
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::state::Navigation;
 use crate::truth::{Recent, TruthPoint};
@@ -57,8 +58,10 @@ pub(super) struct Chain {
     last: Option<LastInterval>,
     /// The sensors' block, where it does not sit at the reference point.
     block: Option<Block>,
-    /// True less normal gravity at the last sample [m/s²], where it is other.
-    disturbance_e: Option<Vector3<f64>>,
+    /// True less normal gravity, where it is other.
+    disturbance: Option<Disturbance>,
+    /// Neither block nor disturbance nor closed loop: the ideal signals are the generator's.
+    is_plain: bool,
     mechanization: Mechanization,
     error_model: Option<ErrorModel>,
     accuracy: Accuracy,
@@ -85,9 +88,11 @@ impl Chain {
             }
             None => (first.state, first.navigation(&earth, options.axes)),
         };
-        let disturbance_e = sensors.gravity.is_on().then(|| sensors.gravity.at(&earth, first));
+        let disturbance =
+            sensors.gravity.is_on().then(|| Disturbance::new(sensors.gravity.at(&earth, first)));
         let at = (first, &sensors_state);
-        let start = start_errors(options, &earth, at, &truth, disturbance_e.as_ref(), sensors)?;
+        let disturbance_e = disturbance.as_ref().map(Disturbance::at_last_e);
+        let start = start_errors(options, &earth, at, &truth, disturbance_e, sensors)?;
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
@@ -106,8 +111,9 @@ impl Chain {
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
             last: None,
+            is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
             block,
-            disturbance_e,
+            disturbance,
             mechanization,
             error_model,
             accuracy: Accuracy::new(first.time_s),
@@ -162,28 +168,10 @@ impl Chain {
 
         // Signal generator.
         let motion = self.generator.advance(recent);
-        let ideal = &mut self.ideal[..count];
-        motion.integrate(ideal);
-        if let Some(block) = &mut self.block {
-            block.mount(&self.earth, &motion, recent.current, ideal);
+        motion.integrate(&mut self.ideal[..count]);
+        if !self.is_plain {
+            self.complete_ideal_signals(&motion, recent, sensors);
         }
-        if let Some(closed_loop) = &self.closed_loop {
-            closed_loop.trim(ideal, t);
-        }
-
-        // True gravity: to an INS that computes with normal gravity, what agrees with that is error-free.
-        let in_normal_gravity;
-        let error_free = if let Some(start_e) = self.disturbance_e {
-            in_normal_gravity = self.ideal;
-            sensors.gravity.advance(&self.earth, recent.current, next);
-            let end_e = sensors.gravity.at(&self.earth, next);
-            let block = self.block.as_ref();
-            feel_gravity(&motion, &[start_e, end_e], block, &mut self.ideal[..count]);
-            self.disturbance_e = Some(end_e);
-            &in_normal_gravity[..count]
-        } else {
-            &self.ideal[..count]
-        };
         let ideal = &self.ideal[..count];
 
         // Sensors.
@@ -197,33 +185,26 @@ impl Chain {
             &*measured
         };
         self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation });
-        if let Some(block) = &mut self.block {
-            block.observe(error_free, increments, t);
-        }
 
-        // Mechanization, and the error-free one beside it.
+        // Mechanization.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
-        let (earth, options, block) = (&self.earth, &self.options, self.block.as_ref());
-        let shadow = self
-            .closed_loop
-            .as_mut()
-            .and_then(|closed_loop| closed_loop.shadow(&self.mechanization, !sensors.all_are_ideal()));
-        if let Some(shadow) = shadow {
-            let aid = vertical_aid(options.vertical, next, |height_m| height_m);
-            navigate(shadow, options, earth, error_free, t, &aid, block.map(Block::true_belief));
-        }
-        navigate(&mut self.mechanization, options, earth, increments, t, &aid, block.map(Block::belief));
-        if let Some(closed_loop) = &mut self.closed_loop {
-            let truth = block.map_or(next.state, |block| block.state(next));
-            closed_loop.observe(&self.mechanization, &truth, next.time_s);
+        navigate(&mut self.mechanization, &self.options, increments, t);
+        if self.is_plain {
+            self.mechanization.aid_vertical(&aid, t);
+        } else {
+            self.aid_and_observe(next, &aid);
         }
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let errors = SensorErrors::between(error_free, increments, t);
-            model.advance(&motion, next, &errors, &aid, block);
+            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
+            let mut errors = SensorErrors::between(&self.ideal[..count], &increments[..count], t);
+            if let Some(disturbance) = &self.disturbance {
+                errors = errors.plus(disturbance.felt());
+            }
+            model.advance(&motion, next, &errors, &aid, self.block.as_ref());
         }
         let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
         self.closure.advance(&self.earth, next, &inconsistency);
@@ -315,38 +296,9 @@ impl Chain {
     }
 }
 
-/// Navigates over an interval of length `t` [s], with the vertical channel's aid at its end.
-#[inline]
-fn navigate(
-    mechanization: &mut Mechanization,
-    options: &Options,
-    earth: &Earth,
-    increments: &[Increment],
-    t: f64,
-    aid: &VerticalAid,
-    belief: Option<Belief>,
-) {
+/// Navigates over an interval of length `t` [s].
+fn navigate(mechanization: &mut Mechanization, options: &Options, increments: &[Increment], t: f64) {
     for update in increments.chunks_exact(options.subsamples) {
         mechanization.update(update, t / options.updates_per_sample as f64);
-    }
-    match belief {
-        None => mechanization.aid_vertical(aid, t),
-        Some(belief) => aid_vertical(mechanization, earth, aid, t, &belief),
-    }
-}
-
-/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height of the true one.
-fn vertical_aid(mode: VerticalMode, next: &TruthPoint, sense: impl FnOnce(f64) -> f64) -> VerticalAid {
-    let height_m = next.sample.place.height_m;
-    match mode {
-        VerticalMode::Free => VerticalAid::None,
-        VerticalMode::Damped => VerticalAid::Barometer { height_m: sense(height_m) },
-        VerticalMode::FollowTruth => VerticalAid::Truth {
-            height_m,
-            velocity_up_m_s: match &next.sample.v_n {
-                Some(v_n) => v_n.z,
-                None => next.up_e.dot(&next.state.v_e),
-            },
-        },
     }
 }

@@ -1,12 +1,14 @@
 //! The simulator: the blocks of the paper's figure 1 put together, one interval after the other.
 
+mod aid;
 mod chain;
 mod closed_loop;
 mod closure;
-mod disturbed;
+mod disturbance;
 mod mounted;
 mod navigator;
 mod options;
+mod settings;
 mod solution;
 mod start;
 mod suite;
@@ -21,10 +23,7 @@ pub use suite::Saturation;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
-use crate::mounting::MountingParameters;
-use crate::sensors::{
-    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor, TriadParameters,
-};
+use crate::sensors::{AltimeterParameters, Sensor, TriadParameters};
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
@@ -112,41 +111,6 @@ impl Simulator {
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
         parameters.validate()?;
         self.sensors.set_altimeter(parameters);
-        Ok(())
-    }
-
-    /// Sets the errors with which the navigation starts; before the first step.
-    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) -> Result<(), Error> {
-        parameters.validate()?;
-        self.refuse_after_start(
-            "initial errors can be set before the first step, after a reset or after a reposition",
-        )?;
-        self.sensors.initial = *parameters;
-        Ok(())
-    }
-
-    /// Sets where the sensor block sits and what the INS believes of it; before the first step. Navigation on increments is
-    /// that of the block itself.
-    pub fn set_mounting(&mut self, parameters: &MountingParameters) -> Result<(), Error> {
-        parameters.validate()?;
-        self.refuse_after_start(
-            "the mounting can be set before the first step, after a reset or after a reposition",
-        )?;
-        self.sensors.mounting = (*parameters != MountingParameters::default()).then_some(*parameters);
-        Ok(())
-    }
-
-    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host have felt their
-    /// own.
-    pub fn set_gravity_disturbance(
-        &mut self,
-        parameters: &GravityDisturbanceParameters,
-    ) -> Result<(), Error> {
-        parameters.validate()?;
-        self.refuse_after_start(
-            "the gravity disturbance can be set before the first step, after a reset or after a reposition",
-        )?;
-        self.sensors.gravity.set(parameters);
         Ok(())
     }
 
@@ -312,13 +276,6 @@ impl Simulator {
                 Chain::start(&self.options, self.earth, first, interval.as_ref(), &self.sensors)
             }
             None => Err(Error::bad_state("no sample yet")),
-        }
-    }
-
-    fn refuse_after_start(&self, why: &'static str) -> Result<(), Error> {
-        match self.mode {
-            Mode::Waiting => Ok(()),
-            _ => Err(Error::bad_state(why)),
         }
     }
 

@@ -1,12 +1,11 @@
-//! What a mounted sensor block changes between the INS, which navigates the block, and the reference point.
+//! The sensor block at the start of a flight.
 
 use nalgebra::Vector3;
 
 use super::Options;
 use crate::earth::Earth;
 use crate::math::{relative_rotation, rotate_inverse, rotation_vector};
-use crate::mechanization::{Mechanization, VerticalAid, VerticalState};
-use crate::mounting::{Belief, Block, MountingParameters};
+use crate::mounting::{Block, MountingParameters};
 use crate::truth::{Recent, TruthPoint};
 
 /// The block at `first`: its rate is the host's, else the mean of the first interval, as the generator has it then, else the
@@ -25,18 +24,4 @@ pub(super) fn block_at_start(
     let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth.rate_rad_s));
     let rate_b = first.sample.omega_ib_b.unwrap_or(against_earth + earth_rate_b);
     Block::new(parameters, options.axes, earth.rate_rad_s, rate_b)
-}
-
-/// Keeps the vertical channel of a navigator of the block by `aid`, which is about the reference point, over `t` [s].
-#[inline(never)]
-pub(super) fn aid_vertical(
-    navigator: &mut Mechanization,
-    earth: &Earth,
-    aid: &VerticalAid,
-    t: f64,
-    belief: &Belief,
-) {
-    let block = navigator.state();
-    let reference_point = VerticalState::of(earth, &belief.reference_point(&block));
-    navigator.aid_vertical(&aid.moved(&reference_point, &VerticalState::of(earth, &block)), t);
 }

@@ -44,7 +44,16 @@ pub struct SensorErrors {
 }
 
 impl SensorErrors {
+    /// None.
+    pub const NONE: Self = Self {
+        gyro_b: Vector3::new(0.0, 0.0, 0.0),
+        accel_b: Vector3::new(0.0, 0.0, 0.0),
+        gyro_change_b: Vector3::new(0.0, 0.0, 0.0),
+        accel_change_b: Vector3::new(0.0, 0.0, 0.0),
+    };
+
     /// From the increments of an interval of length `t` [s], in parts of equal length.
+    #[inline(always)] // 30 instructions less in each step
     pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
         let (part, rate) = (1.0 / ideal.len() as f64, 1.0 / t);
         let (mut sum, mut moment) = (Increment::ZERO, Increment::ZERO);
@@ -62,6 +71,16 @@ impl SensorErrors {
             accel_b: sum.velocity * rate,
             gyro_change_b: moment.angle * (12.0 * rate),
             accel_change_b: moment.velocity * (12.0 * rate),
+        }
+    }
+
+    /// Both together.
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            gyro_b: self.gyro_b + other.gyro_b,
+            accel_b: self.accel_b + other.accel_b,
+            gyro_change_b: self.gyro_change_b + other.gyro_change_b,
+            accel_change_b: self.accel_change_b + other.accel_change_b,
         }
     }
 
