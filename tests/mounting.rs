@@ -83,6 +83,10 @@ fn worst(options: &Options, rate_hz: f64, mounting: &MountingParameters) -> Wors
     fly(&mut mounted(options, mounting), samples(&aerobatics(), rate_hz).into_iter(), 1)
 }
 
+/// An error of fourth order with a mounting, over that without: the arm's ω² l = 2.8² · 5.4 m/s² = 4 g stand beside the flight's
+/// 5 g, at up to twice its frequency.
+const SHARE_OF_THE_ARM: f64 = 1.0 + 4.0 / 5.0 * 16.0;
+
 /// The arm's acceleration is integrated by the mechanization like any other: what that leaves is of its own order, the fourth,
 /// and of the size of what it leaves of the flight itself. The block's signals and the way back add nothing.
 #[test]
@@ -101,21 +105,21 @@ fn perfect_sensors_navigate_to_the_truth_as_without_a_mounting() {
             let order = (coarse / fine).log2();
             assert!((order - 4.0).abs() < 0.3, "order {order}");
         }
-        // The arm moves with up to |ω|² l = 2.8² 5.4 m/s² = 4 g, on top of the flight's 5 g, at twice its frequency: each order
-        // of the error by 4 · 2^k of a share of it.
-        assert!(fine.position_m < 8.0 * alone.position_m && fine.velocity_m_s < 8.0 * alone.velocity_m_s);
+        let bound = SHARE_OF_THE_ARM;
+        assert!(fine.position_m < bound * alone.position_m, "{fine:?} {alone:?}");
+        assert!(fine.velocity_m_s < bound * alone.velocity_m_s, "{fine:?} {alone:?}");
         assert!(fine.misalignment_rad < 1.1 * alone.misalignment_rad, "attitude has no arm");
     }
 }
 
-/// With an algorithm that is exact for the generator's motion to higher order, next to nothing is left: it bounds what the
-/// block's signals and the way back add. Position is rounded to 1e-9 m at each of 10 000 samples.
+/// An algorithm of higher order leaves what the block's signals and the way back add: gravitation along the arm, 5.4 m · 3e-6 /s²,
+/// is taken in the middle of each increment, with an error of θ²/24 at θ = 2.8/800 rad: 9e-12 m/s² for 97 s.
 #[test]
 fn the_blocks_signals_are_those_of_a_rigid_arm() {
     let options = Options { scheme: Scheme::Polynomial, subsamples: 4, ..options_at(200.0) };
     let worst = worst(&options, 200.0, &off_centre());
     println!("polynomial, 4 subsamples, 200 Hz: {worst:?}");
-    assert!(worst.position_m < 3e-8 && worst.velocity_m_s < 1e-9, "{worst:?}");
+    assert!(worst.position_m < 4e-8 && worst.velocity_m_s < 9e-10, "{worst:?}");
 }
 
 /// A boresight alone turns the increments and nothing else, exactly: to rounding the same navigation.
@@ -276,7 +280,6 @@ fn both_error_data_hear_of_the_mounting() {
             let position = (found.position_n - expected.position_n).norm();
             let velocity = (found.velocity_n - expected.velocity_n).norm();
             let misalignment = (found.misalignment_n - expected.misalignment_n).norm();
-            println!("{frame:?} {vertical:?} {}: {position:e} {velocity:e} {misalignment:e}", sample.time_s);
             assert!(position < 1e-3 * expected.position_n.norm(), "{found:?} {expected:?}");
             assert!(velocity < 2e-3 * expected.velocity_n.norm(), "{found:?} {expected:?}");
             assert!(misalignment < 2e-3 * expected.misalignment_n.norm(), "{found:?} {expected:?}");
@@ -291,9 +294,10 @@ fn the_aided_height_is_that_of_the_reference_point() {
     for (k, sample) in samples(&aerobatics(), 50.0).iter().enumerate() {
         step(&mut simulator, sample);
         let errors = errors(&simulator, ErrorSource::Navigation);
-        // Roundings of a position in Earth-fixed axes, and 7e-13 of the height shifts for the vertical at the arm's other end.
+        // Roundings of a position in Earth-fixed axes; the vertical at the arm's other end leans by 9e-7 rad, and with it the
+        // horizontal velocity that the correction has: 1e-5 m/s at the most.
         assert!(k == 0 || errors.position_n.z.abs() < 8e-9, "{errors:?}");
-        assert!(k == 0 || errors.velocity_n.z.abs() < 1e-7, "{errors:?}");
+        assert!(k == 0 || errors.velocity_n.z.abs() < 1e-11, "{errors:?}");
     }
 }
 
@@ -322,7 +326,8 @@ fn the_hosts_own_signals_are_moved_to_the_block() {
     let alone = fly(&mut Simulator::new(&options).unwrap(), given.iter().copied(), 1);
     let moved = fly(&mut mounted(&options, &off_centre()), given.iter().copied(), 1);
     println!("host's signals at 50 Hz: {moved:?}, without a mounting {alone:?}");
-    assert!(moved.position_m < 8.0 * alone.position_m && moved.velocity_m_s < 8.0 * alone.velocity_m_s);
+    assert!(moved.position_m < SHARE_OF_THE_ARM * alone.position_m, "{moved:?} {alone:?}");
+    assert!(moved.velocity_m_s < SHARE_OF_THE_ARM * alone.velocity_m_s, "{moved:?} {alone:?}");
 }
 
 /// The closed loop holds the block to the truth, so that its reference point stays there.

@@ -79,8 +79,8 @@ impl Chain {
         interval: Option<&Recent<'_>>,
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
-        let mounting = sensors.mounting.as_ref();
-        let block = mounting.map(|mounting| block_at_start(mounting, options, &earth, first, interval));
+        let block =
+            sensors.mounting().map(|mounting| block_at_start(mounting, options, &earth, first, interval));
         let (sensors_state, truth) = match &block {
             Some(block) => {
                 let state = block.state(first);

@@ -23,7 +23,7 @@ impl Simulator {
         self.refuse_after_start(
             "the mounting can be set before the first step, after a reset or after a reposition",
         )?;
-        self.sensors.mounting = (*parameters != MountingParameters::default()).then_some(*parameters);
+        self.sensors.set_mounting((*parameters != MountingParameters::default()).then_some(*parameters));
         Ok(())
     }
 

@@ -1,5 +1,7 @@
 //! The sensors of a simulator and what the host set of them.
 
+use nalgebra::Vector3;
+
 use super::Options;
 use crate::mounting::MountingParameters;
 use crate::sensors::{
@@ -27,7 +29,7 @@ pub(super) struct SensorSuite {
     pub gravity: GravityDisturbance,
     pub initial: InitialErrorParameters,
     /// Where gyros and accelerometers sit, if not at the reference point.
-    pub mounting: Option<MountingParameters>,
+    mounting: Option<MountingParameters>,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
     is_tame: bool,
@@ -54,7 +56,7 @@ impl SensorSuite {
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
         fresh.initial = self.initial;
-        fresh.mounting = self.mounting;
+        fresh.set_mounting(self.mounting);
         fresh.gravity.set(self.gravity.parameters());
         fresh.set_gyro(&self.gyro_parameters);
         fresh.set_accel(&self.accel_parameters);
@@ -64,14 +66,30 @@ impl SensorSuite {
 
     pub fn set_gyro(&mut self, parameters: &TriadParameters) {
         self.gyro_parameters = *parameters;
-        self.is_tame = parameters.is_tame() && self.accel_parameters.is_tame();
+        self.judge_tameness();
         self.gyro.set(parameters);
     }
 
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
-        self.is_tame = parameters.is_tame() && self.gyro_parameters.is_tame();
+        self.judge_tameness();
         self.accel.set(parameters);
+    }
+
+    pub fn set_mounting(&mut self, mounting: Option<MountingParameters>) {
+        self.mounting = mounting;
+        self.judge_tameness();
+    }
+
+    pub fn mounting(&self) -> Option<&MountingParameters> {
+        self.mounting.as_ref()
+    }
+
+    /// An arm adds ω² l and ω' l to what the truth's velocity bounds.
+    fn judge_tameness(&mut self) {
+        self.is_tame = self.gyro_parameters.is_tame()
+            && self.accel_parameters.is_tame()
+            && self.mounting.is_none_or(|mounting| mounting.lever_arm_m == Vector3::zeros());
     }
 
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
@@ -98,7 +116,7 @@ impl SensorSuite {
 
     /// Whether gyros and accelerometers cannot throw a solution out of its range in one interval.
     pub fn are_tame(&self) -> bool {
-        self.is_tame && self.mounting.is_none()
+        self.is_tame
     }
 
     /// Whether gyros and accelerometers are ideal.
