@@ -34,7 +34,9 @@ pub(super) fn aid_vertical(
     t: f64,
     belief: Option<Belief>,
 ) {
-    let Some(belief) = belief else { return navigator.aid_vertical(aid, t) };
+    let (Some(belief), false) = (belief, *aid == VerticalAid::None) else {
+        return navigator.aid_vertical(aid, t);
+    };
     let block = navigator.state();
     let reference_point = VerticalState::of(earth, &belief.reference_point(&block));
     navigator.aid_vertical(&aid.moved(&reference_point, &VerticalState::of(earth, &block)), t);

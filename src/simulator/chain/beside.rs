@@ -11,7 +11,7 @@ use crate::truth::{Recent, TruthPoint};
 impl Chain {
     /// What mounting, closed loop and gravity make of the generator's signals. The closed loop's shadow flies them without the
     /// last, as it computes with normal gravity.
-    #[cold] // to the plain flight, which pays for the registers else
+    #[inline(never)]
     pub(super) fn complete_ideal_signals(
         &mut self,
         motion: &IntervalMotion<'_>,
@@ -39,7 +39,7 @@ impl Chain {
     }
 
     /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
-    #[cold] // to the plain flight, which pays for the registers else
+    #[inline(never)]
     pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid) {
         let (count, t) = (self.increments(), next.interval_s);
         let sensors_were_ideal = self.last.is_none_or(|last| last.sensors_were_ideal);
