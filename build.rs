@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 22] = [
     "version",
     "failure",
     "options",
@@ -20,6 +20,8 @@ const SOURCES: [&str; 20] = [
     "altimeter",
     "sensor_failure",
     "initial",
+    "mounting",
+    "gravity",
     "sample",
     "run",
     "solution",

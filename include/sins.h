@@ -636,6 +636,77 @@ typedef struct sins_initial_errors {
     uint32_t reserved2;
 } sins_initial_errors;
 
+/*
+ * Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
+ * believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+ *
+ * The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins_imu is about the block. The INS
+ * navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
+ * Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
+ * point, along body axes; so is the barometric height.
+ */
+typedef struct sins_mounting {
+    /* sizeof(sins_mounting) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
+    double lever_arm_m[3];
+    /*
+     * Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
+     * down, nose up, nose to the right; any angles [rad].
+     */
+    double boresight_rad[3];
+    /* Believed less true lever arm, -100 to 100 [m]. */
+    double lever_arm_error_m[3];
+    /*
+     * Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
+     * out too small by as much.
+     */
+    double boresight_error_rad[3];
+} sins_mounting;
+
+/*
+ * True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+ * disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
+ * track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
+ * gravity.
+ *
+ * Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
+ * accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
+ * times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+ */
+typedef struct sins_gravity_params {
+    /* sizeof(sins_gravity_params) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /*
+     * Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
+     * the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+     */
+    double deflection_north_rad;
+    /* Standard deviation of its random part, up to 0.01 [rad]. */
+    double deflection_north_sigma_rad;
+    /* Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0. */
+    double deflection_north_distance_m;
+    /*
+     * Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
+     * 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+     */
+    double deflection_east_rad;
+    /* Standard deviation of its random part, up to 0.01 [rad]. */
+    double deflection_east_sigma_rad;
+    /* Correlation distance of that, 1 to 1e9 [m]. */
+    double deflection_east_distance_m;
+    /* Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2. */
+    double anomaly_m_s2;
+    /* Standard deviation of its random part, up to 0.1 [m/s2]. */
+    double anomaly_sigma_m_s2;
+    /* Correlation distance of that, 1 to 1e9 [m]. */
+    double anomaly_distance_m;
+} sins_gravity_params;
+
 /* A solution within a sins_record; never grows. Fields as in sins_navigation. */
 typedef struct sins_record_solution {
     /* [rad] */
@@ -1198,6 +1269,23 @@ SINS_API sins_status SINS_CALL sins_set_failure(
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
+
+/*
+ * Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
+ * increments is not concerned: its solution is that of the block.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ */
+SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sins_mounting *mounting);
+
+/*
+ * Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
+ * same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
+ * felt their own gravity.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ */
+SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const struct sins_gravity_params *params);
 
 /*
  * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a

@@ -248,6 +248,11 @@ public:
         done(sins_set_failure(sim_, sensor, axis, &failure));
     }
 
+    void set_mounting(const sins_mounting &mounting) { done(sins_set_mounting(sim_, &mounting)); }
+    void set_gravity_disturbance(const sins_gravity_params &params)
+    {
+        done(sins_set_gravity_disturbance(sim_, &params));
+    }
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
 
     void push_sample(const sins_flight_sample &sample) { done(sins_push_sample(sim_, &sample)); }

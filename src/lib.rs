@@ -18,6 +18,9 @@
 //!     signal                   Increment      what perfect sensors give            [inverse navigation]
 //!        |
 //!        v
+//!     mounting                 Increment      of a block off the reference point
+//!        |
+//!        v
 //!     sensors                  Increment      with their errors                    [IMU model, (1)-(3)]
 //!        |        \
 //!        v         \ the same errors
@@ -36,7 +39,8 @@
 //! | symbol | meaning |
 //! |---|---|
 //! | `_n` | navigation axes: east, north, up |
-//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`state::BodyAxes`]) |
+//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`state::BodyAxes`]). With a mounting, those of the vehicle |
+//! | `_s` | with a mounting, the axes of the sensor block |
 //! | `_e` | Earth-fixed axes: x to latitude 0, longitude 0; y to longitude 90° east; z to the north pole |
 //! | `_i` | inertial axes |
 //! | `q_nb` | quaternion that turns a vector from body to navigation axes; C in the paper is its matrix |
@@ -64,6 +68,8 @@
 //! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/invariants.rs`, `tests/samples.rs` |
 //! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
 //! | temperature and failures too, and a failure cleared has moved no draw | `tests/temperature.rs`, `tests/failures.rs` |
+//! | a block off the reference point navigates as well as one at it | `tests/mounting.rs` |
+//! | gravity beyond the normal field acts as in closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
@@ -132,6 +138,8 @@ pub mod flight;
 pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
+#[forbid(unsafe_code)]
+pub mod mounting;
 #[forbid(unsafe_code)]
 pub mod recommend;
 #[forbid(unsafe_code)]

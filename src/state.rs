@@ -28,6 +28,14 @@ impl BodyAxes {
             }
         }
     }
+
+    /// A rotation within the vehicle, given in axes right-forward-up, in these axes.
+    pub fn in_vehicle(self, q: &Quaternion<f64>) -> Quaternion<f64> {
+        match self {
+            Self::RightForwardUp => *q,
+            Self::ForwardRightDown => Quaternion::new(q.w, q.j, q.i, -q.k),
+        }
+    }
 }
 
 /// Where a body is, how it moves and how it lies, in Earth-fixed axes: regular everywhere.

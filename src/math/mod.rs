@@ -12,8 +12,8 @@ pub use compensated::{Compensated, two_product, two_sum};
 pub use pair::{Pair, VectorPair};
 pub use rotation::{
     Euler, RotationSeries, attitude_from_euler, attitude_from_half_angles, axis_turn_increment,
-    euler_from_attitude, inverse_right_jacobian, relative_rotation, rotate, rotate_inverse, rotated_z,
-    rotation_increment, rotation_matrix, rotation_quaternion, rotation_vector,
+    euler_from_attitude, inverse_right_jacobian, relative_rotation, right_jacobian, rotate, rotate_inverse,
+    rotated_z, rotation_increment, rotation_matrix, rotation_quaternion, rotation_vector,
 };
 pub use sine::sin_cos_each;
 pub use stencil::end_derivative_weights;

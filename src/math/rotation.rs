@@ -180,6 +180,15 @@ pub fn relative_rotation(from: &Quaternion<f64>, to: &Quaternion<f64>) -> Quater
     relative
 }
 
+/// Angular rate, body axes, of a body whose rotation vector is `phi` [rad] and changes at `rate`: the right Jacobian applied
+/// to `rate`.
+#[inline]
+pub fn right_jacobian(phi: &Vector3<f64>, rate: &Vector3<f64>) -> Vector3<f64> {
+    let series = RotationSeries::new(phi.norm_squared());
+    let cross = phi.cross(rate);
+    rate - series.square * cross + series.cubic * phi.cross(&cross)
+}
+
 /// Rate of the rotation vector `phi` [rad] when the body turns at `omega` (body axes): the inverse of the right
 /// Jacobian applied to `omega`.
 #[inline]
@@ -293,9 +302,7 @@ mod tests {
     fn jacobian_and_its_inverse_cancel() {
         let phi = Vector3::new(0.4, -0.7, 1.1);
         let rate = Vector3::new(-0.2, 0.9, 0.5);
-        let s = RotationSeries::new(phi.norm_squared());
-        let cross = phi.cross(&rate);
-        let omega = rate - s.square * cross + s.cubic * phi.cross(&cross);
+        let omega = right_jacobian(&phi, &rate);
         assert!((inverse_right_jacobian(&phi, &omega) - rate).norm() < 16.0 * f64::EPSILON);
     }
 

@@ -161,6 +161,11 @@ impl Geographic {
         self.v_n.add(&(Vector3::new(0.0, 0.0, correction.velocity_up_m_s) - coriolis));
     }
 
+    /// The state in Earth-fixed axes.
+    pub fn state(&self, earth: &Earth) -> EarthFixedState {
+        self.navigation(BodyAxes::default()).earth_fixed(earth)
+    }
+
     /// The state in geographic terms, without a detour over Earth-fixed axes.
     pub fn navigation(&self, axes: BodyAxes) -> Navigation {
         let place = self.place.value;

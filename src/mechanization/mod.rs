@@ -11,7 +11,7 @@ mod vertical;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
-pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode};
+pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
 
 use nalgebra::{Quaternion, Vector3};
 
@@ -203,9 +203,17 @@ impl Mechanization {
         match &self.axes {
             Axes::EarthFixed(axes) => axes.minus(truth),
             Axes::Geographic(axes) => {
-                let state = axes.navigation(BodyAxes::default()).earth_fixed(&self.earth);
+                let state = axes.state(&self.earth);
                 StateDifference::new(state.r_e - truth.r_e, state.v_e - truth.v_e, &state.q_eb, truth)
             }
+        }
+    }
+
+    /// The solution in Earth-fixed axes.
+    pub fn state(&self) -> EarthFixedState {
+        match &self.axes {
+            Axes::EarthFixed(axes) => axes.state(),
+            Axes::Geographic(axes) => axes.state(&self.earth),
         }
     }
 

@@ -1,7 +1,9 @@
 //! The vertical channel: by itself it is unstable (e-fold 569 s), so it is damped by a barometric height or held to the
 //! truth.
 
+use crate::earth::Earth;
 use crate::math::exp_m1;
+use crate::state::EarthFixedState;
 
 /// How the vertical channel is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -32,6 +34,38 @@ pub enum VerticalAid {
         /// Height above the ellipsoid [m].
         height_m: f64,
     },
+}
+
+/// Height [m] and velocity up [m/s] of a point of the vehicle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VerticalState {
+    /// Above the ellipsoid [m].
+    pub height_m: f64,
+    /// [m/s]
+    pub velocity_up_m_s: f64,
+}
+
+impl VerticalState {
+    /// Of `state`.
+    pub fn of(earth: &Earth, state: &EarthFixedState) -> Self {
+        let vertical = earth.vertical(&state.r_e);
+        Self { height_m: vertical.height_m, velocity_up_m_s: vertical.up_e.dot(&state.v_e) }
+    }
+}
+
+impl VerticalAid {
+    /// What the aid of the point at `from` says of a point of the same vehicle, which the solution has at `to`.
+    pub fn moved(self, from: &VerticalState, to: &VerticalState) -> Self {
+        let up = to.height_m - from.height_m;
+        match self {
+            Self::None => self,
+            Self::Barometer { height_m } => Self::Barometer { height_m: height_m + up },
+            Self::Truth { height_m, velocity_up_m_s } => Self::Truth {
+                height_m: height_m + up,
+                velocity_up_m_s: velocity_up_m_s + (to.velocity_up_m_s - from.velocity_up_m_s),
+            },
+        }
+    }
 }
 
 /// Third-order barometric loop (Kayton and Fried 1997, §7.5): with e = height - barometric height,

@@ -1,5 +1,5 @@
 //! The sensor models: what imperfect gyros and accelerometers make of the ideal signals (the paper's equations (1)-(3)),
-//! and the barometric altimeter.
+//! the barometric altimeter, and the disturbance of the gravity that accelerometers feel.
 //!
 //! # Effects
 //!
@@ -37,6 +37,7 @@ mod failure;
 mod flicker;
 mod g_sensitivity;
 mod gauss_markov;
+mod gravity_disturbance;
 mod initial;
 mod linear;
 mod outputs;
@@ -58,6 +59,7 @@ mod validation;
 
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use failure::{Axis, Failure, SensorOutput};
+pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
 pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};

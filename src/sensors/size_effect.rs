@@ -3,14 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::parameters::TriadParameters;
+use crate::mounting::{centripetal, lever_arm_velocity};
 
 /// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the reference point does (Savage 1998,
-/// part 2; Titterton and Weston). Over an increment,
-/// ```text
-/// ∫ω'×r dt     = (ω(dt) - ω(0))×r
-/// ∫ω×(ω×r) dt  = (m×(m×r) + d×(d×r)/12) dt, m = ∫ω dt / dt, d = ω(dt) - ω(0)
-/// ```
-/// ω at an end is the derivative of the cubic through the angle at it and at the ends of the three increments before, of any
+/// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`]; ω at an end is the derivative of the cubic through the angle at it and at the ends of the three increments before, of any
 /// lengths: no latency, an error of h³ω'''/4 in ω at an increment of h, which the velocity has once and does not
 /// accumulate, and one of fourth order in the centripetal part. At the start, and where the truth jumps, from as many
 /// increments as there are: a constant rate has no transient.
@@ -65,9 +61,7 @@ impl SizeEffect {
         let end = self.rate_at_end(&now);
         let start = if self.past[0].is_some() { self.rate } else { end };
         let change = end - start;
-        *felt += self.along_axes(|arm| {
-            change.cross(arm) + (centripetal(&now.mean, arm) + centripetal(&change, arm) * (1.0 / 12.0)) * dt
-        });
+        *felt += self.along_axes(|arm| lever_arm_velocity(&change, &now.mean, dt, arm));
         self.past = [Some(now), self.past[0]];
         self.rate = end;
     }
@@ -87,9 +81,4 @@ impl SizeEffect {
     fn along_axes(&self, acceleration: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vector3<f64> {
         Vector3::from_fn(|axis, _| acceleration(&self.arms.row(axis).transpose())[axis])
     }
-}
-
-/// ω×(ω×r)
-fn centripetal(rate: &Vector3<f64>, arm: &Vector3<f64>) -> Vector3<f64> {
-    rate.cross(&rate.cross(arm))
 }

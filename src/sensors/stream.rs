@@ -11,6 +11,7 @@ pub(super) enum Source {
     Accelerometer = 1,
     Altimeter = 2,
     InitialErrors = 3,
+    Gravity = 16,
 }
 
 /// For what. The numbers are part of the bit-for-bit guarantee: never reuse one.

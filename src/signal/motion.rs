@@ -1,10 +1,13 @@
 //! The motion within one interval, as polynomials of u = time since its start over its length, 0 to 1.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::Increment;
 use super::generator::Derivatives;
-use crate::math::{Pair, RotationSeries, VectorPair, inverse_right_jacobian};
+use crate::math::{
+    Pair, RotationSeries, VectorPair, inverse_right_jacobian, right_jacobian, rotation_matrix,
+    rotation_quaternion,
+};
 use crate::truth::TruthPoint;
 
 /// Nodes and weights of Gauss-Legendre quadrature on 0..1, two and two; a node of weight 0 fills up.
@@ -115,6 +118,27 @@ impl<'a> IntervalMotion<'a> {
             f3 + axis_cross(wt, f2) + 0.5 * axis_cross(wt, &k1),
         ];
         inertial.map(|f| self.start.to_earth.tr_mul(&f))
+    }
+
+    /// Rotation vector against inertial space from the start to `u`, sensor axes [rad].
+    fn turned_by(&self, u: f64) -> Vector3<f64> {
+        let [c1, c2, c3] = &self.rotation;
+        (c1 + (c2 + c3 * u) * u) * u
+    }
+
+    /// Angular rate against inertial space at `u`, sensor axes [rad/s].
+    pub fn angular_rate(&self, u: f64) -> Vector3<f64> {
+        let [c1, c2, c3] = &self.rotation;
+        let phi_rate = c1 + (c2 * 2.0 + c3 * (3.0 * u)) * u;
+        right_jacobian(&self.turned_by(u), &phi_rate) * (1.0 / self.interval_s)
+    }
+
+    /// Matrix of the attitude at `u`: sensor axes to Earth-fixed axes.
+    pub fn to_earth(&self, u: f64) -> Matrix3<f64> {
+        let turned = rotation_quaternion(&self.turned_by(u));
+        // The Earth has turned on.
+        let earth_turn = Vector3::new(0.0, 0.0, -self.earth_rate * self.interval_s * u);
+        rotation_matrix(&(rotation_quaternion(&earth_turn) * self.start.state.q_eb * turned))
     }
 
     /// Displacement over the interval by its velocity, Earth-fixed axes [m].

@@ -1,7 +1,12 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
+mod beside;
+
+use super::aid::vertical_aid;
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
+use super::disturbance::Disturbance;
+use super::mounted::block_at_start;
 use super::solution::is_near_pole;
 use super::start::{start_errors, with_errors};
 use super::views::Views;
@@ -14,6 +19,7 @@ use crate::errors::{
 };
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
+use crate::mounting::Block;
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::state::Navigation;
 use crate::truth::{Recent, TruthPoint};
@@ -38,6 +44,12 @@ pub(super) struct Chain {
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
     last: Option<LastInterval>,
+    /// The sensors' block, where it does not sit at the reference point.
+    block: Option<Block>,
+    /// True less normal gravity, where it is other.
+    disturbance: Option<Disturbance>,
+    /// Neither block nor disturbance nor closed loop: the ideal signals are the generator's.
+    is_plain: bool,
     mechanization: Mechanization,
     error_model: Option<ErrorModel>,
     accuracy: Accuracy,
@@ -48,24 +60,39 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// The INS set up at the truth `first` with its initial errors.
+    /// The INS set up at the truth `first` with its initial errors; `interval` is the first, if its end is known.
     pub fn start(
         options: &Options,
         earth: Earth,
         first: &TruthPoint,
+        interval: Option<&Recent<'_>>,
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
-        let truth = first.navigation(&earth, options.axes);
-        let start = start_errors(options, &earth, first, &truth, sensors)?;
+        let block =
+            sensors.mounting().map(|mounting| block_at_start(mounting, options, &earth, first, interval));
+        let (sensors_state, truth) = match &block {
+            Some(block) => {
+                let state = block.state(first);
+                (state, state.navigation(&earth, options.axes))
+            }
+            None => (first.state, first.navigation(&earth, options.axes)),
+        };
+        let disturbance =
+            sensors.gravity.is_on().then(|| Disturbance::new(sensors.gravity.at(&earth, first)));
+        let at = (first, &sensors_state);
+        let disturbance_e = disturbance.as_ref().map(Disturbance::at_last_e);
+        let start = start_errors(options, &earth, at, &truth, disturbance_e, sensors)?;
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
         let errs = start != StartErrors::NONE;
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
-            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &first.state);
+            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
             ClosedLoop::new(time_constant_s, first.time_s, errs.then(at_truth))
         });
-        let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, &start));
+        let error_model = options
+            .error_model
+            .then(|| ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, &start));
         Ok(Self {
             options: *options,
             earth,
@@ -73,6 +100,9 @@ impl Chain {
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
             last: None,
+            is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
+            block,
+            disturbance,
             mechanization,
             error_model,
             accuracy: Accuracy::new(first.time_s),
@@ -136,17 +166,17 @@ impl Chain {
 
         // Signal generator.
         let motion = self.generator.advance(recent);
-        let ideal = &mut self.ideal[..count];
-        motion.integrate(ideal);
-        if let Some(closed_loop) = &self.closed_loop {
-            closed_loop.trim(ideal, t);
+        motion.integrate(&mut self.ideal[..count]);
+        if !self.is_plain {
+            self.complete_ideal_signals(&motion, recent, sensors);
         }
+        let ideal = &self.ideal[..count];
 
         // Sensors.
         let sensors_were_ideal = sensors.are_ideal();
         let mut flags = ImuFlags::default();
         let increments = if sensors_were_ideal {
-            &*ideal
+            ideal
         } else {
             let measured = &mut self.measured[..count];
             sensors.begin_interval(t, || [recent.current.sample.temperature_c, next.sample.temperature_c]);
@@ -154,7 +184,7 @@ impl Chain {
             &*measured
         };
 
-        // Mechanization, and the error-free one beside it.
+        // Mechanization.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
@@ -165,22 +195,21 @@ impl Chain {
             flags,
             vertical_unaided: aid == VerticalAid::None,
         });
-        let errs = !sensors.all_are_ideal();
-        if let Some(shadow) =
-            self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow(&self.mechanization, errs))
-        {
-            let aid = vertical_aid(self.options.vertical, next, Some);
-            navigate(shadow, &self.options, ideal, t, &aid);
-        }
-        navigate(&mut self.mechanization, &self.options, increments, t, &aid);
-        if let Some(closed_loop) = &mut self.closed_loop {
-            closed_loop.observe(&self.mechanization, next);
+        navigate(&mut self.mechanization, &self.options, increments, t);
+        if self.is_plain {
+            self.mechanization.aid_vertical(&aid, t);
+        } else {
+            self.aid_and_observe(next, &aid);
         }
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let errors = SensorErrors::between(ideal, increments, t);
-            model.advance(&motion, next, &errors, &aid);
+            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
+            let mut errors = SensorErrors::between(&self.ideal[..count], &increments[..count], t);
+            if let Some(disturbance) = &self.disturbance {
+                errors = errors.plus(disturbance.felt());
+            }
+            model.advance(&motion, next, &errors, &aid, self.block.as_ref());
         }
         let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
         self.closure.advance(&self.earth, next, &inconsistency);
@@ -243,8 +272,15 @@ impl Chain {
         self.views.truth.get_or_init(|| truth.navigation(&self.earth, self.options.axes))
     }
 
+    /// What the INS gives out, of the reference point.
     fn navigated_view(&self) -> &Navigation {
-        self.views.navigation.get_or_init(|| self.mechanization.navigation(self.options.axes))
+        let axes = self.options.axes;
+        self.views.navigation.get_or_init(|| match &self.block {
+            None => self.mechanization.navigation(axes),
+            Some(block) => {
+                block.belief().reference_point(&self.mechanization.state()).navigation(&self.earth, axes)
+            }
+        })
     }
 
     fn navigation_errors(&self, truth: &TruthPoint) -> &NavigationErrors {
@@ -258,10 +294,8 @@ impl Chain {
         match source {
             ErrorSource::Navigation => Some(*self.navigation_errors(truth)),
             ErrorSource::Model => self.error_model.as_ref().map(|model| {
-                *self
-                    .views
-                    .model
-                    .get_or_init(|| model.errors(truth, self.true_view(truth), self.options.axes))
+                let (truth_view, axes) = (self.true_view(truth), self.options.axes);
+                *self.views.model.get_or_init(|| model.errors(truth, truth_view, axes, self.block.as_ref()))
             }),
         }
     }
@@ -279,39 +313,9 @@ impl Chain {
     }
 }
 
-/// Navigates over an interval of length `t` [s], with the vertical channel's aid at its end.
-fn navigate(
-    mechanization: &mut Mechanization,
-    options: &Options,
-    increments: &[Increment],
-    t: f64,
-    aid: &VerticalAid,
-) {
+/// Navigates over an interval of length `t` [s].
+fn navigate(mechanization: &mut Mechanization, options: &Options, increments: &[Increment], t: f64) {
     for update in increments.chunks_exact(options.subsamples) {
         mechanization.update(update, t / options.updates_per_sample as f64);
-    }
-    mechanization.aid_vertical(aid, t);
-}
-
-/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height, if
-/// there is one, of the true height.
-fn vertical_aid(
-    mode: VerticalMode,
-    next: &TruthPoint,
-    sense: impl FnOnce(f64) -> Option<f64>,
-) -> VerticalAid {
-    let height_m = next.sample.place.height_m;
-    match mode {
-        VerticalMode::Free => VerticalAid::None,
-        VerticalMode::Damped => {
-            sense(height_m).map_or(VerticalAid::None, |height_m| VerticalAid::Barometer { height_m })
-        }
-        VerticalMode::FollowTruth => VerticalAid::Truth {
-            height_m,
-            velocity_up_m_s: match &next.sample.v_n {
-                Some(v_n) => v_n.z,
-                None => next.up_e.dot(&next.state.v_e),
-            },
-        },
     }
 }

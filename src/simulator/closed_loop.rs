@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use crate::math::rotate_inverse;
 use crate::mechanization::Mechanization;
 use crate::signal::Increment;
-use crate::truth::TruthPoint;
+use crate::state::EarthFixedState;
 
 /// Damping of the position loop.
 const DAMPING: f64 = 0.8;
@@ -71,14 +71,14 @@ impl ClosedLoop {
     }
 
     /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow
-    /// against the truth.
-    pub fn observe(&mut self, navigator: &Mechanization, truth: &TruthPoint) {
+    /// against `truth`, the state of its sensors at `time_s` [s].
+    pub fn observe(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {
         let rate = 1.0 / self.time_constant_s;
-        let error = self.shadow.as_ref().unwrap_or(navigator).minus(&truth.state);
+        let error = self.shadow.as_ref().unwrap_or(navigator).minus(truth);
         let force_e = error.v_e * (-2.0 * DAMPING * rate) - error.r_e * (rate * rate + STIFFNESS);
         self.rate_b = error.rotation_b * -rate;
-        self.force_b = rotate_inverse(&truth.state.q_eb, &force_e);
-        if truth.time_s >= self.settles_at_s {
+        self.force_b = rotate_inverse(&truth.q_eb, &force_e);
+        if time_s >= self.settles_at_s {
             let TrimFigures { rate_rad_s, force_m_s2 } = &mut self.largest;
             *rate_rad_s = rate_rad_s.max(self.rate_b.norm_squared().sqrt());
             *force_m_s2 = force_m_s2.max(self.force_b.norm_squared().sqrt());

@@ -1,9 +1,12 @@
 //! The simulator: the blocks of the paper's figure 1 put together, one interval after the other.
 
+mod aid;
 mod chain;
 mod closed_loop;
 mod closure;
+mod disturbance;
 mod imu;
+mod mounted;
 mod navigator;
 mod options;
 mod settings;
@@ -271,7 +274,10 @@ impl Simulator {
 
     fn chain_from_first_sample(&self) -> Result<Chain, Error> {
         match self.intake.front() {
-            Some(first) => Chain::start(&self.options, self.earth, first, &self.sensors),
+            Some(first) => {
+                let interval = self.intake.first_interval();
+                Chain::start(&self.options, self.earth, first, interval.as_ref(), &self.sensors)
+            }
             None => Err(Error::bad_state("no sample yet")),
         }
     }

@@ -9,18 +9,20 @@ use crate::errors::StartErrors;
 use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
 use crate::mechanization::VerticalMode;
 use crate::sensors::{Alignment, Triad, alignment_error};
-use crate::state::Navigation;
+use crate::state::{EarthFixedState, Navigation};
 use crate::truth::TruthPoint;
 
 /// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
 const MIN_GYROCOMPASS_COS: f64 = 0.01;
 
-/// The initial errors of the run; those of the vertical channel vanish where it follows the truth.
+/// The initial errors of the run, of the sensors' own solution, whose true one is `state` or `truth`, at the sample `first`;
+/// those of the vertical channel vanish where it follows the truth. `disturbance_e` is true less normal gravity [m/s²].
 pub(super) fn start_errors(
     options: &Options,
     earth: &Earth,
-    first: &TruthPoint,
+    (first, state): (&TruthPoint, &EarthFixedState),
     truth: &Navigation,
+    disturbance_e: Option<&Vector3<f64>>,
     sensors: &SensorSuite,
 ) -> Result<StartErrors, Error> {
     let drawn = sensors.initial.draw(options.key);
@@ -40,12 +42,17 @@ pub(super) fn start_errors(
             ));
         }
         let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
-        let force_b = -rotate_inverse(&first.state.q_eb, &first.gravity_e);
+        let force_b = -rotate_inverse(&state.q_eb, &first.gravity_e);
         let rate_b = rotate_inverse(&truth.q_nb, &earth_rate_n);
         let steady_error_n = |triad: &Triad| {
             rotate(&truth.q_nb, &triad.steady_error(&rate_b, &force_b, first.sample.temperature_c))
         };
-        let (gyro_n, accel_n) = (steady_error_n(&sensors.gyro), steady_error_n(&sensors.accel));
+        let (gyro_n, mut accel_n) = (steady_error_n(&sensors.gyro), steady_error_n(&sensors.accel));
+        if let Some(disturbance_e) = disturbance_e {
+            // To an INS that computes with normal gravity the rest is an error of its accelerometers.
+            let (east, north, up) = earth.east_north_up(&truth.place);
+            accel_n -= Vector3::new(east.dot(disturbance_e), north.dot(disturbance_e), up.dot(disturbance_e));
+        }
         let g = first.gravity_e.norm_squared().sqrt();
         start.misalignment_n += alignment_error(&gyro_n, &accel_n, g, earth_rate_n.y, earth_rate_n.z);
     }

@@ -1,10 +1,13 @@
 //! The sensors of a simulator and what the host set of them.
 
+use nalgebra::Vector3;
+
 use super::{ImuFlags, Options};
 use crate::error::{Error, ErrorKind, Rule};
+use crate::mounting::MountingParameters;
 use crate::sensors::{
-    Altimeter, AltimeterParameters, Failure, InitialErrorParameters, Sensor, SensorOutput, Triad,
-    TriadParameters,
+    Altimeter, AltimeterParameters, Failure, GravityDisturbance, GravityDisturbanceParameters,
+    InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
 use crate::signal::Increment;
 
@@ -14,7 +17,11 @@ pub(super) struct SensorSuite {
     pub gyro: Triad,
     pub accel: Triad,
     pub altimeter: Altimeter,
+    /// Of the gravity that the accelerometers feel.
+    pub gravity: GravityDisturbance,
     pub initial: InitialErrorParameters,
+    /// Where gyros and accelerometers sit, if not at the reference point.
+    mounting: Option<MountingParameters>,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
     /// What [`Self::decide`] has found.
@@ -36,7 +43,9 @@ impl SensorSuite {
             gyro: Triad::new(options.key, Sensor::Gyro),
             accel: Triad::new(options.key, Sensor::Accelerometer),
             altimeter: Altimeter::new(options.key, 0.0),
+            gravity: GravityDisturbance::new(options.key),
             initial: InitialErrorParameters::default(),
+            mounting: None,
             gyro_parameters: TriadParameters::default(),
             accel_parameters: TriadParameters::default(),
             triads_are_ideal: true,
@@ -54,6 +63,8 @@ impl SensorSuite {
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
         fresh.initial = self.initial;
+        fresh.set_mounting(self.mounting);
+        fresh.gravity.set(self.gravity.parameters());
         fresh.set_gyro(&self.gyro_parameters);
         fresh.set_accel(&self.accel_parameters);
         fresh.set_altimeter(&self.altimeter_parameters);
@@ -69,6 +80,20 @@ impl SensorSuite {
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
         self.accel.set(parameters);
+        self.decide();
+    }
+
+    pub fn set_mounting(&mut self, mounting: Option<MountingParameters>) {
+        self.mounting = mounting;
+        self.decide();
+    }
+
+    pub fn mounting(&self) -> Option<&MountingParameters> {
+        self.mounting.as_ref()
+    }
+
+    pub fn set_gravity_disturbance(&mut self, parameters: &GravityDisturbanceParameters) {
+        self.gravity.set(parameters);
         self.decide();
     }
 
@@ -97,12 +122,17 @@ impl SensorSuite {
     /// Decides what each interval need not ask again.
     fn decide(&mut self) {
         self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
-        self.all_are_ideal = self.triads_are_ideal && self.altimeter.is_ideal();
+        self.all_are_ideal = self.triads_are_ideal
+            && self.altimeter.is_ideal()
+            && !self.gravity.is_on()
+            && self.mounting.as_ref().is_none_or(MountingParameters::is_believed);
         self.is_tame = self.gyro_parameters.is_tame()
             && self.accel_parameters.is_tame()
             && self.gyro.fails_tamely()
             && self.accel.fails_tamely()
-            && self.altimeter.fails_tamely();
+            && self.altimeter.fails_tamely()
+            // An arm adds ω² l and ω' l to what the truth's velocity bounds.
+            && self.mounting.is_none_or(|mounting| mounting.lever_arm_m == Vector3::zeros());
         self.depend_on_temperature =
             self.gyro_parameters.depend_on_temperature() || self.accel_parameters.depend_on_temperature();
         self.follow_intervals =
@@ -172,7 +202,7 @@ impl SensorSuite {
         self.triads_are_ideal
     }
 
-    /// Whether the altimeter is ideal too.
+    /// Whether nothing makes the INS err: the altimeter is ideal too, gravity is normal and the mounting known.
     pub fn all_are_ideal(&self) -> bool {
         self.all_are_ideal
     }

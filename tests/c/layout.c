@@ -59,6 +59,20 @@ SIZE(sins_initial_errors, 160);
 AT(sins_initial_errors, position_enu_m, 8);
 AT(sins_initial_errors, alignment, 152);
 
+SIZE(sins_mounting, 104);
+AT(sins_mounting, reserved, 4);
+AT(sins_mounting, lever_arm_m, 8);
+AT(sins_mounting, boresight_rad, 32);
+AT(sins_mounting, lever_arm_error_m, 56);
+AT(sins_mounting, boresight_error_rad, 80);
+
+SIZE(sins_gravity_params, 80);
+AT(sins_gravity_params, reserved, 4);
+AT(sins_gravity_params, deflection_north_rad, 8);
+AT(sins_gravity_params, deflection_east_rad, 32);
+AT(sins_gravity_params, anomaly_m_s2, 56);
+AT(sins_gravity_params, anomaly_distance_m, 72);
+
 SIZE(sins_flight_sample, 144);
 AT(sins_flight_sample, flags, 4);
 AT(sins_flight_sample, time_s, 8);

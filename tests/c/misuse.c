@@ -53,6 +53,8 @@ static void handles(void)
         sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
         sins_failure failure = {.struct_size = sizeof failure};
         sins_initial_errors initial = {.struct_size = sizeof initial};
+        sins_mounting mounting = {.struct_size = sizeof mounting};
+        sins_gravity_params gravity = {.struct_size = sizeof gravity};
         sins_flight_sample sample = {.struct_size = sizeof sample};
         sins_navigation navigation = {.struct_size = sizeof navigation};
         sins_imu imu = {.struct_size = sizeof imu};
@@ -71,6 +73,8 @@ static void handles(void)
         CHECK(sins_set_altimeter(sim, &altimeter) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, &failure) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_set_initial_errors(sim, &initial) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_mounting(sim, &mounting) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_set_gravity_disturbance(sim, &gravity) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_step(sim) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_run(sim, &sample, 1, 0, NULL, 0, &written) == SINS_ERROR_BAD_HANDLE && written == 77);
@@ -122,6 +126,8 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_set_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_set_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_run(sim, NULL, 1, 0, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_get_truth(sim, NULL) == SINS_ERROR_NULL_POINTER);
@@ -258,6 +264,8 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_altimeter_params, sins_set_altimeter(fresh, pointer));
     INPUT_SIZES(sins_failure, sins_set_failure(fresh, SINS_SENSOR_ACCEL, 2, pointer));
     INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
+    INPUT_SIZES(sins_mounting, sins_set_mounting(fresh, pointer));
+    INPUT_SIZES(sins_gravity_params, sins_set_gravity_disturbance(fresh, pointer));
     INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_reposition(fresh, pointer));
     CHECK(sins_reset(fresh) == SINS_OK);
     INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
@@ -418,6 +426,41 @@ static void temperatures(void)
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 
+/* What can be set before the first step alone, on a simulator that has made one and on a fresh one. */
+static void mountings_and_gravity(sins_sim *stepped)
+{
+    sins_sim *fresh = NULL;
+    sins_mounting mounting = {.struct_size = sizeof mounting};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity};
+    char text[200];
+
+    CHECK(sins_set_mounting(stepped, &mounting) == SINS_ERROR_BAD_STATE);
+    CHECK(sins_set_gravity_disturbance(stepped, &gravity) == SINS_ERROR_BAD_STATE);
+
+    CHECK(sins_create(NULL, &fresh) == SINS_OK);
+    mounting.boresight_error_rad[1] = 4.0;
+    CHECK(sins_set_mounting(fresh, &mounting) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(fresh, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "mounting.boresight_error_rad[1] = 4: must be from -3.14159") == text);
+    mounting.boresight_error_rad[1] = 0.001;
+    CHECK(sins_set_mounting(fresh, &mounting) == SINS_OK);
+    mounting.lever_arm_m[2] = -101.0;
+    CHECK(sins_set_mounting(fresh, &mounting) == SINS_ERROR_INVALID_ARGUMENT);
+    mounting.lever_arm_m[2] = 0.0;
+    mounting.reserved = 1;
+    CHECK(sins_set_mounting(fresh, &mounting) == SINS_ERROR_INVALID_ARGUMENT);
+
+    gravity.anomaly_sigma_m_s2 = 30.0 * 1e-5;
+    CHECK(sins_set_gravity_disturbance(fresh, &gravity) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(fresh, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strcmp(text, "gravity.anomaly_distance_m = 0: must be from 1 to 1e9") == 0);
+    gravity.anomaly_distance_m = 30e3;
+    CHECK(sins_set_gravity_disturbance(fresh, &gravity) == SINS_OK);
+    gravity.reserved = 1;
+    CHECK(sins_set_gravity_disturbance(fresh, &gravity) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_destroy(fresh) == SINS_OK);
+}
+
 static void sentences(sins_sim *sim)
 {
     volatile double zero = 0.0;
@@ -535,6 +578,7 @@ int main(void)
     sentences(sim);
     failures();
     temperatures();
+    mountings_and_gravity(sim);
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

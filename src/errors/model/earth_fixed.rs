@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
+use super::StartErrors;
 use super::geometry::LocalGeometry;
-use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
+use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
-use crate::signal::IntervalMotion;
+use crate::signal::MotionNode;
 use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity
@@ -33,11 +34,13 @@ impl EarthFixedForm {
     /// A step of classical Runge-Kutta. ψ does without the rest, and for δv and δr the system matrix B does not change within
     /// the interval, so that with the forcing c = f×ψ + C nabla of each stage the step is
     /// y + T (B y + (c1 + 2 c2 + 2 c3 + c4)/6 + T/6 B (k1 + k2 + k3)).
-    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let (t, half) = (motion.interval_s, 0.5 * motion.interval_s);
-        let [start, middle, end] = motion.nodes();
+    ///
+    /// `t` is the interval's length [s], `errors_e` the gyros' and the accelerometers' errors in Earth-fixed axes.
+    pub fn advance(&mut self, earth: &Earth, t: f64, nodes: &[MotionNode; 3], errors_e: &[VectorPair; 3]) {
+        let half = 0.5 * t;
+        let [start, middle, end] = nodes;
         let gradient = earth.gravity_gradient(&middle.r_e);
-        let [e0, e1, e2] = motion.to_earth_axes(&errors.nodes());
+        let [e0, e1, e2] = errors_e;
         let (gyro, accel) = ([e0.first(), e1.first(), e2.first()], [e0.second(), e1.second(), e2.second()]);
 
         let w = earth.rate_rad_s;

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
+use super::StartErrors;
 use super::geometry::LocalGeometry;
 use super::runge_kutta::LinearEquations;
-use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::VerticalCorrection;
-use crate::signal::{IntervalMotion, MotionNode};
+use crate::signal::MotionNode;
 use crate::truth::TruthPoint;
 
 /// φ [rad], δv [m/s], (δL [rad], δλ [rad], δh [m]).
@@ -95,13 +95,13 @@ impl GeographicForm {
         }
     }
 
-    pub fn advance(&mut self, earth: &Earth, motion: &IntervalMotion<'_>, errors: &SensorErrors) {
-        let nodes = motion.nodes();
-        let errors_e = motion.to_earth_axes(&errors.nodes());
+    /// Over `t` [s], with the gyros' and the accelerometers' errors `errors_e` in Earth-fixed axes.
+    pub fn advance(&mut self, earth: &Earth, t: f64, nodes: &[MotionNode; 3], errors_e: &[VectorPair; 3]) {
         let at = |i: usize| Coefficients::at(earth, &nodes[i], &errors_e[i]);
         let coefficients = [at(0), at(1), at(2)];
-        *self = self.after(&coefficients, motion.interval_s);
+        *self = self.after(&coefficients, t);
     }
+
     /// Error of the height [m].
     pub fn height_error(&self) -> f64 {
         self.d_place.z

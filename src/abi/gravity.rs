@@ -1,0 +1,81 @@
+//! `sins_gravity_params`.
+
+use super::failure::{SINS_OK, sins_status};
+use super::memory::{interface_struct, read};
+use super::options::check_reserved;
+use super::simulator::{sins_sim, with_simulator};
+use crate::sensors::{GravityDisturbanceParameters, GravityField};
+
+/// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+/// disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
+/// track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
+/// gravity.
+///
+/// Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
+/// accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
+/// times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_gravity_params {
+    /// sizeof(sins_gravity_params)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
+    /// the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+    pub deflection_north_rad: f64,
+    /// Standard deviation of its random part, up to 0.01 [rad].
+    pub deflection_north_sigma_rad: f64,
+    /// Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0.
+    pub deflection_north_distance_m: f64,
+    /// Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
+    /// 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+    pub deflection_east_rad: f64,
+    /// Standard deviation of its random part, up to 0.01 [rad].
+    pub deflection_east_sigma_rad: f64,
+    /// Correlation distance of that, 1 to 1e9 [m].
+    pub deflection_east_distance_m: f64,
+    /// Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
+    pub anomaly_m_s2: f64,
+    /// Standard deviation of its random part, up to 0.1 [m/s2].
+    pub anomaly_sigma_m_s2: f64,
+    /// Correlation distance of that, 1 to 1e9 [m].
+    pub anomaly_distance_m: f64,
+}
+
+interface_struct!(sins_gravity_params, "gravity", 80);
+
+/// Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
+/// same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
+/// felt their own gravity.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_set_gravity_disturbance(
+    sim: *mut sins_sim,
+    params: *const sins_gravity_params,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let params = unsafe { read(params, "params")? };
+        check_reserved("gravity.reserved", params.reserved)?;
+        simulator.set_gravity_disturbance(&GravityDisturbanceParameters {
+            deflection_north: GravityField {
+                mean: params.deflection_north_rad,
+                sigma: params.deflection_north_sigma_rad,
+                distance_m: params.deflection_north_distance_m,
+            },
+            deflection_east: GravityField {
+                mean: params.deflection_east_rad,
+                sigma: params.deflection_east_sigma_rad,
+                distance_m: params.deflection_east_distance_m,
+            },
+            anomaly: GravityField {
+                mean: params.anomaly_m_s2,
+                sigma: params.anomaly_sigma_m_s2,
+                distance_m: params.anomaly_distance_m,
+            },
+        })?;
+        Ok(SINS_OK)
+    })
+}

@@ -1,0 +1,199 @@
+//! The sensor block in flight.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{MountingParameters, Placement, centripetal, lever_arm_velocity};
+use crate::earth::Earth;
+use crate::math::{
+    Euler, VectorPair, relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_vector,
+};
+use crate::signal::{Increment, IntervalMotion, MotionNode};
+use crate::state::{BodyAxes, EarthFixedState};
+use crate::truth::TruthPoint;
+
+/// A mounted block: what its sensors feel, where it is, and what the INS makes of that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    earth_rate: f64,
+    placement: Placement,
+    believed: Placement,
+    /// C_sb
+    to_block: Matrix3<f64>,
+    /// ω_ib at the last sample, body axes [rad/s].
+    rate_b: Vector3<f64>,
+    /// Mean error of the gyros over the last interval, block axes [rad/s].
+    gyro_error_s: Vector3<f64>,
+}
+
+/// Where an INS takes its block to sit, and how it takes it to turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Belief {
+    placement: Placement,
+    /// ω_is, block axes [rad/s].
+    rate_s: Vector3<f64>,
+    earth_rate: f64,
+}
+
+impl Belief {
+    /// What the INS gives out for the reference point when it has the solution `block`.
+    pub fn reference_point(&self, block: &EarthFixedState) -> EarthFixedState {
+        self.placement.reference_point(block, &self.rate_s, self.earth_rate)
+    }
+}
+
+/// What an INS with an error-free solution of the block gives out wrongly of the reference point, and the arm by which the
+/// block's own errors come there: true body axes, velocities against inertial axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MountingErrors {
+    /// The arm as the INS believes it, where it believes the body axes [m].
+    pub arm_b: Vector3<f64>,
+    /// Its velocity [m/s].
+    pub arm_rate_b: Vector3<f64>,
+    /// Position [m], velocity [m/s] and misalignment φ [rad], computed less true.
+    pub position_b: Vector3<f64>,
+    /// See `position_b`.
+    pub velocity_b: Vector3<f64>,
+    /// See `position_b`.
+    pub misalignment_b: Vector3<f64>,
+}
+
+impl Block {
+    /// The block of a vehicle that turns at `rate_b` [rad/s] against inertial space; the Earth at `earth_rate` [rad/s].
+    pub fn new(
+        parameters: &MountingParameters,
+        axes: BodyAxes,
+        earth_rate: f64,
+        rate_b: Vector3<f64>,
+    ) -> Self {
+        let placement = Placement::new(parameters.lever_arm_m, &parameters.boresight, axes);
+        let MountingParameters { boresight, boresight_error: error, .. } = parameters;
+        let believed = Euler {
+            roll: boresight.roll + error.roll,
+            pitch: boresight.pitch + error.pitch,
+            heading: boresight.heading + error.heading,
+        };
+        let believed = Placement::new(parameters.lever_arm_m + parameters.lever_arm_error_m, &believed, axes);
+        Self {
+            earth_rate,
+            placement,
+            believed,
+            to_block: rotation_matrix(&placement.q_bs).transpose(),
+            rate_b,
+            gyro_error_s: Vector3::zeros(),
+        }
+    }
+
+    /// Makes of the reference point's `increments` over the interval of `motion`, which begins at `start`, those of the block.
+    ///
+    /// While the generator's stencil still grows, its rate jumps by J from one interval to the next. The arm's velocity is
+    /// ω×l at each sample all the same: over the interval it goes over evenly, from (ω + J)×l.
+    #[inline(never)]
+    pub fn mount(
+        &mut self,
+        earth: &Earth,
+        motion: &IntervalMotion<'_>,
+        start: &TruthPoint,
+        increments: &mut [Increment],
+    ) {
+        let arm_b = &self.placement.arm_b;
+        let part = 1.0 / increments.len() as f64;
+        let dt = motion.interval_s * part;
+        let mut rate_b = motion.angular_rate(0.0);
+        let jump_b = (self.rate_b - rate_b).cross(arm_b);
+        for (m, increment) in increments.iter_mut().enumerate() {
+            let (middle, end) = ((m as f64 + 0.5) * part, (m as f64 + 1.0) * part);
+            let end_rate_b = motion.angular_rate(end);
+            let mean_b = increment.angle / dt;
+            let felt = lever_arm_velocity(&(end_rate_b - rate_b), &mean_b, dt, arm_b);
+            let felt_of_jump = mean_b.cross(&jump_b) * ((1.0 - middle) * dt) - jump_b * part;
+            let to_earth = motion.to_earth(middle);
+            let gravitation_b = to_earth.tr_mul(&gravitation_along(earth, start, &(to_earth * arm_b)));
+            *increment = Increment {
+                angle: self.to_block * increment.angle,
+                velocity: self.to_block * (increment.velocity + felt + felt_of_jump - gravitation_b * dt),
+            };
+            rate_b = end_rate_b;
+        }
+        self.rate_b = rate_b;
+    }
+
+    /// Turns increments of velocity [m/s] from body axes to the block's.
+    pub fn in_block_axes(&self, velocity_b: &Vector3<f64>) -> Vector3<f64> {
+        self.to_block * velocity_b
+    }
+
+    /// Turns a vector from the block's axes to body axes.
+    pub fn in_body_axes(&self, vector_s: &Vector3<f64>) -> Vector3<f64> {
+        self.to_block.tr_mul(vector_s)
+    }
+
+    /// Takes what the sensors made of `error_free` in the last interval, of length `t` [s].
+    #[inline(never)]
+    pub fn observe(&mut self, error_free: &[Increment], measured: &[Increment], t: f64) {
+        self.gyro_error_s = (Increment::sum(measured).angle - Increment::sum(error_free).angle) / t;
+    }
+
+    /// The true state of the block while the vehicle is at `truth`, the last sample.
+    pub fn state(&self, truth: &TruthPoint) -> EarthFixedState {
+        self.placement.block(&truth.state, &self.rate_b, self.earth_rate)
+    }
+
+    /// What the INS makes of the mounting at the last sample. Its rate there is that of gyros read much faster than the
+    /// increments, with their mean error.
+    pub fn belief(&self) -> Belief {
+        let rate_s = self.to_block * self.rate_b + self.gyro_error_s;
+        Belief { placement: self.believed, rate_s, earth_rate: self.earth_rate }
+    }
+
+    /// What an INS would that knows its mounting and has perfect gyros.
+    pub fn true_belief(&self) -> Belief {
+        Belief { placement: self.placement, rate_s: self.to_block * self.rate_b, earth_rate: self.earth_rate }
+    }
+
+    /// Velocity and specific force of the block at the start, in the middle and at the end of `motion`. Gravity and curvature
+    /// at the arm's other end differ by a millionth: position is left.
+    pub fn nodes(&self, motion: &IntervalMotion<'_>) -> [MotionNode; 3] {
+        let arm_b = &self.placement.arm_b;
+        let [start, middle, end] = [0.0, 0.5, 1.0].map(|u| motion.angular_rate(u));
+        let inverse_t = 1.0 / motion.interval_s;
+        // Derivatives of the parabola through the three: its integral by Simpson's rule is the change of the rate.
+        let changes = [
+            (middle * 4.0 - start * 3.0 - end) * inverse_t,
+            (end - start) * inverse_t,
+            (start - middle * 4.0 + end * 3.0) * inverse_t,
+        ];
+        let felt = |rate: &Vector3<f64>, change: &Vector3<f64>| {
+            VectorPair::new(&rate.cross(arm_b), &(change.cross(arm_b) + centripetal(rate, arm_b)))
+        };
+        let [d0, d1, d2] = changes;
+        let felt_e = motion.to_earth_axes(&[felt(&start, &d0), felt(&middle, &d1), felt(&end, &d2)]);
+        let mut nodes = motion.nodes();
+        for (node, felt_e) in nodes.iter_mut().zip(&felt_e) {
+            node.v_e += felt_e.first();
+            node.f_e += felt_e.second();
+        }
+        nodes
+    }
+
+    /// What the INS has wrong at the last sample for its mounting and, in the arm's velocity, for its gyros. With
+    /// B = C_bs C~_bsᵀ and C~_eb = C_eb B, the believed arm is B l~ in true body axes.
+    pub fn errors(&self) -> MountingErrors {
+        let (q, believed) = (&self.placement.q_bs, &self.believed.q_bs);
+        let arm_b = rotate(q, &rotate_inverse(believed, &self.believed.arm_b));
+        let excess_b = arm_b - self.placement.arm_b;
+        MountingErrors {
+            arm_b,
+            arm_rate_b: self.rate_b.cross(&arm_b),
+            position_b: -excess_b,
+            velocity_b: -self.rate_b.cross(&excess_b) - self.in_body_axes(&self.gyro_error_s).cross(&arm_b),
+            misalignment_b: -rotation_vector(&relative_rotation(&q.conjugate(), &believed.conjugate())),
+        }
+    }
+}
+
+/// γ(r + l) - γ(r) at `point` [m/s²], Earth-fixed axes, l = `arm_e` [m]: that of gravity, less that of its centrifugal part.
+fn gravitation_along(earth: &Earth, point: &TruthPoint, arm_e: &Vector3<f64>) -> Vector3<f64> {
+    let rate2 = earth.rate_rad_s * earth.rate_rad_s;
+    let centrifugal_e = Vector3::new(arm_e.x, arm_e.y, 0.0) * rate2;
+    earth.gravity(&(point.state.r_e + arm_e)) - point.gravity_e - centrifugal_e
+}

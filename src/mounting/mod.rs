@@ -1,0 +1,60 @@
+//! Where the sensor block sits: from the flight sample's reference point to the block, and back with what the INS believes
+//! of the mounting.
+//!
+//! `_s` are the axes of the block, `_b` those of the vehicle. The ideal signals are those of a rigid arm on the motion that
+//! the generator made: the angular rate turned, the specific force with
+//! ```text
+//! f_s = C_sb (f + ω'×l + ω×(ω×l) - (γ(r + C l) - γ(r)))
+//! ```
+//! ω against inertial space, γ gravitation. The INS navigates the block and gives out the reference point.
+
+mod block;
+mod lever_arm;
+mod placement;
+
+pub use block::{Belief, Block, MountingErrors};
+pub(crate) use lever_arm::{centripetal, lever_arm_velocity};
+pub use placement::Placement;
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, check_range, check_ranges};
+use crate::math::Euler;
+
+/// Where the sensor block sits, and what the INS believes of it: the sum of the true and of its error, arm by arm and angle
+/// by angle. All zero is a block at the reference point, along the body axes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MountingParameters {
+    /// Place of the block against the reference point, body axes [m].
+    pub lever_arm_m: Vector3<f64>,
+    /// Attitude of the block's axes against the vehicle's [rad], in the sequence and the senses of the vehicle's own attitude.
+    pub boresight: Euler,
+    /// Believed less true lever arm [m].
+    pub lever_arm_error_m: Vector3<f64>,
+    /// Believed less true boresight angles [rad].
+    pub boresight_error: Euler,
+}
+
+impl MountingParameters {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        const ARM_M: f64 = 100.0;
+        let pi = core::f64::consts::PI;
+        check_ranges("mounting.lever_arm_m", self.lever_arm_m.as_slice(), -ARM_M, ARM_M)?;
+        check_angles("mounting.boresight_rad", &self.boresight, 1e4)?;
+        check_ranges("mounting.lever_arm_error_m", self.lever_arm_error_m.as_slice(), -ARM_M, ARM_M)?;
+        check_angles("mounting.boresight_error_rad", &self.boresight_error, pi)
+    }
+
+    /// Whether the INS believes the truth.
+    pub fn is_believed(&self) -> bool {
+        self.lever_arm_error_m == Vector3::zeros() && self.boresight_error == Euler::default()
+    }
+}
+
+fn check_angles(field: &'static str, angles: &Euler, limit: f64) -> Result<(), Error> {
+    for (index, angle) in [angles.roll, angles.pitch, angles.heading].into_iter().enumerate() {
+        check_range(field, angle, -limit, limit).map_err(|error| error.at(index))?;
+    }
+    Ok(())
+}

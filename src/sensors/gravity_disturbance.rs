@@ -1,0 +1,146 @@
+//! True gravity less the normal gravity that the INS computes: along the track, as random fields.
+
+use nalgebra::Vector3;
+
+use super::gauss_markov::MarkovStep;
+use super::stream::{Purpose, Source, Stream, StreamKey};
+use crate::earth::Earth;
+use crate::error::{Error, check_range};
+use crate::truth::TruthPoint;
+
+/// One component of the disturbance: a constant part, and a random one with the correlation σ² exp(-d/D) over the distance d.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GravityField {
+    /// Constant part [u].
+    pub mean: f64,
+    /// Standard deviation of the random part [u].
+    pub sigma: f64,
+    /// D, its correlation distance [m].
+    pub distance_m: f64,
+}
+
+/// True gravity less normal gravity. All zero is the normal field.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GravityDisturbanceParameters {
+    /// ξ, the deflection of the vertical in the meridian: astronomic less geodetic latitude [rad].
+    pub deflection_north: GravityField,
+    /// η, in the prime vertical: astronomic less geodetic longitude, times the cosine of latitude [rad].
+    pub deflection_east: GravityField,
+    /// Δg, excess of gravity along the vertical [m/s²].
+    pub anomaly: GravityField,
+}
+
+impl GravityDisturbanceParameters {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        // Ten times and more of what the Earth has: 100" and 0.01 m/s² (Heiskanen and Moritz 1967).
+        const DEFLECTION_RAD: f64 = 0.01;
+        const ANOMALY_M_S2: f64 = 0.1;
+        self.deflection_north.validate(
+            &[
+                "gravity.deflection_north_rad",
+                "gravity.deflection_north_sigma_rad",
+                "gravity.deflection_north_distance_m",
+            ],
+            DEFLECTION_RAD,
+        )?;
+        self.deflection_east.validate(
+            &[
+                "gravity.deflection_east_rad",
+                "gravity.deflection_east_sigma_rad",
+                "gravity.deflection_east_distance_m",
+            ],
+            DEFLECTION_RAD,
+        )?;
+        self.anomaly.validate(
+            &["gravity.anomaly_m_s2", "gravity.anomaly_sigma_m_s2", "gravity.anomaly_distance_m"],
+            ANOMALY_M_S2,
+        )
+    }
+
+    fn fields(&self) -> [&GravityField; 3] {
+        [&self.deflection_north, &self.deflection_east, &self.anomaly]
+    }
+}
+
+impl GravityField {
+    fn validate(&self, [mean, sigma, distance]: &[&'static str; 3], limit: f64) -> Result<(), Error> {
+        check_range(mean, self.mean, -limit, limit)?;
+        check_range(sigma, self.sigma, 0.0, limit)?;
+        check_range(distance, self.distance_m, if self.sigma > 0.0 { 1.0 } else { 0.0 }, 1e9)
+    }
+}
+
+/// The disturbance along the track of a flight: first-order Gauss-Markov fields, stationary at the start and discretised
+/// exactly over the distance flown over ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GravityDisturbance {
+    parameters: GravityDisturbanceParameters,
+    is_on: bool,
+    /// Fields of unit variance.
+    x: [f64; 3],
+    streams: [Stream; 3],
+}
+
+impl GravityDisturbance {
+    /// The normal field, whose random parts draw from the streams of `key`.
+    pub fn new(key: StreamKey) -> Self {
+        let mut streams = Stream::triad(key, Source::Gravity, Purpose::GaussMarkov);
+        let x = [0, 1, 2].map(|field| streams[field].normal());
+        Self { parameters: GravityDisturbanceParameters::default(), is_on: false, x, streams }
+    }
+
+    /// Takes validated parameters.
+    pub fn set(&mut self, parameters: &GravityDisturbanceParameters) {
+        self.parameters = *parameters;
+        self.is_on = parameters.fields().iter().any(|field| field.mean != 0.0 || field.sigma != 0.0);
+    }
+
+    /// Its parameters.
+    pub fn parameters(&self) -> &GravityDisturbanceParameters {
+        &self.parameters
+    }
+
+    /// Whether gravity is other than normal.
+    #[inline]
+    pub fn is_on(&self) -> bool {
+        self.is_on
+    }
+
+    /// From `current` to `next`. The distance over ground is that of the velocity, which is the master of the ideal signals
+    /// too; where nothing moves, nothing changes.
+    pub fn advance(&mut self, earth: &Earth, current: &TruthPoint, next: &TruthPoint) {
+        let v_e = (current.state.v_e + next.state.v_e) * 0.5;
+        let horizontal_e = v_e - next.up_e * next.up_e.dot(&v_e);
+        let a = earth.equatorial_radius_m;
+        let over_ground = a / (a + next.sample.place.height_m);
+        let distance_m = horizontal_e.norm_squared().sqrt() * next.interval_s * over_ground;
+        if distance_m > 0.0 {
+            self.advance_by(distance_m);
+        }
+    }
+
+    fn advance_by(&mut self, distance_m: f64) {
+        let fields = self.parameters.fields();
+        for ((x, stream), field) in self.x.iter_mut().zip(&mut self.streams).zip(fields) {
+            if field.sigma > 0.0 {
+                MarkovStep::new(distance_m, field.distance_m).advance(x, stream);
+            }
+        }
+    }
+
+    /// True less normal gravity at `point`, Earth-fixed axes [m/s²]: (-γ η, -γ ξ, -Δg) along east, north and up
+    /// (Heiskanen and Moritz 1967, chapter 2: the astronomic zenith lies ξ north and η east of the ellipsoid's normal).
+    pub fn at(&self, earth: &Earth, point: &TruthPoint) -> Vector3<f64> {
+        let [xi, eta, anomaly] = self.values();
+        let (east, north, up) = earth.east_north_up(&point.sample.place);
+        let normal = point.gravity_e.norm_squared().sqrt();
+        east * (-normal * eta) + north * (-normal * xi) - up * anomaly
+    }
+
+    /// ξ, η [rad], Δg [m/s²]
+    fn values(&self) -> [f64; 3] {
+        let fields = self.parameters.fields();
+        [0, 1, 2].map(|i| fields[i].mean + fields[i].sigma * self.x[i])
+    }
+}

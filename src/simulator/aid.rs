@@ -1,0 +1,46 @@
+//! The aid of the vertical channel: from the truth to the navigator.
+
+use crate::earth::Earth;
+use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, VerticalState};
+use crate::mounting::Belief;
+use crate::truth::TruthPoint;
+
+/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height, if there is one, of the true
+/// height.
+pub(super) fn vertical_aid(
+    mode: VerticalMode,
+    next: &TruthPoint,
+    sense: impl FnOnce(f64) -> Option<f64>,
+) -> VerticalAid {
+    let height_m = next.sample.place.height_m;
+    match mode {
+        VerticalMode::Free => VerticalAid::None,
+        VerticalMode::Damped => {
+            sense(height_m).map_or(VerticalAid::None, |height_m| VerticalAid::Barometer { height_m })
+        }
+        VerticalMode::FollowTruth => VerticalAid::Truth {
+            height_m,
+            velocity_up_m_s: match &next.sample.v_n {
+                Some(v_n) => v_n.z,
+                None => next.up_e.dot(&next.state.v_e),
+            },
+        },
+    }
+}
+
+/// Keeps a navigator's vertical channel by `aid` over `t` [s]. The aid is about the reference point, the navigator with a
+/// `belief` is one of the block.
+pub(super) fn aid_vertical(
+    navigator: &mut Mechanization,
+    earth: &Earth,
+    aid: &VerticalAid,
+    t: f64,
+    belief: Option<Belief>,
+) {
+    let (Some(belief), false) = (belief, *aid == VerticalAid::None) else {
+        return navigator.aid_vertical(aid, t);
+    };
+    let block = navigator.state();
+    let reference_point = VerticalState::of(earth, &belief.reference_point(&block));
+    navigator.aid_vertical(&aid.moved(&reference_point, &VerticalState::of(earth, &block)), t);
+}

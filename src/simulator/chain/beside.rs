@@ -1,0 +1,57 @@
+//! What only some flights have beside the plain chain: a mounting, gravity beyond the normal field, a closed loop.
+
+use super::{Chain, navigate};
+use crate::mechanization::VerticalAid;
+use crate::mounting::Block;
+use crate::signal::IntervalMotion;
+use crate::simulator::SensorSuite;
+use crate::simulator::aid::{aid_vertical, vertical_aid};
+use crate::truth::{Recent, TruthPoint};
+
+impl Chain {
+    /// What mounting, closed loop and gravity make of the generator's signals. The closed loop's shadow flies them without the
+    /// last, as it computes with normal gravity.
+    #[inline(never)]
+    pub(super) fn complete_ideal_signals(
+        &mut self,
+        motion: &IntervalMotion<'_>,
+        recent: &Recent<'_>,
+        sensors: &mut SensorSuite,
+    ) {
+        let (count, next) = (self.increments(), recent.next);
+        let t = next.interval_s;
+        let ideal = &mut self.ideal[..count];
+        if let Some(block) = &mut self.block {
+            block.mount(&self.earth, motion, recent.current, ideal);
+        }
+        if let Some(closed_loop) = &mut self.closed_loop {
+            closed_loop.trim(ideal, t);
+            if let Some(shadow) = closed_loop.shadow(&self.mechanization, !sensors.all_are_ideal()) {
+                navigate(shadow, &self.options, ideal, t);
+                let aid = vertical_aid(self.options.vertical, next, Some);
+                aid_vertical(shadow, &self.earth, &aid, t, self.block.as_ref().map(Block::true_belief));
+            }
+        }
+        if let Some(disturbance) = &mut self.disturbance {
+            sensors.gravity.advance(&self.earth, recent.current, next);
+            disturbance.advance(sensors.gravity.at(&self.earth, next), motion, self.block.as_ref(), ideal);
+        }
+    }
+
+    /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
+    #[inline(never)]
+    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid) {
+        let (count, t) = (self.increments(), next.interval_s);
+        let sensors_were_ideal = self.last.is_none_or(|last| last.sensors_were_ideal);
+        if let Some(block) = &mut self.block {
+            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
+            block.observe(&self.ideal[..count], &increments[..count], t);
+        }
+        let belief = self.block.as_ref().map(Block::belief);
+        aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);
+        if let Some(closed_loop) = &mut self.closed_loop {
+            let truth = self.block.as_ref().map_or(next.state, |block| block.state(next));
+            closed_loop.observe(&self.mechanization, &truth, next.time_s);
+        }
+    }
+}

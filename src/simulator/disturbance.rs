@@ -1,0 +1,62 @@
+//! Gravity beyond the normal field in flight: what perfect accelerometers feel of it.
+
+use nalgebra::Vector3;
+
+use crate::errors::SensorErrors;
+use crate::mounting::Block;
+use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS};
+
+/// Gauss-Legendre nodes on 0..1: with two in each increment its error is θ⁴/4320 of it, at a rotation θ [rad].
+const NODES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+
+/// True less normal gravity δg along the flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Disturbance {
+    /// At the last sample, Earth-fixed axes [m/s²].
+    at_last_e: Vector3<f64>,
+    /// Of the last interval.
+    felt: SensorErrors,
+}
+
+impl Disturbance {
+    /// Starts with `at_first_e` [m/s²].
+    pub fn new(at_first_e: Vector3<f64>) -> Self {
+        Self { at_last_e: at_first_e, felt: SensorErrors::NONE }
+    }
+
+    /// At the last sample, Earth-fixed axes [m/s²].
+    pub fn at_last_e(&self) -> &Vector3<f64> {
+        &self.at_last_e
+    }
+
+    /// Over the interval of `motion`, at the end of which δg is `at_next_e` [m/s²] and to which it changes evenly: adds
+    /// -∫ Cᵀ δg dt to the velocity of each of `increments`, which are those of `block`, where there is a mounting.
+    pub fn advance(
+        &mut self,
+        at_next_e: Vector3<f64>,
+        motion: &IntervalMotion<'_>,
+        block: Option<&Block>,
+        increments: &mut [Increment],
+    ) {
+        let part = 1.0 / increments.len() as f64;
+        let half_dt = 0.5 * motion.interval_s * part;
+        let change_e = at_next_e - self.at_last_e;
+        let none = [Increment::ZERO; MAX_INCREMENTS];
+        let (mut felt, count) = (none, increments.len());
+        for (m, (felt, increment)) in felt.iter_mut().zip(increments).enumerate() {
+            let felt_b = NODES.iter().fold(Vector3::zeros(), |sum, node| {
+                let u = (m as f64 + node) * part;
+                sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
+            });
+            felt.velocity = block.map_or(felt_b, |block| block.in_block_axes(&felt_b));
+            increment.velocity += felt.velocity;
+        }
+        self.felt = SensorErrors::between(&none[..count], &felt[..count], motion.interval_s);
+        self.at_last_e = at_next_e;
+    }
+
+    /// What of the last interval's signals an INS that computes with normal gravity takes for errors.
+    pub fn felt(&self) -> &SensorErrors {
+        &self.felt
+    }
+}

@@ -1,0 +1,27 @@
+//! The sensor block at the start of a flight.
+
+use nalgebra::Vector3;
+
+use super::Options;
+use crate::earth::Earth;
+use crate::math::{relative_rotation, rotate_inverse, rotation_vector};
+use crate::mounting::{Block, MountingParameters};
+use crate::truth::{Recent, TruthPoint};
+
+/// The block at `first`: its rate is the host's, else the mean of the first interval, as the generator has it then, else the
+/// Earth's.
+pub(super) fn block_at_start(
+    parameters: &MountingParameters,
+    options: &Options,
+    earth: &Earth,
+    first: &TruthPoint,
+    interval: Option<&Recent<'_>>,
+) -> Block {
+    let against_earth = interval.map_or(Vector3::zeros(), |recent| {
+        let turn = relative_rotation(&first.state.q_eb, &recent.next.state.q_eb);
+        rotation_vector(&turn) / recent.next.interval_s
+    });
+    let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth.rate_rad_s));
+    let rate_b = first.sample.omega_ib_b.unwrap_or(against_earth + earth_rate_b);
+    Block::new(parameters, options.axes, earth.rate_rad_s, rate_b)
+}
