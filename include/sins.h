@@ -224,7 +224,10 @@ typedef struct sins_flight sins_flight;
 #define SINS_ERRORS_MODEL 1
 /* Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning. */
 #define SINS_ERRORS_NEAR_POLE 1
-/* Error model: misalignment above 2 degrees or displacement above 100 km; what it drops is no longer small. */
+/*
+ * Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
+ * pole; what it drops is no longer small.
+ */
 #define SINS_ERRORS_OUTSIDE_VALIDITY 2
 /* In a sins_record: not computed, all zero. */
 #define SINS_ERRORS_NOT_COMPUTED 4
