@@ -724,7 +724,10 @@ typedef struct sins_accuracy {
     double radial_95_rate_m_s;
     /* Slope of the straight line of least squares through the horizontal position error [m/s]. */
     double radial_error_slope_m_s;
-    /* Root mean square velocity error since the start, east-north-up [m/s]. */
+    /*
+     * Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
+     * east and north turn [m/s].
+     */
     double velocity_rms_enu_m_s[3];
     /* Closure: navigation minus truth now, position [m]. */
     double closure_position_enu_m[3];

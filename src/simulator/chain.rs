@@ -181,7 +181,7 @@ impl Chain {
         self.intervals += 1;
         if self.accuracy.is_due(next.time_s) {
             let errors = self.navigation_errors(next);
-            self.accuracy.add(next.time_s, &errors);
+            self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
     }
 

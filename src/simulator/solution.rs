@@ -2,11 +2,8 @@
 
 use super::Options;
 use crate::earth::Earth;
-use crate::state::Navigation;
+use crate::state::{NEAR_POLE_M, Navigation};
 use crate::truth::TruthPoint;
-
-/// Distance from the Earth's axis [m] below which a solution is flagged.
-const NEAR_POLE_M: f64 = 20e3;
 
 /// A solution and what is to be known of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
