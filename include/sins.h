@@ -146,7 +146,10 @@ typedef struct sins_flight sins_flight;
 
 /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
 #define SINS_FRAME_EARTH_FIXED 0
-/* Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole. */
+/*
+ * Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
+ * than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+ */
 #define SINS_FRAME_GEOGRAPHIC 1
 
 /* Coning, sculling and exact rotation compensation, Earth terms of the middle of the update. */
