@@ -29,8 +29,8 @@ struct Moving {
     omega_en: Vector3<f64>,
     /// Gravity and Coriolis acceleration [m/s²]
     steady: Vector3<f64>,
-    /// [rad/s]
-    longitude_rate: f64,
+    /// Of latitude and longitude [rad/s], of height [m/s]
+    rate_of_place: Vector3<f64>,
 }
 
 /// What the navigation axes and the Earth do at a place.
@@ -77,7 +77,7 @@ impl Local {
         Moving {
             omega_en,
             steady: self.gravity - (2.0 * self.omega_ie + omega_en).cross(v),
-            longitude_rate: v.x * self.inverse_n / self.cos,
+            rate_of_place: self.change_of_place(v),
             local: self,
         }
     }
@@ -116,7 +116,7 @@ impl Geographic {
     /// One update of length `t` [s], predicted and corrected once. With ω_en, k = g - (2 w_ie + w_en)×v and the rates of the
     /// angles at its start, middle and end, Simpson's rule is ∫, and ∫(1 - u) of k is (k0 + 2 k½)/6:
     /// ```text
-    /// Δv = C S1 - T w_in×C(S1 - S2) + T²/6 w_in×(w_in×C S1) + ∫k dt + T/12 Δw_en×C S1
+    /// Δv = C S1 - T w_in×C(S1 - S2) + T²/6 w_in×(w_in×C S1) + ∫k dt + T/12 Δw_in×C S1
     /// Δr = T v + T C S2 - T² w_in×C S3 + T² ∫(1 - u) k du
     /// q  ← q(-ζ) q q(Φ), ζ = ∫ w_in dt
     /// ```
@@ -140,20 +140,21 @@ impl Geographic {
                 Local::at(earth, place.x + to_middle.y * inverse_m, place.z + to_middle.z).moving(&v_middle);
             end = Local::at(earth, place.x + dr.y * inverse_m, place.z + dr.z).moving(&(v + dv));
             let omega_in_t =
-                middle.local.omega_ie * t + simpson(&start.omega_en, &middle.omega_en, &end.omega_en) * t;
+                (middle.local.omega_ie + simpson(&start.omega_en, &middle.omega_en, &end.omega_en)) * t;
             dv = s1 - omega_in_t.cross(&(s1 - s2))
                 + omega_in_t.cross(&omega_in_t.cross(&s1)) / 6.0
                 + simpson(&start.steady, &middle.steady, &end.steady) * t;
             dr = (v + s2 - omega_in_t.cross(&s3) + (start.steady + middle.steady * 2.0) * (t / 6.0)) * t;
         }
-        dv += (end.omega_en - start.omega_en).cross(&s1) * (t / 12.0);
         let omega_in = [&start, &middle, &end].map(|at| at.local.omega_ie + at.omega_en);
+        dv += (omega_in[2] - omega_in[0]).cross(&s1) * (t / 12.0);
         let zeta = simpson(&omega_in[0], &omega_in[1], &omega_in[2]) * t
             + omega_in[0].cross(&omega_in[2]) * (t * t / 12.0);
         let turned = q * rotation_increment(&body.rotation);
         let dq = turned + rotation_increment(&-zeta) * (q + turned);
-        let longitude = (start.longitude_rate + 4.0 * middle.longitude_rate + end.longitude_rate) * (t / 6.0);
-        self.add(&Vector3::new(dr.y * middle.local.inverse_m, longitude, dr.z), &dv, &dq);
+        let mut d_place = simpson(&start.rate_of_place, &middle.rate_of_place, &end.rate_of_place) * t;
+        d_place.z = dr.z;
+        self.add(&d_place, &dv, &dq);
         self.turn2 = self.turn2.max(middle.local.turn2(&dr));
         self.a_n = dv / t;
     }
