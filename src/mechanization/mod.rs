@@ -100,8 +100,8 @@ impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
     pub const MIN_COS_LATITUDE: f64 = 1e-3;
 
-    /// Turn of the geographic axes about the vertical that an update may make [rad]: up to here it costs less than 5 cm in
-    /// passing a pole, beyond it grows with the fourth power.
+    /// Turn of the geographic axes about the vertical that an update may make [rad]: up to here it costs less than
+    /// 2e-6 of the distance at which a pole is passed (tests/hard_poles.rs), beyond it grows with the fourth power.
     pub const MAX_TURN_RAD: f64 = 0.01;
 
     /// Change of velocity [m/s] and length [s] of an interval that leads from a safe solution to a good one.
@@ -140,9 +140,14 @@ impl Mechanization {
         let (height, speed2) = match &self.axes {
             Axes::EarthFixed(axes) => {
                 let state = axes.state();
-                // (r² - a²) / 2a: the height near the Earth, and as far from the limits as it has to be elsewhere.
+                // (r² - a²) / 2a, more than the height outside and less than 50 km from it inside, where it says enough.
                 let a = self.earth.equatorial_radius_m;
-                ((state.r_e.norm_squared() - a * a) / (2.0 * a), state.v_e.norm_squared())
+                let mut height = (state.r_e.norm_squared() - a * a) / (2.0 * a);
+                let (low, high) = bounds.heights_m;
+                if !(height > low + 50e3 && height < high) {
+                    height = self.earth.vertical(&state.r_e).height_m;
+                }
+                (height, state.v_e.norm_squared())
             }
             Axes::Geographic(axes) => {
                 let cos = axes.cos_latitude();
