@@ -68,6 +68,7 @@
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
+//! | hard cases are right, or told to be beyond it | `tests/hard_*.rs`, with their figures in `tests/README.md` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
 //!
 //! # Example
