@@ -146,7 +146,10 @@ typedef struct sins_flight sins_flight;
 
 /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
 #define SINS_FRAME_EARTH_FIXED 0
-/* Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole. */
+/*
+ * Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
+ * than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+ */
 #define SINS_FRAME_GEOGRAPHIC 1
 
 /* Coning, sculling and exact rotation compensation, Earth terms of the middle of the update. */
@@ -260,7 +263,10 @@ typedef struct sins_flight sins_flight;
 #define SINS_ERRORS_MODEL 1
 /* Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning. */
 #define SINS_ERRORS_NEAR_POLE 1
-/* Error model: misalignment above 2 degrees or displacement above 100 km; what it drops is no longer small. */
+/*
+ * Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
+ * pole; what it drops is no longer small.
+ */
 #define SINS_ERRORS_OUTSIDE_VALIDITY 2
 /* In a sins_record: not computed, all zero. */
 #define SINS_ERRORS_NOT_COMPUTED 4
@@ -409,7 +415,8 @@ typedef struct sins_flight_sample {
     double roll_rad;
     /*
      * Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
-     * From one sample to the next the attitude turns by less than 170 degrees.
+     * From one sample to the next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than
+     * foreseen by the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond knowledge.
      */
     double pitch_rad;
     /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
@@ -893,7 +900,10 @@ typedef struct sins_accuracy {
     double radial_95_rate_m_s;
     /* Slope of the straight line of least squares through the horizontal position error [m/s]. */
     double radial_error_slope_m_s;
-    /* Root mean square velocity error since the start, east-north-up [m/s]. */
+    /*
+     * Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
+     * east and north turn [m/s].
+     */
     double velocity_rms_enu_m_s[3];
     /* Closure: navigation minus truth now, position [m]. */
     double closure_position_enu_m[3];

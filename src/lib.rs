@@ -76,6 +76,7 @@
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
+//! | hard cases are right, or told to be beyond it | `tests/hard_*.rs`, with their figures in `tests/README.md` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
 //!
 //! # Example

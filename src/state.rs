@@ -6,6 +6,9 @@ use nalgebra::{Quaternion, Vector3};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::math::{Euler, euler_from_attitude, rotate, rotate_inverse, wrap_angle};
 
+/// Distance from the Earth's axis [m] below which longitude, heading, east and north turn fast: at a pole they are undefined.
+pub const NEAR_POLE_M: f64 = 20e3;
+
 /// How the sensor axes lie in the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BodyAxes {

@@ -33,7 +33,8 @@ pub struct sins_accuracy {
     pub radial_95_rate_m_s: f64,
     /// Slope of the straight line of least squares through the horizontal position error [m/s].
     pub radial_error_slope_m_s: f64,
-    /// Root mean square velocity error since the start, east-north-up [m/s].
+    /// Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
+    /// east and north turn [m/s].
     pub velocity_rms_enu_m_s: [f64; 3],
     /// Closure: navigation minus truth now, position [m].
     pub closure_position_enu_m: [f64; 3],

@@ -13,7 +13,8 @@ use crate::truth::IntakeLimits;
 
 /// Navigation in Earth-fixed axes: regular everywhere, poles included.
 pub const SINS_FRAME_EARTH_FIXED: i32 = 0;
-/// Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole.
+/// Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
+/// than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
 pub const SINS_FRAME_GEOGRAPHIC: i32 = 1;
 
 /// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.

@@ -45,7 +45,8 @@ pub struct sins_flight_sample {
     /// Roll, right wing down positive, any number of turns up to 10000 rad [rad].
     pub roll_rad: f64,
     /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
-    /// From one sample to the next the attitude turns by less than 170 degrees.
+    /// From one sample to the next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than
+    /// foreseen by the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond knowledge.
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     pub heading_rad: f64,

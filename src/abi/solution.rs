@@ -22,7 +22,8 @@ pub const SINS_ERRORS_MODEL: i32 = 1;
 
 /// Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
 pub const SINS_ERRORS_NEAR_POLE: i32 = 1;
-/// Error model: misalignment above 2 degrees or displacement above 100 km; what it drops is no longer small.
+/// Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
+/// pole; what it drops is no longer small.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: i32 = 2;
 /// In a sins_record: not computed, all zero.
 pub const SINS_ERRORS_NOT_COMPUTED: i32 = 4;

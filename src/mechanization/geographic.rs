@@ -17,9 +17,24 @@ pub struct Geographic {
     q_nb: Compensated<4>,
     /// Acceleration against the Earth in the last update [m/s²].
     a_n: Vector3<f64>,
+    /// Square of the largest turn about the vertical that an update could have made [rad²].
+    turn2: f64,
+}
+
+/// What they do at a place and a velocity.
+#[derive(Clone, Copy)]
+struct Moving {
+    local: Local,
+    /// Transport rate [rad/s]
+    omega_en: Vector3<f64>,
+    /// Gravity and Coriolis acceleration [m/s²]
+    steady: Vector3<f64>,
+    /// Of latitude and longitude [rad/s], of height [m/s]
+    rate_of_place: Vector3<f64>,
 }
 
 /// What the navigation axes and the Earth do at a place.
+#[derive(Clone, Copy)]
 struct Local {
     sin: f64,
     cos: f64,
@@ -56,10 +71,32 @@ impl Local {
         Vector3::new(-v.y * self.inverse_m, east, east * self.sin / self.cos)
     }
 
+    /// What a velocity `v` [m/s] makes of it.
+    fn moving(self, v: &Vector3<f64>) -> Moving {
+        let omega_en = self.transport(v);
+        Moving {
+            omega_en,
+            steady: self.gravity - (2.0 * self.omega_ie + omega_en).cross(v),
+            rate_of_place: self.change_of_place(v),
+            local: self,
+        }
+    }
+
+    /// Square of the turn about the vertical over a displacement [m], were it eastward [rad²].
+    fn turn2(&self, dr: &Vector3<f64>) -> f64 {
+        let tan_over_n = self.sin / self.cos * self.inverse_n;
+        dr.xy().norm_squared() * (tan_over_n * tan_over_n)
+    }
+
     /// Changes of latitude, longitude and height for a displacement [m].
     fn change_of_place(&self, dr: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(dr.y * self.inverse_m, dr.x * self.inverse_n / self.cos, dr.z)
     }
+}
+
+/// Mean of a function over an interval, from its start, middle and end.
+fn simpson(start: &Vector3<f64>, middle: &Vector3<f64>, end: &Vector3<f64>) -> Vector3<f64> {
+    (start + middle * 4.0 + end) * (1.0 / 6.0)
 }
 
 impl Geographic {
@@ -72,41 +109,53 @@ impl Geographic {
             v_n: Compensated::new(rotate_inverse(&q_en, &state.v_e)),
             q_nb: Compensated::new((q_en.conjugate() * state.q_eb).coords),
             a_n: Vector3::zeros(),
+            turn2: 0.0,
         }
     }
 
-    /// One update of length `t` [s], predicted and corrected once, Earth terms of the middle of the update:
+    /// One update of length `t` [s], predicted and corrected once. With ω_en, k = g - (2 w_ie + w_en)×v and the rates of the
+    /// angles at its start, middle and end, Simpson's rule is ∫, and ∫(1 - u) of k is (k0 + 2 k½)/6:
     /// ```text
-    /// Δv = C S1 - T w_in×C(S1 - S2) + T²/6 w_in×(w_in×C S1) + T (g - (2 w_ie + w_en)×v̄) - T/12 Δw_en×(Δv - C S1)
-    /// Δr = T v + T C S2 - T² w_in×C S3 + T²/2 (g - (2 w_ie + w_en)×v̄)
+    /// Δv = C S1 - T w_in×C(S1 - S2) + T²/6 w_in×(w_in×C S1) + ∫k dt + T/12 Δw_in×C S1
+    /// Δr = T v + T C S2 - T² w_in×C S3 + T² ∫(1 - u) k du
     /// q  ← q(-ζ) q q(Φ), ζ = ∫ w_in dt
     /// ```
-    /// The last term of Δv is what the change Δw_en of the transport rate within the update does to Coriolis and turn of
-    /// the axes: without it two minutes of figure-eights leave 5e-9 m/s instead of 4e-10 m/s.
+    /// Evidence: near a pole the axes turn by the part of the distance to it that is flown in an update. With their rate of the
+    /// middle alone, 250 m/s at 1 Hz leave 14 m from passing a pole by 6.5 km.
     pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
         let (q, v, place) = (self.q(), self.v_n.value, self.place.value);
         let s1 = rotate(&q, &body.s1);
         let s2 = rotate(&q, &body.s2);
         let s3 = rotate(&q, &body.s3);
 
+        let start = Local::at(earth, place.x, place.z).moving(&v);
         let mut dv = self.a_n * t;
         let mut dr = (v + dv * 0.5) * t;
-        let mut local = Local::at(earth, place.x, place.z);
+        let (mut middle, mut end) = (start, start);
         for _ in 0..2 {
-            let to_middle = local.change_of_place(&((v * 0.5 + dv * 0.125) * t));
-            local = Local::at(earth, place.x + to_middle.x, place.z + to_middle.z);
-            let mean_velocity = dr / t;
-            let omega_en = local.transport(&mean_velocity);
-            let omega_in_t = (local.omega_ie + omega_en) * t;
-            let steady = (local.gravity - (2.0 * local.omega_ie + omega_en).cross(&mean_velocity)) * t;
-            dv = s1 - omega_in_t.cross(&(s1 - s2)) + omega_in_t.cross(&omega_in_t.cross(&s1)) / 6.0 + steady;
-            dr = (v + s2 - omega_in_t.cross(&s3) + steady * 0.5) * t;
+            let v_middle = dr * (1.5 / t) - (v * 2.0 + dv) * 0.25;
+            let to_middle = (v * 4.0 + v_middle * 8.0 - dv) * (t / 24.0);
+            let inverse_m = middle.local.inverse_m;
+            middle =
+                Local::at(earth, place.x + to_middle.y * inverse_m, place.z + to_middle.z).moving(&v_middle);
+            end = Local::at(earth, place.x + dr.y * inverse_m, place.z + dr.z).moving(&(v + dv));
+            let omega_in_t =
+                (middle.local.omega_ie + simpson(&start.omega_en, &middle.omega_en, &end.omega_en)) * t;
+            dv = s1 - omega_in_t.cross(&(s1 - s2))
+                + omega_in_t.cross(&omega_in_t.cross(&s1)) / 6.0
+                + simpson(&start.steady, &middle.steady, &end.steady) * t;
+            dr = (v + s2 - omega_in_t.cross(&s3) + (start.steady + middle.steady * 2.0) * (t / 6.0)) * t;
         }
-        dv -= local.transport(&dv).cross(&(dv - s1)) * (t / 12.0);
-        let zeta = local.omega_ie * t + local.transport(&dr);
+        let omega_in = [&start, &middle, &end].map(|at| at.local.omega_ie + at.omega_en);
+        dv += (omega_in[2] - omega_in[0]).cross(&s1) * (t / 12.0);
+        let zeta = simpson(&omega_in[0], &omega_in[1], &omega_in[2]) * t
+            + omega_in[0].cross(&omega_in[2]) * (t * t / 12.0);
         let turned = q * rotation_increment(&body.rotation);
         let dq = turned + rotation_increment(&-zeta) * (q + turned);
-        self.add(&local.change_of_place(&dr), &dv, &dq);
+        let mut d_place = simpson(&start.rate_of_place, &middle.rate_of_place, &end.rate_of_place) * t;
+        d_place.z = dr.z;
+        self.add(&d_place, &dv, &dq);
+        self.turn2 = self.turn2.max(middle.local.turn2(&dr));
         self.a_n = dv / t;
     }
 
@@ -122,6 +171,7 @@ impl Geographic {
         let dv = s1 - 0.5 * omega_in_t.cross(&s1) + steady;
         let dq = q * rotation_increment(&(body.rotation - rotate_inverse(&q, &omega_in_t)));
         self.add(&local.change_of_place(&(v * t)), &dv, &dq);
+        self.turn2 = self.turn2.max(local.turn2(&(v * t)));
         self.a_n = dv / t;
     }
 
@@ -144,6 +194,17 @@ impl Geographic {
     /// Speed squared [m²/s²].
     pub fn speed2(&self) -> f64 {
         self.v_n.value.norm_squared()
+    }
+
+    /// The largest turn of the axes about the vertical that an update so far could have made, in any direction [rad].
+    pub fn largest_turn(&self) -> f64 {
+        self.turn2.sqrt()
+    }
+
+    /// The same of an update over a displacement of `distance` [m] from here.
+    pub fn turn_over(&self, earth: &Earth, distance: f64) -> f64 {
+        let (sin, cos) = sin_cos(self.place.value.x);
+        distance * (sin / cos).abs() / (earth.polar_radius_m + self.place.value.z)
     }
 
     /// Height above the ellipsoid [m] and velocity up [m/s].

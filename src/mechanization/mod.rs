@@ -100,6 +100,10 @@ impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
     pub const MIN_COS_LATITUDE: f64 = 1e-3;
 
+    /// Turn of the geographic axes about the vertical that an update may make [rad]: up to here it costs less than
+    /// 2e-6 of the distance at which a pole is passed (tests/hard_poles.rs), beyond it grows with the fourth power.
+    pub const MAX_TURN_RAD: f64 = 0.01;
+
     /// Change of velocity [m/s] and length [s] of an interval that leads from a safe solution to a good one.
     pub const TAME_CHANGE_M_S: f64 = 50e3;
     /// See [`Self::TAME_CHANGE_M_S`].
@@ -119,18 +123,31 @@ impl Mechanization {
         self.check_within(&LIMITS)
     }
 
-    /// Whether the solution is so far within them that no tame interval leads beyond.
-    pub fn is_safe(&self) -> bool {
-        self.check_within(&SAFE).is_ok()
+    /// Whether the solution is so far within them that no tame interval leads beyond: of length `t` [s], with a change of the
+    /// velocity of at most `change_m_s`.
+    pub fn is_safe(&self, t: f64, change_m_s: f64) -> bool {
+        let turns_slowly = match &self.axes {
+            Axes::EarthFixed(_) => true,
+            Axes::Geographic(axes) => {
+                let distance = (axes.speed2().sqrt() + change_m_s) * t;
+                axes.turn_over(&self.earth, distance) < 0.5 * Self::MAX_TURN_RAD
+            }
+        };
+        turns_slowly && self.check_within(&SAFE).is_ok()
     }
 
     fn check_within(&self, bounds: &Bounds) -> Result<(), Error> {
         let (height, speed2) = match &self.axes {
             Axes::EarthFixed(axes) => {
                 let state = axes.state();
-                // (r² - a²) / 2a: the height near the Earth, and as far from the limits as it has to be elsewhere.
+                // (r² - a²) / 2a, more than the height outside and less than 50 km from it inside, where it says enough.
                 let a = self.earth.equatorial_radius_m;
-                ((state.r_e.norm_squared() - a * a) / (2.0 * a), state.v_e.norm_squared())
+                let mut height = (state.r_e.norm_squared() - a * a) / (2.0 * a);
+                let (low, high) = bounds.heights_m;
+                if !(height > low + 50e3 && height < high) {
+                    height = self.earth.vertical(&state.r_e).height_m;
+                }
+                (height, state.v_e.norm_squared())
             }
             Axes::Geographic(axes) => {
                 let cos = axes.cos_latitude();
@@ -141,6 +158,18 @@ impl Mechanization {
                         ErrorKind::Singular,
                         "cosine of the navigated latitude",
                         cos,
+                        rule,
+                    ));
+                }
+                let turn = axes.largest_turn();
+                if turn > Self::MAX_TURN_RAD {
+                    let words =
+                        "this close to a pole needs shorter updates or Earth-fixed axes; must be at most";
+                    let rule = Rule::WordsAnd(words, Self::MAX_TURN_RAD);
+                    return Err(Error::of(
+                        ErrorKind::Singular,
+                        "turn of the geographic axes in an update",
+                        turn,
                         rule,
                     ));
                 }

@@ -124,8 +124,10 @@ impl Simulator {
         }
         let mut chain = self.chain_from_first_sample()?;
         let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
-        self.sensors.reposition(first.current.sample.place.height_m);
-        chain.advance(&first, &mut self.sensors)?;
+        let mut sensors = self.sensors.clone();
+        sensors.reposition(first.current.sample.place.height_m);
+        chain.advance(&first, &mut sensors)?;
+        self.sensors = sensors;
         self.intake.take();
         self.intake.take();
         self.mode = Mode::Flying(chain);

@@ -2,11 +2,8 @@
 
 use super::Options;
 use crate::earth::Earth;
-use crate::state::Navigation;
+use crate::state::{NEAR_POLE_M, Navigation};
 use crate::truth::TruthPoint;
-
-/// Distance from the Earth's axis [m] below which a solution is flagged.
-const NEAR_POLE_M: f64 = 20e3;
 
 /// Latitude [rad] up to which no solution is so near: at the lowest height that there can be, -500 km, the axis is 63 km away.
 const FAR_FROM_POLE_RAD: f64 = 1.56;

@@ -3,24 +3,18 @@
 use nalgebra::Vector3;
 
 use super::ring::Ring;
+use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::math::{atan2, end_derivative_weights};
+use crate::math::end_derivative_weights;
 use crate::state::BodyAxes;
-
-/// Displacement that a coarse position may contradict the velocity by before it is a teleport [m]: single-precision
-/// longitudes in degrees are 0.85 m apart.
-const POSITION_SLACK_M: f64 = 10.0;
 
 /// Shortest interval between samples [s].
 const MIN_INTERVAL_S: f64 = 5e-5;
 
 /// What the difference of two time stamps may miss an interval by: four units in their last place.
 const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// |q0·q1| of two attitudes 170° apart.
-const HALF_TURN_COSINE: f64 = 0.087_155_742_747_658_17;
 
 /// What separates a bad sample from a hard manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,7 +107,7 @@ impl Intake {
         if sample.v_n.is_none() {
             point.set_velocity(&self.earth, self.velocity_from_positions(&point));
         }
-        self.check_jump(last, &point)?;
+        Steps { last, before: [self.ring.pushed(1), self.ring.pushed(2)] }.check(&point, &self.limits)?;
         if last.sample.v_n.is_none() && self.ring.pushed(1).is_none() {
             // The first velocity is known only now: the mean of the first interval.
             if let Some(first) = self.ring.pushed_mut() {
@@ -172,43 +166,6 @@ impl Intake {
             (Some(a), None, _) => weighted([a]),
             _ => Vector3::zeros(),
         }
-    }
-
-    /// Refuses what no vehicle does between two samples.
-    fn check_jump(&self, last: &TruthPoint, point: &TruthPoint) -> Result<(), Error> {
-        let jump = |field, value, rule| Err(Error::of(ErrorKind::Discontinuity, field, value, rule));
-        let limit = self.limits.max_acceleration_m_s2;
-        let interval = point.interval_s;
-        let mean = 0.5 * (point.state.v_e + last.state.v_e);
-        let displacement2 = (point.state.r_e - last.state.r_e - mean * interval).norm_squared();
-        let allowed = POSITION_SLACK_M + 0.5 * limit * interval * interval;
-        if displacement2 > allowed * allowed {
-            return jump(
-                "sample position: displacement that the velocity does not explain [m]",
-                displacement2.sqrt(),
-                Rule::WordsAnd("must be at most 10 m + max_acceleration_m_s2 interval^2 / 2 =", allowed),
-            );
-        }
-        let change2 = (point.state.v_e - last.state.v_e).norm_squared();
-        // A velocity from coarse positions is noise of metres a second: there the displacement alone is judged.
-        let measured = point.sample.v_n.is_some() && last.sample.v_n.is_some();
-        if measured && change2 > (limit * interval) * (limit * interval) {
-            return jump(
-                "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
-                change2.sqrt() / interval,
-                Rule::WordsAnd("must be at most max_acceleration_m_s2 =", limit),
-            );
-        }
-        let cosine = last.state.q_eb.dot(&point.state.q_eb).abs();
-        if cosine < HALF_TURN_COSINE {
-            let angle = 2.0 * atan2((1.0 - cosine * cosine).max(0.0).sqrt(), cosine);
-            return jump(
-                "sample attitude: rotation since the previous sample [rad]",
-                angle,
-                Rule::Words("must be below 170 degrees; beyond it the sense of the rotation is unknown"),
-            );
-        }
-        Ok(())
     }
 }
 

@@ -4,6 +4,7 @@ mod intake;
 mod point;
 mod ring;
 mod sample;
+mod steps;
 
 pub use intake::{Intake, IntakeLimits};
 pub use point::TruthPoint;

@@ -9,7 +9,7 @@ use crate::earth::{Earth, Geodetic, Vertical, navigation_axes_from_half_angles};
 use crate::math::{
     Euler, attitude_from_euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each,
 };
-use crate::state::{BodyAxes, EarthFixedState, Navigation};
+use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
 /// Truth at a sample, in Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,6 +83,11 @@ impl TruthPoint {
     /// The vertical there.
     pub fn vertical(&self) -> Vertical {
         Vertical { up_e: self.up_e, height_m: self.sample.place.height_m }
+    }
+
+    /// Whether it is within reach of a pole.
+    pub fn is_near_pole(&self) -> bool {
+        self.state.r_e.xy().norm_squared() < NEAR_POLE_M * NEAR_POLE_M
     }
 
     /// The point in geographic terms: the host's own place and velocity, to the bit.

@@ -9,6 +9,8 @@ use sins::math::Euler;
 use sins::signal::Increment;
 use sins::truth::FlightSample;
 
+pub mod orbits;
+
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
 pub const G: f64 = 9.80665;

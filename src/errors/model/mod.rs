@@ -241,6 +241,8 @@ impl ErrorModel {
         let change = local.change_of_place(&position_n);
         let displacement = position_n.norm_squared().sqrt();
         let misalignment = misalignment_n.norm_squared().sqrt();
+        // Near a pole the local axes turn by the displacement over the distance to it, whatever its direction.
+        let turn = displacement * local.sin.abs() / (local.n * local.cos);
         NavigationErrors {
             position_n,
             latitude_rad: change.x,
@@ -250,7 +252,8 @@ impl ErrorModel {
             roll_rad: wrap_angle(euler.roll - truth.euler.roll),
             pitch_rad: euler.pitch - truth.euler.pitch,
             heading_rad: wrap_angle(euler.heading - truth.euler.heading),
-            outside_validity: !(displacement < VALID_DISPLACEMENT_M && misalignment < VALID_MISALIGNMENT_RAD),
+            outside_validity: !(displacement < VALID_DISPLACEMENT_M
+                && misalignment.max(turn) < VALID_MISALIGNMENT_RAD),
         }
     }
 }

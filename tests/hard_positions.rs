@@ -1,0 +1,125 @@
+//! Positions as old hosts send them: against their own velocities, rounded, and alone.
+
+mod support;
+
+use nalgebra::Vector3;
+use sins::earth::Geodetic;
+use sins::mechanization::VerticalMode;
+use sins::truth::FlightSample;
+use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
+use support::{DEG, options_at, patrol, resting_sample};
+
+/// Velocities of a standing host that moves, and the other way round: flown, flagged in each sample, and the closure is told to be the
+/// host's.
+#[test]
+fn velocity_that_contradicts_position_is_the_hosts_own() {
+    for (position_m_s, velocity_m_s) in [(5.0, 0.0), (0.0, 5.0), (5.0, -5.0)] {
+        let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
+        let meridian_m = simulator.options().earth().radii((39.9 * DEG).sin()).meridian_m;
+        for k in 0..=6000 {
+            let time_s = f64::from(k) / 100.0;
+            let mut sample = resting_sample(time_s);
+            sample.place.latitude_rad += position_m_s * time_s / meridian_m;
+            sample.v_n = Some(Vector3::new(0.0, velocity_m_s, 0.0));
+            simulator.push_sample(&sample).unwrap();
+            simulator.step().unwrap();
+        }
+        let (_, _, closure) = simulator.accuracy().unwrap().unwrap();
+        assert!(simulator.truth().unwrap().unwrap().inconsistent);
+        println!(
+            "position at {position_m_s} m/s, velocity {velocity_m_s} m/s, 60 s: {} flagged, closure {:.1} m, host's share {:.1} m",
+            closure.inconsistent_samples, closure.position_n.y, closure.host_position_n.y
+        );
+        assert_eq!(closure.inconsistent_samples, 6000);
+        let expected = (velocity_m_s - position_m_s) * 60.0;
+        // Schuler's pendulum takes (t/806 s)²/6 of it.
+        assert!((closure.position_n.y / expected - 1.0).abs() < 2e-3, "{}", closure.position_n);
+        assert!(
+            (closure.host_position_n.y / closure.position_n.y - 1.0).abs() < 2e-3,
+            "{}",
+            closure.host_position_n
+        );
+    }
+}
+
+/// A log rounded to 1e-7° and 1 cm: with velocities its positions cost what they are off themselves, without them the velocity is made
+/// of them.
+#[test]
+fn a_log_of_seven_decimals_and_centimetres() {
+    let flight = patrol(1200.0);
+    let at = |time_s: f64| FlightSample { time_s, ..flight.sample_at(600.0 + time_s).unwrap() };
+    let decimal = |angle: f64| (angle / DEG * 1e7).round() / 1e7 * DEG;
+    for (label, velocity, rate_hz) in
+        [("with velocities", true, 100.0), ("without", false, 100.0), ("without", false, 10.0)]
+    {
+        let mut simulator =
+            Simulator::new(&Options { intake: Default::default(), ..options_at(100.0) }).unwrap();
+        for k in 0..=(300.0 * rate_hz) as u32 {
+            let mut sample = at(f64::from(k) / rate_hz);
+            let Geodetic { latitude_rad, longitude_rad, height_m } = sample.place;
+            sample.place = Geodetic {
+                latitude_rad: decimal(latitude_rad),
+                longitude_rad: decimal(longitude_rad),
+                height_m: (height_m * 100.0).round() / 100.0,
+            };
+            if !velocity {
+                sample.v_n = None;
+            }
+            simulator.push_sample(&sample).unwrap();
+            simulator.step().unwrap();
+        }
+        let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
+        let exact = at(300.0);
+        let navigated = simulator.navigation().unwrap().unwrap().navigation;
+        let off = (navigated.v_n - exact.v_n.unwrap()).norm();
+        println!(
+            "log of 1e-7° and 1 cm {label} at {rate_hz} Hz: {:.1e} m, {off:.1e} m/s off the true velocity",
+            errors.position_n.norm()
+        );
+        let step_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
+        if velocity {
+            // The first and the last position are off by half a step each; gravity leans with them.
+            assert!(errors.position_n.norm() < 3.0 * step_m, "{}", errors.position_n);
+            assert!(off < 9.8 * step_m / 6.4e6 * 300.0, "{off:e}");
+        } else {
+            // Weights 11/6, 3, 3/2, 1/3 over the interval on half a step each, at the end and, once, at the start.
+            let noise = 6.7 * step_m * rate_hz;
+            assert!(off < noise + 0.5 / rate_hz * 6.0, "{off:e} {noise}");
+        }
+    }
+}
+
+/// Only positions: what leaps is refused, whether by 11 m at 100 Hz or by more, and what is fast is not; 8 km/s as at 5 m/s.
+#[test]
+fn without_velocities_leaps_are_refused_and_speed_is_none() {
+    let with_step = |speed_m_s: f64, rate_hz: f64, leap_m: f64, leaps_at: u32| -> Result<f64, Error> {
+        let mut simulator =
+            Simulator::new(&Options { vertical: VerticalMode::FollowTruth, ..Default::default() }).unwrap();
+        for k in 0..20 {
+            let mut sample = FlightSample { v_n: None, ..resting_sample(f64::from(k) / rate_hz) };
+            let way_m = speed_m_s * sample.time_s + if k >= leaps_at { leap_m } else { 0.0 };
+            // Along the equator, a circle.
+            sample.place = Geodetic { latitude_rad: 0.0, longitude_rad: way_m / 6_378_137.0, height_m: 0.0 };
+            simulator.push_sample(&sample)?;
+            simulator.step().unwrap();
+        }
+        Ok(simulator.truth().unwrap().unwrap().navigation.v_n.x)
+    };
+    for rate_hz in [1.0, 10.0, 100.0] {
+        for speed in [0.0, 5.0, 250.0, 8000.0] {
+            let found = with_step(speed, rate_hz, 0.0, 0).unwrap();
+            // The cubic's own on a circle, and 1 nm over an interval.
+            assert!((found - speed).abs() < 1e-6 * speed + 7e-9 * rate_hz, "{found} {speed}");
+            // What 2000 m/s² make of the time, up to three intervals in the mean velocity, is not a leap.
+            let slack_m = 10.0 + 3000.0 / (rate_hz * rate_hz);
+            for leaps_at in [2, 3, 4, 10] {
+                for leap_m in [1.1 * slack_m, 20.0 * slack_m, -1.1 * slack_m] {
+                    let error = with_step(speed, rate_hz, leap_m, leaps_at).unwrap_err();
+                    assert_eq!(error.kind, ErrorKind::Discontinuity, "{error}");
+                }
+            }
+        }
+        // Faster than anything, from the first interval on.
+        assert_eq!(with_step(21e3, rate_hz, 0.0, 0).unwrap_err().kind, ErrorKind::Discontinuity);
+    }
+}

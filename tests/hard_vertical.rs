@@ -1,0 +1,109 @@
+//! The free vertical channel: its time constant, its end, and the way back.
+
+mod support;
+
+use nalgebra::Vector3;
+use sins::earth::{Earth, Geodetic};
+use sins::math::Euler;
+use sins::mechanization::{Frame, VerticalMode};
+use sins::sensors::{InitialErrorParameters, TriadParameters};
+use sins::truth::FlightSample;
+use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
+use support::{options_at, resting_sample};
+
+fn free(frame: Frame, rate_hz: f64) -> Options {
+    Options { frame, vertical: VerticalMode::Free, ..options_at(rate_hz) }
+}
+
+/// On the pole, where Coriolis takes no part, a height error of 1 mm grows as cosh(t/τ), 1/τ² = upᵀ G up of the gravity
+/// gradient G. The gradient is true to 1e-6 of itself, and half of that counts t/τ times.
+#[test]
+fn the_e_folding_time_is_that_of_the_gravity_gradient() {
+    let earth = Earth::default();
+    let place = Geodetic { latitude_rad: std::f64::consts::FRAC_PI_2, longitude_rad: 0.0, height_m: 0.0 };
+    let gradient = earth.gravity_gradient(&earth.to_earth_fixed(&place))[(2, 2)];
+    let tau_s = 1.0 / gradient.sqrt();
+    let mut simulator = Simulator::new(&free(Frame::EarthFixed, 10.0)).unwrap();
+    let position_n = Vector3::new(0.0, 0.0, 1e-3);
+    simulator.set_initial_errors(&InitialErrorParameters { position_n, ..Default::default() }).unwrap();
+    for k in 0..=72_000 {
+        let time_s = f64::from(k) / 10.0;
+        simulator.push_sample(&FlightSample::at_rest(time_s, place, Euler::default())).unwrap();
+        simulator.step().unwrap();
+        if k % 18_000 == 0 && k > 0 {
+            let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
+            let ratio = errors.position_n.z / (1e-3 * (time_s / tau_s).cosh());
+            println!(
+                "τ = {tau_s:.2} s, {time_s} s: {:.4e} m, {:.1e} from theory",
+                errors.position_n.z,
+                ratio - 1.0
+            );
+            // 2 nm of rounding at the start are 2e-6 of it; height over radius, 150 m of 6.4e6, is the next order of the field.
+            let second_order = 1.5 * errors.position_n.z / 6.36e6;
+            assert!((ratio - 1.0).abs() < 0.5e-6 * time_s / tau_s + 2e-6 + second_order, "{ratio}");
+        }
+    }
+    assert!((tau_s - 569.3).abs() < 1.0, "{tau_s}");
+}
+
+/// Flies at rest from sample `from` on until a step is refused.
+fn until_refused(simulator: &mut Simulator, from: u32) -> (u32, Error) {
+    for k in from.. {
+        simulator.push_sample(&resting_sample(f64::from(k))).unwrap();
+        if let Err(error) = simulator.step() {
+            return (k, error);
+        }
+        let solution = simulator.navigation().unwrap().unwrap().navigation;
+        assert!(solution.place.height_m.is_finite() && solution.v_n.norm().is_finite());
+        assert!(k < 100_000, "it has to end");
+    }
+    unreachable!()
+}
+
+/// A microgram of bias ends it within hours, upward or downward: refused before anything overflows, the last good solution stays, to
+/// the bit, and both ways back lead to a run like any other.
+#[test]
+fn the_end_is_told_and_both_ways_back_are_open() {
+    for frame in [Frame::EarthFixed, Frame::Geographic] {
+        for bias in [1e-5, -1e-5] {
+            let parameters = TriadParameters {
+                bias: Vector3::new(0.0, 0.0, bias),
+                random_walk: Vector3::repeat(1e-5),
+                ..Default::default()
+            };
+            let fresh = || {
+                let mut simulator = Simulator::new(&free(frame, 1.0)).unwrap();
+                simulator.set_accel(&parameters).unwrap();
+                simulator
+            };
+            let mut simulator = fresh();
+            let (end, error) = until_refused(&mut simulator, 0);
+            assert!(error.kind == ErrorKind::Diverged || error.kind == ErrorKind::Singular, "{error}");
+            let last = simulator.navigation().unwrap().unwrap();
+            println!(
+                "{frame:?}, bias {bias:e} m/s²: refused after {end} s at {:.0} km: {error}",
+                last.navigation.place.height_m / 1e3
+            );
+            assert_eq!(last.time_s, f64::from(end) - 1.0);
+            assert!((-500e3..20e6).contains(&last.navigation.place.height_m));
+            assert_eq!(simulator.step(), Err(error));
+            assert_eq!(simulator.navigation().unwrap().unwrap(), last);
+
+            let mut repositioned = simulator.clone();
+            repositioned.reposition(&resting_sample(0.0)).unwrap();
+            let after = |simulator: &mut Simulator, from: u32| {
+                for k in from..from + 100 {
+                    simulator.push_sample(&resting_sample(f64::from(k))).unwrap();
+                    simulator.step().unwrap();
+                }
+                (simulator.navigation().unwrap(), simulator.imu(), simulator.accuracy().unwrap())
+            };
+            after(&mut repositioned, 1);
+            let (_, errors) = repositioned.errors(ErrorSource::Navigation).unwrap().unwrap();
+            assert!(errors.position_n.norm() < 1.0, "{}", errors.position_n);
+
+            simulator.reset();
+            assert_eq!(after(&mut simulator, 0), after(&mut fresh(), 0));
+        }
+    }
+}
