@@ -77,9 +77,9 @@ fn created() -> *mut sins_sim {
     sim
 }
 
-/// Words of a sample: time, latitude, longitude, height, velocity, roll, pitch, heading, rate, force.
+/// Words of a sample: time, latitude, longitude, height, velocity, roll, pitch, heading, rate, force, temperature.
 fn sample(time_s: f64) -> Words {
-    let flags = SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE;
+    let flags = SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_TEMPERATURE;
     Words::new::<sins_flight_sample>(flags).with(1, time_s).with(2, 0.7).with(16, 9.8)
 }
 
@@ -120,6 +120,13 @@ fn every_field_of_every_struct() {
             &|words| sins_set_initial_errors(sim, words.pointer()),
         );
         sins_reset(sim);
+        each_word_is_checked("sins_mounting", &Words::new::<sins_mounting>(0), &[], sim, &|words| {
+            sins_set_mounting(sim, words.pointer())
+        });
+        let gravity = Words::new::<sins_gravity_params>(0);
+        each_word_is_checked("sins_gravity_params", &gravity, &[], sim, &|words| {
+            sins_set_gravity_disturbance(sim, words.pointer())
+        });
         // Its angles are not read.
         let start = Words::new::<sins_navigation>(0).with(2, 0.7).with(11, 1.0);
         let untouched = [8, 9, 10];
