@@ -15,6 +15,8 @@
 mod accuracy;
 mod boundary;
 mod failure;
+#[cfg(feature = "fault-injection")]
+mod fault;
 mod flight;
 mod fpu;
 mod initial;
@@ -35,6 +37,8 @@ mod version;
 
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
 pub use failure::*;
+#[cfg(feature = "fault-injection")]
+pub use fault::sins_inject_panic;
 pub use flight::*;
 pub use initial::*;
 pub use manoeuvre::*;
