@@ -63,6 +63,12 @@ fn threads_are_serialised_by_handle() {
     run_test_program("threads");
 }
 
+/// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
+#[test]
+fn digests_of_four_flights_are_the_pinned_ones() {
+    run_test_program("digests");
+}
+
 #[test]
 fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
     run_test_program("float_environment");
