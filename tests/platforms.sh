@@ -47,12 +47,11 @@ else
 fi
 other aarch64 gcc-aarch64-linux-gnu qemu-aarch64 -L /usr/aarch64-linux-gnu
 
+echo "== here, without optimisation and in release"
 programs=digests
-for optimisation in 0 3; do
-    echo "== here, optimisation $optimisation"
-    cargo rustc --quiet --lib --crate-type cdylib --profile "$([ $optimisation -eq 0 ] && echo dev || echo release)" \
-        --target-dir "$folder/built" --config "profile.dev.opt-level=$optimisation"
-done
+build=(cargo rustc --quiet --lib --crate-type cdylib --target-dir "$folder/built")
+"${build[@]}" --config profile.dev.opt-level=0
 fly gcc "$folder/built/debug/libsins.so"
+"${build[@]}" --release
 fly gcc "$folder/built/release/libsins.so"
 report_not_run

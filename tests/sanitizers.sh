@@ -64,7 +64,7 @@ thread_sanitizer() {
     library thread staticlib -Zbuild-std
     local runtime
     runtime=$(rustc +nightly --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
-    for name in planted threads destroyed panic; do
+    for name in planted threads destroyed; do
         compile "$name" -DSINS_STATIC -fsanitize=thread -c
         mv "$folder/$name" "$folder/$name.o"
         gcc -rdynamic "$folder/$name.o" "$built/libsins.a" -Wl,--whole-archive "$runtime" -Wl,--no-whole-archive \
@@ -81,11 +81,11 @@ memcheck() {
     cp target/debug/libsins.so "$folder/libsins.so.1"
     cp target/debug/libsins.so "$folder/libsins.so"
     local valgrind=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect)
-    for name in planted misuse sentences struct_sizes; do
+    for name in planted misuse sentences run; do
         compile "$name" -L "$folder" -lsins -Wl,-rpath,"$folder"
     done
     finds "uninitialised" "${valgrind[@]}" "$folder/planted" uninitialized
-    for name in misuse sentences struct_sizes; do
+    for name in misuse sentences run; do
         clean "${valgrind[@]}" "$folder/$name"
     done
 }
