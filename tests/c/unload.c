@@ -167,7 +167,12 @@ static void *visit(void *unused)
     int round;
     (void)unused;
     for (round = 0; round < ROUNDS; round++) {
+        long calls;
         pthread_barrier_wait(&barrier); /* loaded */
+        /* A thread's first call lets the loader allocate what is thread-local in the library; no later one allocates. */
+        CHECK(sins_step(NULL) == SINS_ERROR_BAD_HANDLE);
+        calls = allocator_calls;
+        CHECK(sins_step(NULL) == SINS_ERROR_BAD_HANDLE && allocator_calls == calls);
         work(found[1]);
         pthread_barrier_wait(&barrier); /* done */
     }

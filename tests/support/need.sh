@@ -2,9 +2,12 @@
 
 # need PACKAGE PROGRAM: installs the Debian package if the program is not there.
 need() {
-    command -v "$2" >/dev/null && return
+    command -v "$2" >/dev/null || install "$1"
+}
+
+install() {
     as_root apt-get update -qq
-    DEBIAN_FRONTEND=noninteractive as_root apt-get install -y -qq --no-install-recommends "$1" >/dev/null
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
 }
 
 as_root() {
