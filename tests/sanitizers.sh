@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool first has to find a
-# mistake that is planted. The first two need nightly Rust; what cannot be had is told at the end.
+# mistake that is planted. The first two need nightly Rust; what cannot be had, or takes too long to build, is told at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 target=x86_64-unknown-linux-gnu
 folder=$PWD/target/sanitizers/programs
 built=target/sanitizers/$target/debug
+longest_build_s=900
 mkdir -p "$folder"
 need gcc gcc
 need valgrind valgrind
@@ -37,14 +38,21 @@ finds() {
     fi
 }
 
-# library SANITIZER CRATE_TYPE OPTIONS...: the library, instrumented; its own panic hook in it.
+# library SANITIZER CRATE_TYPE OPTIONS...: the library, instrumented, with the panic to be injected; false if that takes too long.
 library() {
-    RUSTFLAGS="-Zsanitizer=$1" cargo +nightly rustc --quiet --lib --crate-type "$2" --target "$target" \
-        --target-dir target/sanitizers --features fault-injection "${@:3}"
+    local status=0
+    RUSTFLAGS="-Zsanitizer=$1" timeout "$longest_build_s" cargo +nightly rustc --quiet --lib --crate-type "$2" \
+        --target "$target" --target-dir target/sanitizers --features fault-injection --config profile.dev.opt-level=1 \
+        "${@:3}" || status=$?
+    if [ "$status" -eq 124 ]; then
+        could_not "the $1 sanitizer" "its build took more than $longest_build_s s"
+        return 1
+    fi
+    [ "$status" -eq 0 ] || exit "$status"
 }
 
 address_sanitizer() {
-    library address cdylib
+    library address cdylib || return 0
     cp "$built/libsins.so" "$folder/libsins.so.1"
     cp "$built/libsins.so" "$folder/libsins.so"
     for name in planted misuse struct_sizes sentences run threads destroyed panic; do
@@ -61,7 +69,7 @@ address_sanitizer() {
 # The standard library has to be instrumented too, else its locks are not seen. Without address randomisation: the shadow
 # memory of ThreadSanitizer has a fixed place.
 thread_sanitizer() {
-    library thread staticlib -Zbuild-std
+    library thread staticlib -Zbuild-std || return 0
     local runtime
     runtime=$(rustc +nightly --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
     for name in planted threads destroyed; do

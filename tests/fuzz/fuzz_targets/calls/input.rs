@@ -109,13 +109,15 @@ pub struct Block {
 impl Block {
     pub fn of<T: Copy>(value: &T) -> Self {
         // SAFETY: the structs of the interface have no padding.
-        let bytes = unsafe { std::slice::from_raw_parts(std::ptr::from_ref(value).cast::<u8>(), size_of::<T>()) };
+        let bytes =
+            unsafe { std::slice::from_raw_parts(std::ptr::from_ref(value).cast::<u8>(), size_of::<T>()) };
         Self { bytes: bytes.to_vec() }
     }
 
     /// As long as its struct_size says, so that the sanitizer sees a touch beyond; garbage is refused before it is.
     fn resized(mut self) -> Self {
-        let stated = u32::from_le_bytes([self.bytes[0], self.bytes[1], self.bytes[2], self.bytes[3]]) as usize;
+        let stated =
+            u32::from_le_bytes([self.bytes[0], self.bytes[1], self.bytes[2], self.bytes[3]]) as usize;
         self.bytes.resize(if stated <= 1 << 16 { stated.max(4) } else { 4 }, 0);
         self.bytes.shrink_to_fit();
         self

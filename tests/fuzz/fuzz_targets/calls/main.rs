@@ -99,7 +99,8 @@ impl<'a> Host<'a> {
             seen.extend(status.to_le_bytes());
             seen.extend(block.bytes);
         };
-        let (mut truth, mut navigation) = (Block::of(&init::<sins_navigation>()), Block::of(&init::<sins_navigation>()));
+        let (mut truth, mut navigation) =
+            (Block::of(&init::<sins_navigation>()), Block::of(&init::<sins_navigation>()));
         let (mut errors, mut model) = (Block::of(&init::<sins_errors>()), Block::of(&init::<sins_errors>()));
         let mut imu = Block::of(&init::<sins_imu>());
         let mut accuracy = Block::of(&init::<sins_accuracy>());
@@ -126,8 +127,7 @@ impl<'a> Host<'a> {
     }
 
     fn create(&mut self) {
-        let mut options =
-            self.input.changed(sins_options { error_model: SINS_ERROR_MODEL_RK4, ..init() });
+        let mut options = self.input.changed(sins_options { error_model: SINS_ERROR_MODEL_RK4, ..init() });
         let place = self.input.below(HANDLES);
         let mut sim = null_mut();
         // SAFETY: as many bytes as it says.
@@ -187,7 +187,8 @@ impl<'a> Host<'a> {
                 SINS_MANOEUVRE_ROLL | SINS_MANOEUVRE_LOOP => manoeuvre.turns = 1.0,
                 SINS_MANOEUVRE_S_TURN => (manoeuvre.heading_change_rad, manoeuvre.turns) = (0.5, 2.0),
                 SINS_MANOEUVRE_SINUSOIDS => {
-                    (manoeuvre.sinusoid_count, manoeuvre.amplitude[0], manoeuvre.frequency_hz[0]) = (1, 0.1, 0.2);
+                    (manoeuvre.sinusoid_count, manoeuvre.amplitude[0], manoeuvre.frequency_hz[0]) =
+                        (1, 0.1, 0.2);
                 }
                 _ => {}
             }
@@ -219,9 +220,8 @@ impl<'a> Host<'a> {
         for step in 0..self.input.below(4) {
             let mut sample = self.input.changed(init::<sins_flight_sample>());
             // SAFETY: as many bytes as it says.
-            let status = unsafe {
-                sins_flight_sample_at(flight, time_s + 0.01 * step as f64, sample.pointer())
-            };
+            let status =
+                unsafe { sins_flight_sample_at(flight, time_s + 0.01 * step as f64, sample.pointer()) };
             if checked(status) == SINS_OK {
                 assert!(sample.numbers(1, 11).all(f64::is_finite));
                 // SAFETY: as above.
@@ -300,7 +300,8 @@ impl<'a> Host<'a> {
                 17 => {
                     let mut text = vec![0x55_u8; self.input.below(256)];
                     let mut needed = 0;
-                    let buffer = if text.is_empty() { null_mut() } else { text.as_mut_ptr().cast::<c_char>() };
+                    let buffer =
+                        if text.is_empty() { null_mut() } else { text.as_mut_ptr().cast::<c_char>() };
                     let sim = if self.input.byte() == 0 { null() } else { sim.cast_const() };
                     let status = checked(sins_last_error(sim, buffer, text.len(), &mut needed));
                     if status == SINS_OK && !text.is_empty() {
