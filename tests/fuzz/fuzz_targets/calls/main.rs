@@ -46,6 +46,23 @@ fn checked(status: sins_status) -> sins_status {
     status
 }
 
+/// Flights of months are laid out for seconds, which is known: their fields are made refused ones.
+fn shorten(manoeuvre: &mut Block) {
+    let fields = [
+        std::mem::offset_of!(sins_manoeuvre, duration_s),
+        std::mem::offset_of!(sins_manoeuvre, heading_change_rad),
+        std::mem::offset_of!(sins_manoeuvre, turns),
+        std::mem::offset_of!(sins_manoeuvre, frequency_hz),
+    ];
+    for at in fields {
+        if let Some(field) = manoeuvre.bytes.get_mut(at..at + 8)
+            && f64::from_le_bytes(std::array::from_fn(|i| field[i])).abs() > 1e4
+        {
+            field.copy_from_slice(&f64::NAN.to_le_bytes());
+        }
+    }
+}
+
 impl<'a> Host<'a> {
     fn new(bytes: &'a [u8]) -> Self {
         let mut host = Self {
@@ -193,6 +210,7 @@ impl<'a> Host<'a> {
                 _ => {}
             }
             let mut block = self.input.changed(manoeuvre);
+            shorten(&mut block);
             if index == 0 {
                 stride = block.bytes.len();
             }
