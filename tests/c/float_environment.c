@@ -7,7 +7,6 @@
 #include "every_call.h"
 
 #if defined(__x86_64__) || defined(__i386__)
-#include <xmmintrin.h>
 
 /* MXCSR, and control, status and tag word of x87. */
 typedef struct {
@@ -22,7 +21,7 @@ static float_state get_state(void)
     memset(&state, 0, sizeof state);
     /* fnstenv masks all exceptions; fldenv puts them back. */
     __asm__ volatile("fnstenv %0\n\tfldenv %0" : "=m"(environment));
-    state.mxcsr = _mm_getcsr();
+    __asm__ volatile("stmxcsr %0" : "=m"(state.mxcsr));
     state.x87[0] = (uint16_t)environment[0];
     state.x87[1] = (uint16_t)environment[1];
     state.x87[2] = (uint16_t)environment[2];
@@ -32,7 +31,7 @@ static float_state get_state(void)
 static void set_state(float_state state)
 {
     __asm__ volatile("fnclex\n\tfldcw %0" ::"m"(state.x87[0]));
-    _mm_setcsr(state.mxcsr);
+    __asm__ volatile("ldmxcsr %0" ::"m"(state.mxcsr));
 }
 
 enum { STATES = 64 };
