@@ -52,8 +52,9 @@ struct Content<T> {
 }
 
 impl<T> Slot<T> {
-    const EMPTY: Self =
-        Self { key: AtomicUsize::new(FREE), place: Mutex::new(Place { used: 0, content: None }) };
+    const fn empty() -> Self {
+        Self { key: AtomicUsize::new(FREE), place: Mutex::new(Place { used: 0, content: None }) }
+    }
 
     fn lock(&self) -> MutexGuard<'_, Place<T>> {
         // Panics are caught inside the lock; it is never poisoned.
@@ -77,7 +78,7 @@ impl<T> Registry<T> {
     pub const fn new(kind: usize) -> Self {
         Self {
             kind,
-            slots: [const { Slot::EMPTY }; SLOTS],
+            slots: [const { Slot::empty() }; SLOTS],
             next: AtomicUsize::new(0),
             first_generation: OnceLock::new(),
         }
