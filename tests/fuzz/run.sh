@@ -21,7 +21,7 @@ fuzz() {
     local kept=tests/fuzz/corpus/$1 new=$folder/corpus/$1
     mkdir -p "$new" "$folder/findings"
     echo "== fuzzing $1, $seconds s"
-    "$2" -max_total_time="$seconds" -timeout=60 -max_len=2048 -print_final_stats=1 -verbosity=0 -close_fd_mask=3 \
+    "$2" -max_total_time="$seconds" -timeout=60 -max_len=2048 -len_control=0 -print_final_stats=1 -verbosity=0 -close_fd_mask=3 \
         -artifact_prefix="$folder/findings/$1-" "$new" "$kept"
     if [ -n "${KEEP:-}" ]; then
         "$2" -merge=1 -verbosity=0 "$kept" "$new"
