@@ -16,12 +16,12 @@ triple=x86_64-unknown-linux-gnu
 folder=$PWD/target/fuzz
 mkdir -p "$folder"
 
-# fuzz TARGET PROGRAM
+# fuzz TARGET PROGRAM OPTIONS...
 fuzz() {
     local kept=tests/fuzz/corpus/$1 new=$folder/corpus/$1
     mkdir -p "$new" "$folder/findings"
     echo "== fuzzing $1, $seconds s"
-    "$2" -max_total_time="$seconds" -timeout=60 -max_len=2048 -len_control=0 -print_final_stats=1 -verbosity=0 -close_fd_mask=3 \
+    "$2" -max_total_time="$seconds" -timeout=60 -max_len=2048 -len_control=0 -print_final_stats=1 -verbosity=0 "${@:3}" \
         -artifact_prefix="$folder/findings/$1-" "$new" "$kept"
     if [ -n "${KEEP:-}" ]; then
         "$2" -merge=1 -verbosity=0 "$kept" "$new"
@@ -39,7 +39,7 @@ fuzz_c() {
     esac
     clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I include \
         "tests/fuzz/$1/$1_fuzz.c" $(printf 'c_examples/harness/%s.c ' $sources) -lm -o "$folder/$1"
-    fuzz "$1" "$folder/$1"
+    fuzz "$1" "$folder/$1" -close_fd_mask=3 # the harness tells what is wrong
 }
 
 # As cargo fuzz builds it, without that tool.
