@@ -49,7 +49,9 @@ if ! [ -x "$chroot/usr/lib/wine/wine" ] && [ "${WINE32:-}" = 1 ]; then
 fi
 if [ -x "$chroot/usr/lib/wine/wine" ]; then
     dll i686 "$chroot/programs"
-    run_in /programs as_root chroot "$chroot" env HOME=/root WINEDEBUG=-all /usr/lib/wine/wine
+    # wine finds itself through /proc.
+    run_in /programs as_root unshare --mount sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$chroot" \
+        env HOME=/root WINEDEBUG=-all /usr/lib/wine/wine
 elif [ "${WINE32:-}" != 1 ]; then
     could_not "32-bit Windows" "there is no 32-bit wine in $chroot; WINE32=1 tests/windows.sh makes it"
 fi
