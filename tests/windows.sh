@@ -20,7 +20,7 @@ dll() {
     "$compiler" -shared -Wl,--kill-at -o "$2/bcryptprimitives.dll" tests/c/bcryptprimitives.c
     for name in $programs; do
         "$compiler" -std=c99 -D__USE_MINGW_ANSI_STDIO=1 -O1 -I include "tests/c/$name.c" -o "$2/$name.exe" \
-            "target/$target/release/libsins.dll.a" -static
+            "target/$target/release/libsins.dll.a" -static -lpthread
     done
 }
 
