@@ -72,7 +72,8 @@
 //! | gravity beyond the normal field acts as in closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
-//! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
+//! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
+//! | nothing that a host does hurts the library, nor the library the host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |

@@ -1,4 +1,4 @@
-//! The C side, built and run: layout, misuse, threads, call patterns, floating-point state, and the examples.
+//! The C side, built and run: layout, call patterns, and the examples.
 
 #[path = "support/c_side.rs"]
 mod c_side;
@@ -6,7 +6,8 @@ mod c_side;
 use std::process::Command;
 
 use c_side::{
-    STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, project_file, succeed,
+    STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, project_file, run_test_program,
+    succeed,
 };
 
 #[test]
@@ -29,31 +30,9 @@ fn the_header_alone_is_c90_and_cpp98() {
     succeed(cpp_compiler().args(["-x", "c++", "-std=c++98", "-fsyntax-only"]).args(STRICT).arg(&header));
 }
 
-fn run_test_program(name: &str) {
-    let folder = library_folder(name);
-    let source = format!("tests/c/{name}.c");
-    let program = link(c_compiler(), &["-std=c99", "-O1"], &[&source], &folder, name);
-    succeed(&mut Command::new(program));
-}
-
-#[test]
-fn misuse_of_every_function_is_answered() {
-    run_test_program("misuse");
-}
-
 #[test]
 fn any_call_pattern_gives_the_same_bits() {
     run_test_program("run");
-}
-
-#[test]
-fn threads_are_serialised_by_handle() {
-    run_test_program("threads");
-}
-
-#[test]
-fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
-    run_test_program("float_environment");
 }
 
 #[test]

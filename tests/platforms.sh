@@ -1,14 +1,57 @@
 #!/usr/bin/env bash
-# The pinned digests on other processors, by emulation. Needs the cross compilers and emulators that the names below say
-# (Debian: gcc-i686-linux-gnu gcc-aarch64-linux-gnu qemu-user).
-set -eu
+# The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, and the
+# programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its kernel can, as the emulator raises no
+# floating-point exceptions. On this machine without optimisation and in release too. What cannot be had is told at the end.
+set -euo pipefail
 cd "$(dirname "$0")/.."
-# digests TRIPLE EMULATOR
-digests() {
-    rustup target add "$1-unknown-linux-gnu"
-    variable=CARGO_TARGET_$(echo "$1" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
-    env "${variable}_LINKER=$1-linux-gnu-gcc" "${variable}_RUNNER=$2 -L /usr/$1-linux-gnu" \
-        cargo test --target "$1-unknown-linux-gnu" --test determinism
+. tests/support/need.sh
+
+programs="digests float_environment misuse run threads"
+folder=$PWD/target/platforms
+mkdir -p "$folder"
+
+# fly COMPILER LIBRARY RUNNER...: the programs, with a library.
+fly() {
+    local compiler=$1 library=$2
+    shift 2
+    cp "$library" "$folder/libsins.so"
+    cp "$library" "$folder/libsins.so.1"
+    for name in $programs; do
+        "$compiler" -std=c99 -O1 -I include "tests/c/$name.c" -o "$folder/$name" -L "$folder" -lsins -lm -lpthread \
+            -Wl,-rpath,"$folder"
+        "$@" "$folder/$name"
+    done
 }
-digests i686 qemu-i386
-digests aarch64 qemu-aarch64
+
+# other PROCESSOR PACKAGE RUNNER...: another processor, Linux.
+other() {
+    local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc variable
+    need "$2" "$compiler"
+    shift 2
+    echo "== $processor"
+    rustup target add "$target"
+    variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
+    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test determinism
+    fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
+}
+
+need gcc gcc
+need qemu-user qemu-aarch64
+need gcc-i686-linux-gnu i686-linux-gnu-gcc
+loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
+if "$loader" --version >/dev/null 2>&1; then
+    other i686 gcc-i686-linux-gnu "$loader" --library-path /usr/i686-linux-gnu/lib
+else
+    could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
+    other i686 gcc-i686-linux-gnu qemu-i386 -L /usr/i686-linux-gnu
+fi
+other aarch64 gcc-aarch64-linux-gnu qemu-aarch64 -L /usr/aarch64-linux-gnu
+
+echo "== here, without optimisation and in release"
+programs=digests
+build=(cargo rustc --quiet --lib --crate-type cdylib --target-dir "$folder/built")
+"${build[@]}" --config profile.dev.opt-level=0
+fly gcc "$folder/built/debug/libsins.so"
+"${build[@]}" --release
+fly gcc "$folder/built/release/libsins.so"
+report_not_run

@@ -18,6 +18,8 @@ mod altimeter;
 mod boundary;
 mod budget;
 mod failure;
+#[cfg(feature = "fault-injection")]
+mod fault;
 mod flight;
 mod fpu;
 mod gravity;
@@ -44,6 +46,8 @@ pub use accuracy::{sins_accuracy, sins_get_accuracy};
 pub use altimeter::*;
 pub use budget::*;
 pub use failure::*;
+#[cfg(feature = "fault-injection")]
+pub use fault::sins_inject_panic;
 pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;

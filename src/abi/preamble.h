@@ -30,7 +30,8 @@
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
- * Real time. Push, step, run and the reads make no allocation and no system call. The library prints nothing, reads no
+ * Real time. Push, step, run and the reads make no allocation and no system call. (If the library was loaded at run time, the
+ *   loader allocates in the first call of each thread: make one before the frame.) The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one

@@ -2,7 +2,8 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
 
@@ -12,20 +13,32 @@ const SLOT_BITS: u32 = SLOTS.trailing_zeros();
 const KIND_BITS: u32 = 2;
 /// Generations of a slot; one that has used them all is never used again, so that no key returns.
 const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
-/// A first generation that small made-up numbers do not hit.
-const FIRST_GENERATION: usize = 0x2a5;
+/// Below every first generation: small made-up numbers are no keys.
+const LOWEST_GENERATION: usize = 0x2a5;
+
+/// In place of the key of a slot, and of no kind that keys have: nothing lives there.
+const FREE: usize = 0;
+/// Nothing lives there, and nothing may be put there: a handle is being made or destroyed, or the generations are used up.
+const CLAIMED: usize = usize::MAX;
 
 /// The living objects of one kind. A key is made of kind, slot and generation; each slot has its own lock, so calls on one
 /// handle are serialised and different handles never wait for each other.
 pub(super) struct Registry<T> {
     kind: usize,
-    slots: [Mutex<Slot<T>>; SLOTS],
+    slots: [Slot<T>; SLOTS],
     /// Where the search for a free slot begins.
     next: AtomicUsize,
+    first_generation: OnceLock<usize>,
 }
 
 struct Slot<T> {
-    /// Keys given out of this slot so far.
+    /// The living key, looked at before the lock: a call with a dead one never waits for who lives there now.
+    key: AtomicUsize,
+    place: Mutex<Place<T>>,
+}
+
+struct Place<T> {
+    /// Keys that this slot gave out and that are dead.
     used: usize,
     /// A slice of one, which unlike a `Box` can be allocated without aborting.
     content: Option<Box<[Content<T>]>>,
@@ -38,13 +51,36 @@ struct Content<T> {
     broken: bool,
 }
 
+impl<T> Slot<T> {
+    const fn empty() -> Self {
+        Self { key: AtomicUsize::new(FREE), place: Mutex::new(Place { used: 0, content: None }) }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Place<T>> {
+        // Panics are caught inside the lock; it is never poisoned.
+        self.place.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The place of `key`, locked, if that lives.
+    #[inline]
+    fn find(&self, key: usize) -> Option<MutexGuard<'_, Place<T>>> {
+        if self.key.load(Ordering::Acquire) != key {
+            return None;
+        }
+        let place = self.lock();
+        // It may have been destroyed while this waited.
+        (self.key.load(Ordering::Relaxed) == key).then_some(place)
+    }
+}
+
 impl<T> Registry<T> {
-    /// An empty table for objects of `kind` (1 to 3).
+    /// An empty table for objects of `kind` (1 or 2).
     pub const fn new(kind: usize) -> Self {
         Self {
             kind,
-            slots: [const { Mutex::new(Slot { used: 0, content: None }) }; SLOTS],
+            slots: [const { Slot::empty() }; SLOTS],
             next: AtomicUsize::new(0),
+            first_generation: OnceLock::new(),
         }
     }
 
@@ -54,20 +90,22 @@ impl<T> Registry<T> {
         memory.try_reserve_exact(1).map_err(|_| Failure::out_of_memory())?;
         memory.push(Content { value, last_failure: None, broken: false });
         let content = memory.into_boxed_slice();
+        let first_generation = *self.first_generation.get_or_init(|| self.draw_first_generation());
 
         let start = self.next.fetch_add(1, Ordering::Relaxed);
         for offset in 0..SLOTS {
-            let index = (start + offset) % SLOTS;
-            // A slot that is locked is in use.
-            let mut slot = match self.slots[index].try_lock() {
-                Ok(slot) => slot,
-                Err(std::sync::TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
-                Err(std::sync::TryLockError::WouldBlock) => continue,
-            };
-            let generation = FIRST_GENERATION + slot.used;
-            if slot.content.is_none() && generation <= LAST_GENERATION {
-                slot.content = Some(content);
-                return Ok(((generation << SLOT_BITS | index) << KIND_BITS) | self.kind);
+            let index = start.wrapping_add(offset) % SLOTS;
+            let slot = &self.slots[index];
+            if slot.key.compare_exchange(FREE, CLAIMED, Ordering::Acquire, Ordering::Relaxed).is_err() {
+                continue;
+            }
+            let mut place = slot.lock();
+            let generation = first_generation + place.used;
+            if generation < LAST_GENERATION {
+                let key = ((generation << SLOT_BITS | index) << KIND_BITS) | self.kind;
+                place.content = Some(content);
+                slot.key.store(key, Ordering::Release);
+                return Ok(key);
             }
         }
         Err(Failure::out_of_memory())
@@ -76,8 +114,10 @@ impl<T> Registry<T> {
     /// Runs `body` on the object of `key`, or gives `SINS_ERROR_BAD_HANDLE`; remembers a failure.
     #[inline]
     pub fn with(&self, key: usize, body: impl FnOnce(&mut T) -> Result<sins_status, Failure>) -> sins_status {
-        let Some(mut slot) = self.find(key) else { return SINS_ERROR_BAD_HANDLE };
-        let Some([content]) = slot.content.as_deref_mut() else { return SINS_ERROR_BAD_HANDLE };
+        let Some(mut place) = self.slot(key).and_then(|slot| slot.find(key)) else {
+            return SINS_ERROR_BAD_HANDLE;
+        };
+        let Some([content]) = place.content.as_deref_mut() else { return SINS_ERROR_BAD_HANDLE };
         if content.broken {
             return SINS_ERROR_INTERNAL;
         }
@@ -97,8 +137,8 @@ impl<T> Registry<T> {
 
     /// The last failure of the object of `key`.
     pub fn last_failure(&self, key: usize) -> Result<Option<Failure>, sins_status> {
-        let slot = self.find(key).ok_or(SINS_ERROR_BAD_HANDLE)?;
-        match slot.content.as_deref() {
+        let place = self.slot(key).and_then(|slot| slot.find(key)).ok_or(SINS_ERROR_BAD_HANDLE)?;
+        match place.content.as_deref() {
             Some([content]) => Ok(content.last_failure),
             _ => Err(SINS_ERROR_BAD_HANDLE),
         }
@@ -106,28 +146,36 @@ impl<T> Registry<T> {
 
     /// Destroys the object of `key`.
     pub fn remove(&self, key: usize) -> sins_status {
-        let content = match self.find(key) {
-            Some(mut slot) => {
-                slot.used += 1;
-                slot.content.take()
+        let Some(slot) = self.slot(key) else { return SINS_ERROR_BAD_HANDLE };
+        let content = match slot.find(key) {
+            Some(mut place) => {
+                slot.key.store(CLAIMED, Ordering::Relaxed);
+                place.used += 1;
+                place.content.take()
             }
             None => return SINS_ERROR_BAD_HANDLE,
         };
         drop(content);
+        slot.key.store(FREE, Ordering::Release);
         SINS_OK
     }
 
-    /// The locked slot of `key`, if that lives.
+    /// The slot that `key` names, if that is of this kind.
     #[inline]
-    fn find(&self, key: usize) -> Option<MutexGuard<'_, Slot<T>>> {
-        if key & ((1 << KIND_BITS) - 1) != self.kind {
-            return None;
-        }
-        let index = (key >> KIND_BITS) % SLOTS;
-        let generation = key >> (KIND_BITS + SLOT_BITS);
-        // Panics are caught inside the lock; it is never poisoned.
-        let slot = self.slots[index].lock().unwrap_or_else(PoisonError::into_inner);
-        (slot.content.is_some() && FIRST_GENERATION + slot.used == generation).then_some(slot)
+    fn slot(&self, key: usize) -> Option<&Slot<T>> {
+        (key & ((1 << KIND_BITS) - 1) == self.kind).then(|| &self.slots[(key >> KIND_BITS) % SLOTS])
+    }
+
+    /// Of another table - a second copy of the library, or the one after an unload and a load - almost surely another, so
+    /// that its keys are none here: from the lower half, by the table's place and the time.
+    #[cold]
+    fn draw_first_generation(&self) -> usize {
+        const BITS: u32 = LAST_GENERATION.count_ones() - 1;
+        let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        let mark = (since.as_nanos() as u64) ^ (core::ptr::from_ref(self).addr() as u64).rotate_left(32);
+        // Multiplicative hashing: the golden ratio of 2^64, the highest bits.
+        let mixed = mark.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (u64::BITS - BITS);
+        LOWEST_GENERATION + mixed as usize
     }
 }
 
@@ -153,8 +201,9 @@ mod tests {
         let key = NUMBERS.insert(5).unwrap();
         assert_eq!(read(key), Ok(5));
         assert_eq!(read(key ^ 3), Err(SINS_ERROR_BAD_HANDLE), "another kind");
-        for forged in [0, 1, 5, usize::MAX, key + 4, key << 1] {
+        for forged in [FREE, 1, 5, CLAIMED, key + 4, key << 1] {
             assert_eq!(read(forged), Err(SINS_ERROR_BAD_HANDLE), "{forged:#x}");
+            assert_eq!(NUMBERS.remove(forged), SINS_ERROR_BAD_HANDLE, "{forged:#x}");
         }
         assert_eq!(NUMBERS.remove(key), SINS_OK);
         assert_eq!(NUMBERS.remove(key), SINS_ERROR_BAD_HANDLE);
@@ -165,6 +214,40 @@ mod tests {
         for key in keys {
             assert_eq!(NUMBERS.remove(key), SINS_OK);
         }
+    }
+
+    #[test]
+    fn a_dead_key_does_not_wait_for_who_lives_in_its_slot() {
+        static TABLE: Registry<u32> = Registry::new(1);
+        let dead = TABLE.insert(0).unwrap();
+        assert_eq!(TABLE.remove(dead), SINS_OK);
+        let keys: Vec<usize> = (0..SLOTS).map(|_| TABLE.insert(1).unwrap()).collect();
+        let heir = *keys
+            .iter()
+            .find(|&&key| core::ptr::eq(TABLE.slot(key).unwrap(), TABLE.slot(dead).unwrap()))
+            .unwrap();
+        assert_ne!(heir, dead);
+        let status = TABLE.with(heir, |_| {
+            let (told, hear) = std::sync::mpsc::channel();
+            std::thread::spawn(move || {
+                // A table without room does not wait either.
+                let full = TABLE.insert(2).unwrap_err();
+                let _ = told.send((TABLE.with(dead, |_| Ok(SINS_OK)), TABLE.remove(dead), full));
+            });
+            let answers = hear.recv_timeout(std::time::Duration::from_secs(60));
+            assert_eq!(answers, Ok((SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_HANDLE, Failure::out_of_memory())));
+            Ok(SINS_OK)
+        });
+        assert_eq!(status, SINS_OK);
+    }
+
+    #[test]
+    fn the_key_of_another_table_is_none_here() {
+        static TABLES: [Registry<u32>; 2] = [const { Registry::new(1) }; 2];
+        let [first, second] = [0, 1].map(|i| TABLES[i].insert(0).unwrap());
+        assert_ne!(first, second);
+        assert_eq!(TABLES[0].remove(second), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(TABLES[1].remove(first), SINS_ERROR_BAD_HANDLE);
     }
 
     static BROKEN: Registry<u32> = Registry::new(2);

@@ -5,6 +5,9 @@ use crate::simulator::Options;
 
 /// Numbers of updates in a sample interval that are offered.
 const UPDATES: [usize; 5] = [1, 2, 4, 8, 16];
+const SCHEMES: [Scheme; 3] = [Scheme::Paper, Scheme::Exact, Scheme::Polynomial];
+/// Algorithms that are offered.
+const RUNGS: usize = UPDATES.len() * MAX_SUBSAMPLES * SCHEMES.len();
 
 /// An algorithm of the mechanization.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,15 +44,16 @@ impl Rung {
 
 /// Every algorithm that `frame` can be navigated with, the cheapest first; of two that cost the same, the one with fewer
 /// updates.
-pub fn ladder(frame: Frame) -> Vec<Rung> {
-    let mut rungs = Vec::new();
-    for updates_per_sample in UPDATES {
-        for subsamples in 1..=MAX_SUBSAMPLES {
-            for scheme in [Scheme::Paper, Scheme::Exact, Scheme::Polynomial] {
-                rungs.push(Rung { scheme, subsamples, updates_per_sample });
-            }
-        }
-    }
-    rungs.sort_by(|a, b| a.instructions(frame).total_cmp(&b.instructions(frame)));
+pub fn ladder(frame: Frame) -> [Rung; RUNGS] {
+    let mut rungs = core::array::from_fn(|index| Rung {
+        scheme: SCHEMES[index % SCHEMES.len()],
+        subsamples: 1 + index / SCHEMES.len() % MAX_SUBSAMPLES,
+        updates_per_sample: UPDATES[index / (SCHEMES.len() * MAX_SUBSAMPLES)],
+    });
+    // Unstable, as a stable sort allocates.
+    rungs.sort_unstable_by(|a, b| {
+        let cost = a.instructions(frame).total_cmp(&b.instructions(frame));
+        cost.then(a.updates_per_sample.cmp(&b.updates_per_sample))
+    });
     rungs
 }

@@ -1,96 +1,179 @@
-/* The host's floating-point state: whatever it is on entry, the results are the same bits and the state is back on exit.
- * Hosts unmask exceptions, round otherwise, and flush denormals. */
+/* The host's floating-point state: whatever it is on entry, the results are the same bits and all of the state is back on exit.
+ * Every exception unmasked (one that strikes ends this program), every rounding, denormals flushed, x87 at 24 bits. */
 
 #include <stdint.h>
 #include <string.h>
 
-#include "check.h"
-#include "sins.h"
+#include "every_call.h"
 
 #if defined(__x86_64__) || defined(__i386__)
-#include <xmmintrin.h>
-static unsigned control(void) { return _mm_getcsr(); }
-static void set_control(unsigned value) { _mm_setcsr(value); }
-/* Every exception unmasked; flush to zero and denormals are zero; round up, down, to zero; all of it at once. */
-static const unsigned states[] = {0x0000, 0x9fc0, 0x5f80, 0x3f80, 0x7f80, 0xe040};
+
+/* MXCSR, and control, status and tag word of x87. */
+typedef struct {
+    uint32_t mxcsr;
+    uint16_t x87[3];
+} float_state;
+
+static float_state get_state(void)
+{
+    float_state state;
+    uint32_t environment[7];
+    memset(&state, 0, sizeof state);
+    /* fnstenv masks all exceptions; fldenv puts them back. */
+    __asm__ volatile("fnstenv %0\n\tfldenv %0" : "=m"(environment));
+    __asm__ volatile("stmxcsr %0" : "=m"(state.mxcsr));
+    state.x87[0] = (uint16_t)environment[0];
+    state.x87[1] = (uint16_t)environment[1];
+    state.x87[2] = (uint16_t)environment[2];
+    return state;
+}
+
+static void set_state(float_state state)
+{
+    __asm__ volatile("fnclex\n\tfldcw %0" ::"m"(state.x87[0]));
+    __asm__ volatile("ldmxcsr %0" ::"m"(state.mxcsr));
+}
+
+enum { STATES = 64 };
+
+/* MXCSR in all combinations of rounding, masks and flushing, and with all exceptions noted before; with each an x87 control word,
+ * which in turn take all combinations of precision (24, 53, 64 bits), rounding and masks. */
+static float_state state_of(int i)
+{
+    static const uint32_t precisions[3] = {0x000, 0x200, 0x300};
+    int j = 7 * i % 24;
+    float_state state;
+    memset(&state, 0, sizeof state);
+    state.mxcsr = (uint32_t)(i & 3) << 13 | (i & 4 ? 0x1f80u : 0) | (i & 8 ? 0x8000u : 0) | (i & 16 ? 0x0040u : 0);
+    state.mxcsr |= i & 32 ? 0x3fu : 0;
+    state.x87[0] = (uint16_t)(0x40 | precisions[j % 3] | (uint32_t)(j / 3 % 4) << 10 | (j / 12 ? 0x3fu : 0));
+    return state;
+}
+
 #elif defined(__aarch64__)
-static unsigned control(void)
+
+typedef struct {
+    uint64_t fpcr;
+} float_state;
+
+static float_state get_state(void)
 {
-    uint64_t value;
-    __asm__ volatile("mrs %0, fpcr" : "=r"(value));
-    return (unsigned)value;
+    float_state state;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(state.fpcr));
+    return state;
 }
-static void set_control(unsigned value)
+
+static void set_state(float_state state)
 {
-    __asm__ volatile("msr fpcr, %0" ::"r"((uint64_t)value));
+    __asm__ volatile("msr fpcr, %0" ::"r"(state.fpcr));
 }
-static const unsigned states[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22};
+
+enum { STATES = 32 };
+
+/* Rounding, flushing, default NaN, and the traps, which a processor may lack. */
+static float_state state_of(int i)
+{
+    float_state state;
+    state.fpcr = (uint64_t)(i & 3) << 22 | (i & 4 ? 1u << 24 : 0) | (i & 8 ? 1u << 25 : 0) | (i & 16 ? 0x9f00u : 0);
+    return state;
+}
 #endif
 
-static sins_flight_sample piece[129];
+enum { COUNT = 129 };
 
-/* One second of a noisy flight; every function of the frame is called under the state. */
-static void fly(unsigned state, sins_navigation *navigation, sins_errors *errors, sins_cost *cost)
+/* All that a host can read of a flight. */
+typedef struct {
+    sins_record record;
+    sins_navigation truth, navigation, alone;
+    sins_errors errors, model;
+    sins_imu imu;
+    sins_accuracy accuracy;
+    sins_options options, recommended;
+    sins_cost cost;
+    sins_flight_sample piece[COUNT];
+    char sentence[200];
+} results;
+
+static void ignore(const char *call, sins_status status, void *context)
 {
-    sins_sim *sim = NULL;
-    sins_options options = {.struct_size = sizeof options};
-    sins_gyro_params gyro = {.struct_size = sizeof gyro};
-    sins_flight_start start = {.struct_size = sizeof start};
-    sins_manoeuvre turn = {.struct_size = sizeof turn};
-    sins_flight *flight = NULL;
+    (void)call;
+    (void)status;
+    (void)context;
+}
+
+/* One second of a flight with every effect; every function is called under the state. */
+static void fly(const float_state *state, results *found)
+{
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-7};
-    unsigned normal = control();
+    sins_imu_increment increment = {.struct_size = sizeof increment, .interval_s = 0.0078125, .count = 1};
+    float_state normal = get_state(), before, after;
+    sins_flight *flight;
+    sins_sim *sim, *other;
     int k;
 
-    options.error_model = SINS_ERROR_MODEL_RK4;
-    start.latitude_rad = 0.7;
-    start.speed_m_s = 100.0;
-    turn.kind = SINS_MANOEUVRE_TURN;
-    turn.heading_change_rad = 1.0;
-    turn.bank_rad = 0.5;
-    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &gyro) == SINS_OK);
-    gyro.markov_sigma_rad_s[1] = 1e-300; /* denormal products */
-    gyro.markov_time_s[1] = 100.0;
+    memset(found, 0, sizeof *found);
+    SINS_INIT(found->record);
+    SINS_INIT(found->truth);
+    SINS_INIT(found->navigation);
+    SINS_INIT(found->alone);
+    SINS_INIT(found->errors);
+    SINS_INIT(found->model);
+    SINS_INIT(found->imu);
+    SINS_INIT(found->accuracy);
+    SINS_INIT(found->options);
+    SINS_INIT(found->recommended);
+    SINS_INIT(found->cost);
 
-    set_control(state);
-    CHECK(sins_create(&options, &sim) == SINS_OK);
-    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
-    CHECK(sins_flight_create(&start, &turn, 1, &flight) == SINS_OK);
-    for (k = 0; k <= 128; k++) {
-        sins_flight_sample sample = {.struct_size = sizeof sample};
-        sins_status status;
-        /* Exact in binary: the host's own arithmetic raises nothing and rounds nothing. */
-        CHECK(sins_flight_sample_at(flight, k / 128.0, &sample) == SINS_OK);
-        piece[k] = sample;
-        CHECK(sins_push_sample(sim, &sample) == SINS_OK);
-        status = sins_step(sim);
-        CHECK(status == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+    if (state != NULL) {
+        set_state(*state);
     }
-    CHECK(sins_get_navigation(sim, navigation) == SINS_OK);
-    CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, errors) == SINS_OK);
-    CHECK(sins_recommend(piece, 129, &requirement, &options, cost) == SINS_OK);
-    cost->ns_per_step = 0.0; /* a time */
+    before = get_state();
+    sim = scene_simulator(NULL, 1);
+    other = scene_simulator(NULL, 2);
+    flight = scene_flight();
+    for (k = 0; k < COUNT; k++) {
+        found->piece[k].struct_size = sizeof found->piece[k];
+        /* Exact in binary: the host's own arithmetic raises nothing and rounds nothing. */
+        CHECK(sins_flight_sample_at(flight, scene_time(k), &found->piece[k]) == SINS_OK);
+        CHECK(sins_push_sample(sim, &found->piece[k]) == SINS_OK);
+        CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+    }
+    CHECK(sins_push_sample(sim, &found->piece[3]) == SINS_ERROR_TIME_ORDER);
+    CHECK(sins_last_error(sim, found->sentence, sizeof found->sentence, NULL) == SINS_OK);
+    CHECK(sins_get_record(sim, &found->record) == SINS_OK);
+    CHECK(sins_get_truth(sim, &found->truth) == SINS_OK);
+    CHECK(sins_get_navigation(sim, &found->navigation) == SINS_OK);
+    CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &found->errors) == SINS_OK);
+    CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, &found->model) == SINS_OK);
+    CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
+    CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
+    CHECK(sins_get_options(sim, &found->options) == SINS_OK);
+    CHECK(sins_recommend(found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
+    found->cost.ns_per_step = 0.0; /* a time */
+    CHECK(sins_start_navigation(other, &found->navigation) == SINS_OK);
+    CHECK(sins_push_imu(other, &increment) == SINS_OK);
+    CHECK(sins_get_navigation(other, &found->alone) == SINS_OK);
+    every_call(other, ignore, NULL);
+    every_flight_call(flight, ignore, NULL);
     CHECK(sins_flight_destroy(flight) == SINS_OK);
-    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(other) == SINS_OK);
+    after = get_state();
+    set_state(normal);
     /* Control bits and noted exceptions alike. */
-    CHECK(control() == state);
-    set_control(normal);
+    CHECK(memcmp(&before, &after, sizeof before) == 0);
 }
 
 int main(void)
 {
-    sins_navigation expected = {.struct_size = sizeof expected}, found = {.struct_size = sizeof found};
-    sins_errors expected_errors = {.struct_size = sizeof expected_errors}, found_errors = {.struct_size = sizeof found_errors};
-    sins_cost expected_cost = {.struct_size = sizeof expected_cost}, found_cost = {.struct_size = sizeof found_cost};
-    size_t i;
+    static results expected, found;
+    int i;
 
-    fly(control(), &expected, &expected_errors, &expected_cost);
-    for (i = 0; i < sizeof states / sizeof states[0]; i++) {
-        fly(states[i], &found, &found_errors, &found_cost);
+    fly(NULL, &expected);
+    for (i = 0; i < STATES; i++) {
+        float_state state = state_of(i);
+        fly(&state, &found);
         CHECK(memcmp(&expected, &found, sizeof expected) == 0);
-        CHECK(memcmp(&expected_errors, &found_errors, sizeof expected_errors) == 0);
-        CHECK(memcmp(&expected_cost, &found_cost, sizeof expected_cost) == 0);
     }
-    printf("float_environment: same bits under %d states\n", (int)i);
+    printf("float_environment: same bits under %d states\n", i);
     return 0;
 }

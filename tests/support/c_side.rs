@@ -64,7 +64,7 @@ pub fn link(
     for source in sources {
         compiler.arg(project_file(source));
     }
-    compiler.arg("-o").arg(&path).arg("-L").arg(folder).args(["-lsins", "-lm", "-lpthread"]);
+    compiler.arg("-o").arg(&path).arg("-L").arg(folder).args(["-lsins", "-lm", "-lpthread", "-ldl"]);
     compiler.arg(format!("-Wl,-rpath,{}", folder.display()));
     succeed(&mut compiler);
     path
@@ -82,4 +82,16 @@ pub fn harness_sources() -> Vec<String> {
     sources.sort();
     sources.insert(0, "c_examples/sins_harness.c".to_owned());
     sources
+}
+
+/// Builds and runs `tests/c/NAME.c`.
+pub fn run_test_program(name: &str) {
+    let folder = library_folder(name);
+    succeed(&mut test_program(name, &folder));
+}
+
+/// `tests/c/NAME.c`, built in `folder`.
+pub fn test_program(name: &str, folder: &Path) -> Command {
+    let source = format!("tests/c/{name}.c");
+    Command::new(link(c_compiler(), &["-std=c99", "-O1"], &[&source], folder, name))
 }

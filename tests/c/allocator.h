@@ -1,0 +1,73 @@
+/* The program's allocator, which the library uses too: counts, and fails when told so. For glibc. */
+
+#ifndef ALLOCATOR_H
+#define ALLOCATOR_H
+
+#include <errno.h>
+#include <stddef.h>
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *memory, size_t size);
+void *__libc_memalign(size_t alignment, size_t size);
+void __libc_free(void *memory);
+
+/* Blocks that live, of all threads. */
+static long allocator_living;
+/* Calls of this thread, frees among them. */
+static __thread long allocator_calls;
+/* Allocations of this thread that still succeed; negative: all. */
+static __thread long allocator_good = -1;
+
+static inline int allocator_refuses(void)
+{
+    allocator_calls++;
+    if (allocator_good > 0) {
+        allocator_good--;
+        return 0;
+    }
+    return allocator_good == 0;
+}
+
+static inline void *allocator_counted(void *memory)
+{
+    __atomic_add_fetch(&allocator_living, memory != NULL, __ATOMIC_RELAXED);
+    return memory;
+}
+
+void *malloc(size_t size)
+{
+    return allocator_refuses() ? NULL : allocator_counted(__libc_malloc(size));
+}
+
+void *calloc(size_t count, size_t size)
+{
+    return allocator_refuses() ? NULL : allocator_counted(__libc_calloc(count, size));
+}
+
+void *realloc(void *memory, size_t size)
+{
+    if (allocator_refuses()) {
+        return NULL;
+    }
+    return memory == NULL ? allocator_counted(__libc_malloc(size)) : __libc_realloc(memory, size);
+}
+
+int posix_memalign(void **memory, size_t alignment, size_t size)
+{
+    void *made = allocator_refuses() ? NULL : allocator_counted(__libc_memalign(alignment, size));
+    if (made == NULL) {
+        return ENOMEM;
+    }
+    *memory = made;
+    return 0;
+}
+
+void free(void *memory)
+{
+    allocator_calls++;
+    __atomic_sub_fetch(&allocator_living, memory != NULL, __ATOMIC_RELAXED);
+    __libc_free(memory);
+}
+
+#endif

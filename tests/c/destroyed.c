@@ -1,0 +1,85 @@
+/* Handles destroyed under their users: every function is being called on a handle while another thread destroys it. Until then
+ * each call does what it should, from then on each says that there is no such handle. */
+
+#define _XOPEN_SOURCE 600
+#include <pthread.h>
+#include <string.h>
+
+#include "every_call.h"
+
+enum { USERS = 3, ROUNDS = 300 };
+
+static sins_sim *sim;
+static sins_flight *flight;
+static pthread_barrier_t barrier;
+
+/* What is left of the handle, as its user sees it. */
+typedef struct {
+    int gone;
+    long calls;
+} view;
+
+/* Other users' calls come in between, so that a call may also find that it is too early, too late, or one too many. */
+static void allowed(const char *call, sins_status status, void *context)
+{
+    view *seen = context;
+    int good = status == SINS_OK || status == SINS_NEED_SAMPLE || status == SINS_ERROR_BAD_STATE ||
+               status == SINS_ERROR_TIME_ORDER || status == SINS_ERROR_QUEUE_FULL;
+    if (status == SINS_ERROR_BAD_HANDLE) {
+        seen->gone = 1;
+    } else if (!good || seen->gone) {
+        fprintf(stderr, "%s gives %d%s\n", call, (int)status, seen->gone ? " from beyond" : "");
+        CHECK(!"a right answer");
+    }
+    seen->calls++;
+}
+
+static void *use(void *calls)
+{
+    int round;
+    for (round = 0; round < ROUNDS; round++) {
+        view of_sim = {0, 0}, of_flight = {0, 0};
+        char text[200];
+        pthread_barrier_wait(&barrier);
+        while (!of_sim.gone || !of_flight.gone) {
+            sins_status status;
+            every_call(sim, allowed, &of_sim);
+            every_flight_call(flight, allowed, &of_flight);
+            status = sins_last_error(sim, text, sizeof text, NULL);
+            CHECK(status == SINS_ERROR_BAD_HANDLE || (status == SINS_OK && !of_sim.gone));
+        }
+        *(long *)calls += of_sim.calls + of_flight.calls;
+        CHECK(sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_flight_destroy(flight) == SINS_ERROR_BAD_HANDLE);
+        pthread_barrier_wait(&barrier);
+    }
+    return NULL;
+}
+
+int main(void)
+{
+    pthread_t users[USERS];
+    long calls[USERS] = {0};
+    int round, i;
+    CHECK(pthread_barrier_init(&barrier, NULL, USERS + 1) == 0);
+    for (i = 0; i < USERS; i++) {
+        CHECK(pthread_create(&users[i], NULL, use, &calls[i]) == 0);
+    }
+    for (round = 0; round < ROUNDS; round++) {
+        volatile int wait;
+        sim = scene_simulator(NULL, 1);
+        flight = scene_flight();
+        pthread_barrier_wait(&barrier);
+        for (wait = 0; wait < 1000 * (round % 20); wait++) {
+        }
+        CHECK(sins_destroy(sim) == SINS_OK);
+        CHECK(sins_flight_destroy(flight) == SINS_OK);
+        pthread_barrier_wait(&barrier);
+    }
+    for (i = 0; i < USERS; i++) {
+        CHECK(pthread_join(users[i], NULL) == 0);
+        calls[0] += i > 0 ? calls[i] : 0;
+    }
+    printf("destroyed: %d handles of each kind under %ld calls\n", ROUNDS, calls[0]);
+    return 0;
+}

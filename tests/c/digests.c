@@ -1,0 +1,170 @@
+/* The same bits on every operating system, processor and word size, in debug and release builds: digests of all that is recorded
+ * of four flights. They may change with the algorithms, then by a commit that says so; never with the machine. */
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "scene.h"
+
+enum { MOST = 128 * 60 + 1, EVERY = 8 };
+
+static sins_flight_sample samples[MOST];
+static sins_record records[MOST];
+
+/* Fowler, Noll and Vo's 64-bit hash; numbers are 8 bytes, little-endian, on every machine that there is a library for. */
+static uint64_t digest(uint64_t hash, const void *bytes, size_t count)
+{
+    const unsigned char *byte = bytes;
+    size_t i;
+    for (i = 0; i < count; i++) {
+        hash = (hash ^ byte[i]) * UINT64_C(0x100000001b3);
+    }
+    return hash;
+}
+
+/* Flies `count` samples and digests records and figures. The times are exact in binary: a host's compiler may round otherwise. */
+static uint64_t fly(uint64_t hash, sins_sim *sim, int count)
+{
+    sins_accuracy accuracy = {.struct_size = sizeof accuracy};
+    sins_imu imu = {.struct_size = sizeof imu};
+    size_t written = 0;
+    records[0].struct_size = sizeof records[0];
+    CHECK(sins_run(sim, samples, (size_t)count, EVERY, records, MOST, &written) == SINS_OK);
+    CHECK(written == (size_t)(count - 1) / EVERY);
+    CHECK(sins_get_accuracy(sim, &accuracy) == SINS_OK && sins_get_imu(sim, &imu) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    hash = digest(hash, records, written * sizeof records[0]);
+    hash = digest(hash, &accuracy, sizeof accuracy);
+    return digest(hash, &imu, sizeof imu);
+}
+
+static void take_samples(sins_flight *flight, int count, double (*time_s)(int k))
+{
+    int k;
+    memset(samples, 0, sizeof samples);
+    for (k = 0; k < count; k++) {
+        samples[k].struct_size = sizeof samples[k];
+        CHECK(sins_flight_sample_at(flight, time_s(k), &samples[k]) == SINS_OK);
+    }
+    CHECK(sins_flight_destroy(flight) == SINS_OK);
+}
+
+/* A minute of the paper's simulation 2: patrol, its sensors, both error data. */
+static uint64_t simulation2(uint64_t hash)
+{
+    static const double amplitudes[6] = {2.404825557695773, 0.02, 5.0, 0.004, 0.002, 0.002};
+    static const double frequencies[6] = {0.0018, 0.0046, 0.007, 0.32, 0.43, 0.21};
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre patrol = {.struct_size = sizeof patrol};
+    sins_options options = {.struct_size = sizeof options};
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_flight *flight = NULL;
+    sins_sim *sim = NULL;
+    int i;
+    start.latitude_rad = 0.7;
+    start.longitude_rad = 2.0;
+    start.height_m = 8000.0;
+    start.speed_m_s = 200.0;
+    patrol.kind = SINS_MANOEUVRE_SINUSOIDS;
+    patrol.duration_s = 60.0;
+    patrol.sinusoid_count = 6;
+    for (i = 0; i < 6; i++) {
+        patrol.channel[i] = i;
+        patrol.amplitude[i] = amplitudes[i];
+        patrol.frequency_hz[i] = frequencies[i];
+    }
+    CHECK(sins_flight_create(&start, &patrol, 1, &flight) == SINS_OK);
+    take_samples(flight, 128 * 60 + 1, scene_time);
+    options.error_model = SINS_ERROR_MODEL_RK4;
+    options.seed = 20140601;
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &gyro) == SINS_OK && sins_set_gyro(sim, &gyro) == SINS_OK);
+    CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &accel) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
+    return fly(hash, sim, 128 * 60 + 1);
+}
+
+/* A roll, a steep turn and a loop with every effect on, in every frame, scheme, number of subsamples and vertical channel. */
+static uint64_t aerobatics(uint64_t hash)
+{
+    int i;
+    take_samples(scene_flight(), SCENE_COUNT, scene_time);
+    for (i = 0; i < 30; i++) {
+        sins_options options = {.struct_size = sizeof options};
+        options.frame = i % 2;
+        options.scheme = i / 2 % 3;
+        options.subsamples = 1 + i % 5;
+        options.updates_per_sample = 1 + i % 2;
+        options.vertical = i / 3 % 3;
+        options.signal = i / 15;
+        options.axes = i / 7 % 2;
+        options.earth = i % 4;
+        options.gravity = i / 4 % 2;
+        options.error_model = SINS_ERROR_MODEL_RK4;
+        options.run = (uint64_t)i;
+        hash = fly(hash, scene_simulator(&options, 0), SCENE_COUNT);
+    }
+    return hash;
+}
+
+/* Through the pole, after 5 of 16 s. */
+static uint64_t pole(uint64_t hash)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre straight = {.struct_size = sizeof straight};
+    sins_flight *flight = NULL;
+    start.latitude_rad = 1.5706;
+    start.longitude_rad = 0.5;
+    start.height_m = 10000.0;
+    start.speed_m_s = 250.0;
+    straight.kind = SINS_MANOEUVRE_STRAIGHT;
+    straight.duration_s = 16.0;
+    CHECK(sins_flight_create(&start, &straight, 1, &flight) == SINS_OK);
+    take_samples(flight, 2049, scene_time);
+    /* On the other side it is half a turn farther: 0.5 and 0.5 - pi. */
+    CHECK(samples[0].longitude_rad == 0.5 && samples[2048].longitude_rad < -2.6);
+    return fly(hash, scene_simulator(NULL, 3), 2049);
+}
+
+/* 10 ms and up to 6 ms more or less. */
+static double jittered_time(int k)
+{
+    static uint32_t state;
+    state = (k == 0 ? 1u : state) * 1664525u + 1013904223u;
+    return (10 * k + (k == 0 ? 0 : (int)(state >> 24) % 7)) / 1024.0;
+}
+
+static uint64_t jitter(uint64_t hash)
+{
+    int k;
+    take_samples(scene_flight(), 800, jittered_time);
+    for (k = 200; k < 800; k++) {
+        samples[k].flags = k / 200 % 2 ? SINS_SAMPLE_NO_VELOCITY : 0;
+        memset(samples[k].velocity_enu_m_s, 0, samples[k].flags ? sizeof samples[k].velocity_enu_m_s : 0);
+    }
+    return fly(hash, scene_simulator(NULL, 4), 800);
+}
+
+int main(void)
+{
+    static const struct {
+        const char *name;
+        uint64_t (*flight)(uint64_t hash);
+        uint64_t expected;
+    } flights[] = {
+        {"simulation 2", simulation2, UINT64_C(0x6cfa1c65aa99d49f)},
+        {"aerobatics, every effect", aerobatics, UINT64_C(0xac0dfc69a95b1399)},
+        {"pole", pole, UINT64_C(0xfb8864a39c56ce79)},
+        {"jitter", jitter, UINT64_C(0xe981ca2acd857edf)},
+    };
+    int wrong = 0;
+    size_t i;
+    for (i = 0; i < sizeof flights / sizeof flights[0]; i++) {
+        uint64_t found = flights[i].flight(UINT64_C(0xcbf29ce484222325));
+        printf("digests: %016" PRIx64 " %s\n", found, flights[i].name);
+        wrong += found != flights[i].expected;
+    }
+    fflush(stdout);
+    CHECK(wrong == 0);
+    return 0;
+}

@@ -1,0 +1,83 @@
+/* Every function that takes a handle, called once with arguments that are good; `answer` hears what it says. */
+
+#ifndef EVERY_CALL_H
+#define EVERY_CALL_H
+
+#include "scene.h"
+
+typedef void every_call_answer(const char *call, sins_status status, void *context);
+
+#define EVERY_CALL(call) answer(#call, call, context)
+
+static inline void every_read(sins_sim *sim, every_call_answer *answer, void *context)
+{
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_accuracy accuracy = {.struct_size = sizeof accuracy};
+    sins_record record = {.struct_size = sizeof record};
+    EVERY_CALL(sins_get_truth(sim, &navigation));
+    EVERY_CALL(sins_get_navigation(sim, &navigation));
+    EVERY_CALL(sins_get_imu(sim, &imu));
+    EVERY_CALL(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors));
+    EVERY_CALL(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors));
+    EVERY_CALL(sins_get_accuracy(sim, &accuracy));
+    EVERY_CALL(sins_get_record(sim, &record));
+}
+
+/* All but sins_destroy() and sins_last_error(), which answer otherwise. */
+static inline void every_call(sins_sim *sim, every_call_answer *answer, void *context)
+{
+    sins_gyro_params gyro = scene_gyro();
+    sins_accel_params accel = scene_accel();
+    sins_altimeter_params altimeter = scene_altimeter();
+    sins_initial_errors initial = scene_initial_errors();
+    sins_failure failure = {.struct_size = sizeof failure};
+    sins_mounting mounting = {.struct_size = sizeof mounting};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_navigation start = {.struct_size = sizeof start};
+    sins_imu_increment increment = {.struct_size = sizeof increment};
+    sins_options options = {.struct_size = sizeof options};
+    start.quaternion_nb[0] = 1.0;
+    increment.interval_s = 0.01;
+    increment.count = 1;
+    EVERY_CALL(sins_set_gyro(sim, &gyro));
+    EVERY_CALL(sins_set_accel(sim, &accel));
+    EVERY_CALL(sins_set_altimeter(sim, &altimeter));
+    EVERY_CALL(sins_set_failure(sim, SINS_SENSOR_ACCEL, 1, &failure));
+    EVERY_CALL(sins_set_initial_errors(sim, &initial));
+    EVERY_CALL(sins_set_mounting(sim, &mounting));
+    EVERY_CALL(sins_set_gravity_disturbance(sim, &gravity));
+    EVERY_CALL(sins_get_options(sim, &options));
+    EVERY_CALL(sins_push_sample(sim, &sample));
+    EVERY_CALL(sins_step(sim));
+    sample.time_s = 0.01;
+    EVERY_CALL(sins_run(sim, &sample, 1, 0, NULL, 0, NULL));
+    every_read(sim, answer, context);
+    EVERY_CALL(sins_reposition(sim, &sample));
+    EVERY_CALL(sins_reset(sim));
+    EVERY_CALL(sins_start_navigation(sim, &start));
+    EVERY_CALL(sins_push_imu(sim, &increment));
+    EVERY_CALL(sins_reset(sim));
+}
+
+/* Likewise of a flight, all but sins_flight_destroy(). */
+static inline void every_flight_call(sins_flight *flight, every_call_answer *answer, void *context)
+{
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    double duration;
+    EVERY_CALL(sins_flight_duration(flight, &duration));
+    EVERY_CALL(sins_flight_sample_at(flight, 0.0, &sample));
+}
+
+/* An answer that must be the status at `context`. */
+static inline void every_answer_is(const char *call, sins_status status, void *context)
+{
+    if (status != *(const sins_status *)context) {
+        fprintf(stderr, "%s gives %d\n", call, (int)status);
+    }
+    CHECK(status == *(const sins_status *)context);
+}
+
+#endif

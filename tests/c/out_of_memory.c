@@ -1,0 +1,105 @@
+/* Memory that runs out at every allocation in turn: the status says so, nothing has changed, and other handles fly on to the
+ * same bits. */
+
+#include <string.h>
+
+#include "allocator.h"
+#include "scene.h"
+
+static sins_flight_sample samples[SCENE_COUNT];
+static sins_record expected[SCENE_COUNT - 1], found[SCENE_COUNT - 1];
+
+static sins_status create(void)
+{
+    sins_sim *sim = NULL;
+    sins_status status = sins_create(NULL, &sim);
+    CHECK((status == SINS_OK) == (sim != NULL));
+    CHECK(status != SINS_OK || sins_destroy(sim) == SINS_OK);
+    return status;
+}
+
+static sins_status create_flight(void)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre rests[3] = {{.struct_size = sizeof rests[0]}};
+    sins_flight *flight = NULL;
+    sins_status status;
+    rests[0].duration_s = rests[1].duration_s = rests[2].duration_s = 60.0;
+    status = sins_flight_create(&start, rests, 3, &flight);
+    CHECK((status == SINS_OK) == (flight != NULL));
+    CHECK(status != SINS_OK || sins_flight_destroy(flight) == SINS_OK);
+    return status;
+}
+
+static sins_status recommend(void)
+{
+    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 10.0};
+    sins_options options = {.struct_size = sizeof options};
+    sins_cost cost = {.struct_size = sizeof cost};
+    sins_status status = sins_recommend(samples, 129, &requirement, &options, &cost);
+    CHECK((status == SINS_OK) == (cost.tried != 0));
+    return status;
+}
+
+/* The number of allocations of `call`; each of them fails once, with all that follow. */
+static int starve(sins_status (*call)(void))
+{
+    char text[100];
+    int good;
+    long living;
+    CHECK(call() == SINS_OK);
+    living = allocator_living;
+    for (good = 0;; good++) {
+        sins_status status;
+        allocator_good = good;
+        status = call();
+        if (allocator_good != 0) {
+            allocator_good = -1;
+            CHECK(status == SINS_OK);
+            return good;
+        }
+        allocator_good = -1;
+        if (status == SINS_OK) { /* asked for just so many */
+            return good;
+        }
+        CHECK(status == SINS_ERROR_OUT_OF_MEMORY);
+        CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "memory") != NULL);
+        CHECK(allocator_living == living);
+    }
+}
+
+int main(void)
+{
+    sins_sim *sim;
+    int k, allocations;
+
+    scene_samples(samples);
+    sim = scene_simulator(NULL, 1);
+    scene_fly(sim, samples, expected);
+    CHECK(sins_reset(sim) == SINS_OK);
+
+    for (k = 0; k < SCENE_COUNT; k++) {
+        allocator_good = 0; /* none is needed, though there is none */
+        CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
+        CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+        if (k > 0) {
+            found[k - 1].struct_size = sizeof found[0];
+            CHECK(sins_get_record(sim, &found[k - 1]) == SINS_OK);
+        }
+        allocator_good = -1;
+        if (k == SCENE_COUNT / 2) {
+            allocations = starve(create);
+            CHECK(allocations > 0);
+            printf("out_of_memory: %d allocations of create, ", allocations);
+            allocations = starve(create_flight);
+            CHECK(allocations > 0);
+            printf("%d of a flight, ", allocations);
+            allocations = starve(recommend);
+            CHECK(allocations > 0);
+            printf("%d of a recommendation fail in turn\n", allocations);
+        }
+    }
+    CHECK(memcmp(found, expected, sizeof expected) == 0);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    return 0;
+}

@@ -1,0 +1,202 @@
+/* Push, step, run and the reads in a real-time frame: no allocation, and no system call of any kind, thus no wait for
+ * anyone. The kernel kills the program at the first one, while other threads fly, create and destroy. */
+
+#define _GNU_SOURCE
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <math.h>
+#include <pthread.h>
+#include <stddef.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "allocator.h"
+#include "scene.h"
+
+/* A copy of stderr under a number of its own: the one place that the frame may write to, when a check fails. */
+enum { COMPLAINTS = 200 };
+
+#define FRAME_CHECK(condition)                                                      \
+    do {                                                                            \
+        if (!(condition)) {                                                         \
+            static const char text[] = "frame: " #condition " does not hold\n";     \
+            syscall(SYS_write, COMPLAINTS, text, sizeof text - 1);                  \
+            syscall(SYS_exit_group, 1);                                             \
+        }                                                                           \
+    } while (0)
+
+static sins_flight_sample samples[SCENE_COUNT];
+static volatile int over;
+
+/* Others: one in a long call all the time, one whose handles go through all slots of the table. */
+static void *fly_all_the_time(void *handle)
+{
+    static sins_record records[SCENE_COUNT - 1];
+    sins_sim *sim = handle;
+    while (!over) {
+        scene_fly(sim, samples, records);
+        CHECK(sins_reset(sim) == SINS_OK);
+    }
+    return NULL;
+}
+
+static void *create_and_destroy_all_the_time(void *unused)
+{
+    (void)unused;
+    while (!over) {
+        sins_sim *sim = NULL;
+        CHECK(sins_create(NULL, &sim) == SINS_OK);
+        CHECK(sins_destroy(sim) == SINS_OK);
+    }
+    return NULL;
+}
+
+static void forbid_system_calls(void)
+{
+    struct sock_filter filter[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_exit_group, 3, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_write, 0, 3),
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, args[0])),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, COMPLAINTS, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+    };
+    struct sock_fprog program = {sizeof filter / sizeof filter[0], filter};
+    CHECK(dup2(STDERR_FILENO, COMPLAINTS) == COMPLAINTS);
+    CHECK(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0);
+    CHECK(prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0);
+}
+
+/* Nothing is to be read, or not all, until an interval was flown. */
+static int is_answer(sins_status status, int flown)
+{
+    return status == SINS_OK || (!flown && status == SINS_NEED_SAMPLE);
+}
+
+static void read_everything(sins_sim *sim, int flown)
+{
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_accuracy accuracy = {.struct_size = sizeof accuracy};
+    sins_record record = {.struct_size = sizeof record};
+    sins_options options = {.struct_size = sizeof options};
+    char text[200];
+    size_t needed;
+    FRAME_CHECK(is_answer(sins_get_truth(sim, &navigation), flown));
+    FRAME_CHECK(is_answer(sins_get_navigation(sim, &navigation), flown));
+    FRAME_CHECK(is_answer(sins_get_imu(sim, &imu), flown));
+    FRAME_CHECK(is_answer(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors), flown));
+    FRAME_CHECK(is_answer(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors), flown));
+    FRAME_CHECK(is_answer(sins_get_accuracy(sim, &accuracy), flown));
+    FRAME_CHECK(is_answer(sins_get_record(sim, &record), flown));
+    FRAME_CHECK(sins_get_options(sim, &options) == SINS_OK);
+    FRAME_CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_OK);
+}
+
+/* What a frame does, and what it does wrong. */
+static void fly_frames(sins_sim *sim, const sins_sim *stale)
+{
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    int k;
+    FRAME_CHECK(sins_step(sim) == SINS_NEED_SAMPLE);
+    read_everything(sim, 0);
+    for (k = 0; k < SCENE_COUNT / 2; k++) {
+        sins_flight_sample wrong = samples[k];
+        wrong.height_m = NAN;
+        FRAME_CHECK(sins_push_sample(sim, &wrong) == SINS_ERROR_INVALID_ARGUMENT);
+        FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
+        FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_ERROR_TIME_ORDER);
+        wrong = samples[k + 1];
+        wrong.latitude_rad = -0.7;
+        FRAME_CHECK(sins_push_sample(sim, &wrong) == SINS_ERROR_DISCONTINUITY);
+        FRAME_CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
+        FRAME_CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+        read_everything(sim, k > 0);
+        FRAME_CHECK(sins_get_navigation((sins_sim *)stale, &navigation) == SINS_ERROR_BAD_HANDLE);
+    }
+    for (; k < SCENE_COUNT / 2 + 16; k++) {
+        FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
+    }
+    FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_ERROR_QUEUE_FULL);
+    FRAME_CHECK(sins_run(sim, &samples[k], SCENE_COUNT - k, 0, NULL, 0, NULL) == SINS_OK);
+}
+
+/* Navigation on increments, until the solution leaves its range. */
+static void navigate_frames(sins_sim *sim)
+{
+    sins_imu_increment increment = {.struct_size = sizeof increment};
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    int k;
+    sins_status status = SINS_OK;
+    increment.interval_s = 0.01;
+    increment.count = 5;
+    for (k = 0; k < 5; k++) {
+        increment.velocity_m_s[3 * k] = 5e3;
+        increment.angle_rad[3 * k + 1] = 1e-4;
+    }
+    for (k = 0; k < 10 && status == SINS_OK; k++) {
+        status = sins_push_imu(sim, &increment);
+        FRAME_CHECK(sins_get_navigation(sim, &navigation) == SINS_OK);
+    }
+    FRAME_CHECK(status == SINS_ERROR_DIVERGED && k > 1);
+}
+
+int main(void)
+{
+    enum { FRAMES = 2, SCHEMES = 3, VERTICALS = 3, SIGNALS = 2, ALL = FRAMES * SCHEMES * VERTICALS * SIGNALS };
+    sins_sim *sims[ALL], *navigators[FRAMES * SCHEMES], *stale = NULL;
+    sins_navigation start = {.struct_size = sizeof start};
+    pthread_t others[2];
+    long allocations;
+    int i, navigator_count = 0;
+
+    scene_samples(samples);
+    for (i = 0; i < ALL; i++) {
+        sins_options options = {.struct_size = sizeof options};
+        options.frame = i % FRAMES;
+        options.scheme = i / FRAMES % SCHEMES;
+        options.vertical = i / (FRAMES * SCHEMES) % VERTICALS;
+        options.signal = i / (FRAMES * SCHEMES * VERTICALS);
+        options.subsamples = 1 + i % 5;
+        options.updates_per_sample = 1 + i % 2;
+        options.error_model = SINS_ERROR_MODEL_RK4;
+        sims[i] = scene_simulator(&options, 0);
+        if (i < FRAMES * SCHEMES) {
+            sins_gyro_params gyro = scene_gyro(); /* and accelerometers without a limit to their range */
+            sins_sim *navigator = NULL;
+            CHECK(sins_create(&options, &navigator) == SINS_OK);
+            CHECK(sins_set_gyro(navigator, &gyro) == SINS_OK);
+            start.quaternion_nb[0] = 1.0;
+            CHECK(sins_start_navigation(navigator, &start) == SINS_OK);
+            navigators[navigator_count++] = navigator;
+        }
+    }
+    /* The table of handles has 4096 places, taken in turn: the busy one has that of the stale one. */
+    for (i = 0; i < 4096; i++) {
+        sins_sim *sim = NULL;
+        CHECK(sins_create(NULL, &sim) == SINS_OK && sins_destroy(sim) == SINS_OK);
+        stale = i == 0 ? sim : stale;
+    }
+    CHECK(pthread_create(&others[0], NULL, fly_all_the_time, scene_simulator(NULL, 9)) == 0);
+    CHECK(pthread_create(&others[1], NULL, create_and_destroy_all_the_time, NULL) == 0);
+
+    /* Written before, as it cannot be after. */
+    printf("real_time: %d simulators and %d navigators under a ban on system calls\n", ALL, navigator_count);
+    fflush(stdout);
+    forbid_system_calls();
+    allocations = allocator_calls;
+    for (i = 0; i < ALL; i++) {
+        fly_frames(sims[i], stale);
+    }
+    for (i = 0; i < navigator_count; i++) {
+        navigate_frames(navigators[i]);
+    }
+    FRAME_CHECK(allocator_calls == allocations);
+    over = 1;
+    syscall(SYS_exit_group, 0);
+    return 1;
+}

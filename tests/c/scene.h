@@ -1,0 +1,159 @@
+/* A flight in which much happens and a simulator with every effect on, for tests that do not care what is flown. */
+
+#ifndef SCENE_H
+#define SCENE_H
+
+#include "check.h"
+#include "sins.h"
+
+/* 8 s at 128 Hz: times that are exact in binary. */
+enum { SCENE_COUNT = 1025 };
+
+static inline double scene_time(int k)
+{
+    return k / 128.0;
+}
+
+/* A roll, a loop, a steep turn. */
+static inline sins_flight *scene_flight(void)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre manoeuvres[3] = {{.struct_size = sizeof manoeuvres[0]}};
+    sins_flight *flight = NULL;
+    start.latitude_rad = 0.7;
+    start.longitude_rad = 2.0;
+    start.height_m = 3000.0;
+    start.speed_m_s = 150.0;
+    manoeuvres[0].kind = SINS_MANOEUVRE_ROLL;
+    manoeuvres[0].duration_s = 2.0;
+    manoeuvres[0].turns = 1.0;
+    manoeuvres[1].kind = SINS_MANOEUVRE_TURN;
+    manoeuvres[1].heading_change_rad = 0.8;
+    manoeuvres[1].bank_rad = 1.2;
+    manoeuvres[1].ramp_s = 0.5;
+    manoeuvres[2].kind = SINS_MANOEUVRE_LOOP;
+    manoeuvres[2].duration_s = 20.0;
+    manoeuvres[2].turns = 1.0;
+    manoeuvres[2].ramp_s = 1.0;
+    CHECK(sins_flight_create(&start, manoeuvres, 3, &flight) == SINS_OK);
+    return flight;
+}
+
+static inline void scene_samples(sins_flight_sample samples[SCENE_COUNT])
+{
+    sins_flight *flight = scene_flight();
+    int k;
+    for (k = 0; k < SCENE_COUNT; k++) {
+        samples[k].struct_size = sizeof samples[k];
+        CHECK(sins_flight_sample_at(flight, scene_time(k), &samples[k]) == SINS_OK);
+    }
+    CHECK(sins_flight_destroy(flight) == SINS_OK);
+}
+
+static inline sins_gyro_params scene_gyro(void)
+{
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    int axis;
+    for (axis = 0; axis < 3; axis++) {
+        gyro.bias_rad_s[axis] = 1e-6;
+        gyro.bias_sigma_rad_s[axis] = 1e-6;
+        gyro.markov_sigma_rad_s[axis] = 1e-6;
+        gyro.markov_time_s[axis] = 10.0;
+        gyro.random_walk_rad_sqrt_s[axis] = 1e-5;
+        gyro.rate_random_walk_rad_s_sqrt_s[axis] = 1e-7;
+        gyro.rate_ramp_rad_s2[axis] = 1e-8;
+        gyro.flicker_rad_s[axis] = 1e-6;
+        gyro.quantization_rad[axis] = 1e-6;
+        gyro.scale_factor[axis] = 1e-4;
+        gyro.scale_factor_asymmetry[axis] = 1e-5;
+        gyro.scale_factor_nonlinearity_s_rad[axis] = 1e-5;
+        gyro.misalignment_rad[3 * axis + (axis + 1) % 3] = 1e-4;
+        gyro.g_sensitivity_rad_s_per_m_s2[4 * axis] = 1e-7;
+        gyro.range_rad_s[axis] = 3.0;
+        gyro.bandwidth_hz[axis] = 40.0;
+        gyro.dead_zone_rad_s[axis] = 1e-6;
+    }
+    return gyro;
+}
+
+static inline sins_accel_params scene_accel(void)
+{
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    int axis;
+    for (axis = 0; axis < 3; axis++) {
+        accel.bias_m_s2[axis] = 1e-3;
+        accel.bias_sigma_m_s2[axis] = 1e-3;
+        accel.markov_sigma_m_s2[axis] = 1e-3;
+        accel.markov_time_s[axis] = 10.0;
+        accel.velocity_random_walk_m_s_sqrt_s[axis] = 1e-3;
+        accel.acceleration_random_walk_m_s2_sqrt_s[axis] = 1e-4;
+        accel.ramp_m_s3[axis] = 1e-5;
+        accel.flicker_m_s2[axis] = 1e-3;
+        accel.quantization_m_s[axis] = 1e-4;
+        accel.scale_factor[axis] = 1e-4;
+        accel.scale_factor_asymmetry[axis] = 1e-5;
+        accel.scale_factor_nonlinearity_s2_m[axis] = 1e-6;
+        accel.misalignment_rad[3 * axis + (axis + 1) % 3] = 1e-4;
+        accel.range_m_s2[axis] = 25.0;
+        accel.bandwidth_hz[axis] = 40.0;
+        accel.dead_zone_m_s2[axis] = 1e-4;
+        accel.lever_arm_m[4 * axis] = 0.1;
+        accel.vibration_rectification_s2_m[axis] = 1e-6;
+    }
+    return accel;
+}
+
+static inline sins_altimeter_params scene_altimeter(void)
+{
+    sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
+    altimeter.bias_m = 3.0;
+    altimeter.markov_sigma_m = 2.0;
+    altimeter.markov_time_s = 30.0;
+    altimeter.noise_m = 1.0;
+    altimeter.scale_factor = 1e-3;
+    altimeter.lag_s = 0.5;
+    return altimeter;
+}
+
+static inline sins_initial_errors scene_initial_errors(void)
+{
+    sins_initial_errors initial = {.struct_size = sizeof initial};
+    int axis;
+    for (axis = 0; axis < 3; axis++) {
+        initial.position_enu_m[axis] = 10.0;
+        initial.position_sigma_enu_m[axis] = 5.0;
+        initial.velocity_sigma_enu_m_s[axis] = 0.1;
+        initial.misalignment_sigma_enu_rad[axis] = 1e-3;
+    }
+    return initial;
+}
+
+/* `options` may be NULL: both error data, draws keyed by `seed`. */
+static inline sins_sim *scene_simulator(const sins_options *options, unsigned seed)
+{
+    sins_options own = {.struct_size = sizeof own};
+    sins_gyro_params gyro = scene_gyro();
+    sins_accel_params accel = scene_accel();
+    sins_altimeter_params altimeter = scene_altimeter();
+    sins_initial_errors initial = scene_initial_errors();
+    sins_sim *sim = NULL;
+    own.error_model = SINS_ERROR_MODEL_RK4;
+    own.seed = seed;
+    CHECK(sins_create(options ? options : &own, &sim) == SINS_OK);
+    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
+    CHECK(sins_set_accel(sim, &accel) == SINS_OK);
+    CHECK(sins_set_altimeter(sim, &altimeter) == SINS_OK);
+    CHECK(sins_set_initial_errors(sim, &initial) == SINS_OK);
+    return sim;
+}
+
+/* A record of every interval. */
+static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, sins_record records[SCENE_COUNT - 1])
+{
+    size_t written = 0;
+    records[0].struct_size = sizeof records[0];
+    CHECK(sins_run(sim, samples, SCENE_COUNT, 1, records, SCENE_COUNT - 1, &written) == SINS_OK);
+    CHECK(written == SCENE_COUNT - 1);
+}
+
+#endif

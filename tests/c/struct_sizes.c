@@ -1,0 +1,240 @@
+/* Struct sizes from 0 to twice, through every struct of the interface. Each struct has exactly the bytes that it states, on the
+ * heap: AddressSanitizer and valgrind see what is touched beyond. */
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene.h"
+
+/* `size` bytes of `filling` that state their size; to state one takes four. */
+static void *stating(size_t size, int filling)
+{
+    uint32_t stated = (uint32_t)size;
+    unsigned char *bytes = malloc(size < sizeof stated ? sizeof stated : size);
+    CHECK(bytes != NULL);
+    memset(bytes, filling, size);
+    memcpy(bytes, &stated, sizeof stated);
+    return bytes;
+}
+
+/* Shorter than in the first release is an error; longer than this release knows is fine while the tail is zero. */
+#define INPUT_SIZES_SINCE(first, type, call)                                                 \
+    do {                                                                                     \
+        uint32_t garbage = 0xffffffffu;                                                      \
+        size_t size;                                                                         \
+        for (size = 0; size <= 2 * sizeof(struct type); size++) {                            \
+            struct type *pointer = stating(size, 0);                                         \
+            int fits = size >= (first) && size % 8 == 0;                                     \
+            sins_status status = (call);                                                     \
+            CHECK((status == SINS_ERROR_STRUCT_SIZE) == !fits);                              \
+            if (fits && size > sizeof(struct type)) {                                        \
+                ((unsigned char *)pointer)[size - 1] = 1;                                    \
+                CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                     \
+            }                                                                                \
+            free(pointer);                                                                   \
+        }                                                                                    \
+        {                                                                                    \
+            struct type *pointer = (struct type *)(void *)&garbage;                          \
+            CHECK((call) == SINS_ERROR_STRUCT_SIZE);                                         \
+        }                                                                                    \
+    } while (0)
+
+#define INPUT_SIZES(type, call) INPUT_SIZES_SINCE(sizeof(struct type), type, call)
+
+/* What the host's struct has room for is written, struct_size stays, what this release does not know is not touched. */
+#define OUTPUT_SIZES_SINCE(first, type, call)                                                \
+    do {                                                                                     \
+        size_t size, i;                                                                      \
+        for (size = 0; size <= 2 * sizeof(struct type); size++) {                            \
+            struct type *pointer = stating(size, 0xa5);                                      \
+            int fits = size >= (first) && size % 8 == 0;                                     \
+            size_t known = size < sizeof(struct type) ? size : sizeof(struct type);          \
+            CHECK((call) == (fits ? SINS_OK : SINS_ERROR_STRUCT_SIZE));                      \
+            CHECK(pointer->struct_size == size);                                             \
+            for (i = fits ? known : 4; i < size; i++) {                                      \
+                CHECK(((unsigned char *)pointer)[i] == 0xa5);                                \
+            }                                                                                \
+            free(pointer);                                                                   \
+        }                                                                                    \
+    } while (0)
+
+#define OUTPUT_SIZES(type, call) OUTPUT_SIZES_SINCE(sizeof(struct type), type, call)
+
+/* Of structs that have grown: their sizes in the first release. */
+enum { FIRST_GYRO_PARAMS = 512, FIRST_ACCEL_PARAMS = 536, FIRST_FLIGHT_SAMPLE = 136 };
+
+static sins_status create_and_destroy(const sins_options *options)
+{
+    sins_sim *sim = NULL;
+    sins_status status = sins_create(options, &sim);
+    if (status == SINS_OK) {
+        CHECK(sins_destroy(sim) == SINS_OK);
+    } else {
+        CHECK(sim == NULL);
+    }
+    return status;
+}
+
+/* `piece` of two samples, 1 m required; what is NULL is a good one: a second at rest. */
+static sins_status recommend_for(const sins_flight_sample *piece, const sins_requirement *requirement,
+                                 sins_options *options, sins_cost *cost)
+{
+    sins_flight_sample rest[2] = {{.struct_size = sizeof rest[0]}};
+    sins_requirement good_requirement = {.struct_size = sizeof good_requirement, .position_m = 1.0};
+    sins_options good_options = {.struct_size = sizeof good_options};
+    sins_cost good_cost = {.struct_size = sizeof good_cost};
+    rest[1].time_s = 1.0;
+    return sins_recommend(piece ? piece : rest, 2, requirement ? requirement : &good_requirement,
+                          options ? options : &good_options, cost ? cost : &good_cost);
+}
+
+static sins_status recommend(const sins_requirement *requirement, sins_options *options, sins_cost *cost)
+{
+    return recommend_for(NULL, requirement, options, cost);
+}
+
+/* The budget of that second; what is NULL is a good one, or none. */
+static sins_status budget_of(const sins_options *options, const sins_gyro_params *gyro, const sins_accel_params *accel,
+                             const sins_altimeter_params *altimeter, const sins_initial_errors *initial,
+                             const sins_budget_request *request, sins_budget_row *row, sins_budget *budget)
+{
+    sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}};
+    sins_budget_row good_row = {.struct_size = sizeof good_row};
+    piece[1].time_s = 1.0;
+    return sins_error_budget(piece, 2, options, gyro, accel, altimeter, initial, request, row ? row : &good_row, 1, NULL,
+                             budget);
+}
+
+/* A flight of one manoeuvre; what is NULL is good. */
+static sins_status create_flight(const sins_flight_start *start, const sins_manoeuvre *manoeuvre)
+{
+    sins_flight_start good_start = {.struct_size = sizeof good_start};
+    sins_manoeuvre rest = {.struct_size = sizeof rest, .duration_s = 1.0};
+    sins_flight *flight = NULL;
+    sins_status status = sins_flight_create(start ? start : &good_start, manoeuvre ? manoeuvre : &rest, 1, &flight);
+    CHECK((status == SINS_OK) == (flight != NULL));
+    CHECK(flight == NULL || sins_flight_destroy(flight) == SINS_OK);
+    return status;
+}
+
+static sins_status push_first(sins_sim *sim, const sins_flight_sample *sample)
+{
+    CHECK(sins_reset(sim) == SINS_OK);
+    return sins_push_sample(sim, sample);
+}
+
+static sins_status run_first(sins_sim *sim, const sins_flight_sample *sample)
+{
+    CHECK(sins_reset(sim) == SINS_OK);
+    return sins_run(sim, sample, 1, 0, NULL, 0, NULL);
+}
+
+/* A record from an interval at rest. */
+static sins_status run_for_record(sins_sim *sim, sins_record *record)
+{
+    sins_flight_sample rest[2] = {{.struct_size = sizeof rest[0]}};
+    rest[1].time_s = 0.01;
+    CHECK(sins_reset(sim) == SINS_OK);
+    return sins_run(sim, rest, 2, 1, record, 1, NULL);
+}
+
+/* Arrays of every stride: samples in, records out, of which the last one's last byte is the last that may be touched. */
+static void strides(sins_sim *sim)
+{
+    enum { COUNT = 3 };
+    size_t in, out, k;
+    for (in = sizeof(sins_flight_sample); in <= 2 * sizeof(sins_flight_sample); in += 8) {
+        for (out = sizeof(sins_record); out <= 2 * sizeof(sins_record); out += 8) {
+            unsigned char *samples = calloc(COUNT, in), *records = malloc((COUNT - 1) * out);
+            size_t written = 0;
+            CHECK(samples != NULL && records != NULL);
+            memset(records, 0xa5, (COUNT - 1) * out);
+            ((sins_record *)(void *)records)->struct_size = (uint32_t)out;
+            for (k = 0; k < COUNT; k++) {
+                sins_flight_sample sample = {.struct_size = (uint32_t)in};
+                sample.time_s = 0.01 * (double)k;
+                memcpy(samples + k * in, &sample, sizeof sample);
+            }
+            CHECK(sins_reset(sim) == SINS_OK);
+            CHECK(sins_run(sim, (sins_flight_sample *)(void *)samples, COUNT, 1, (sins_record *)(void *)records, COUNT - 2,
+                           &written) == SINS_ERROR_BUFFER_TOO_SMALL);
+            CHECK(sins_run(sim, (sins_flight_sample *)(void *)samples, COUNT, 1, (sins_record *)(void *)records, COUNT - 1,
+                           &written) == SINS_OK);
+            CHECK(written == COUNT - 1);
+            CHECK(out > sizeof(sins_record) || in % sizeof(sins_flight_sample) != 0 ||
+                  recommend_for((sins_flight_sample *)(void *)(samples + in), NULL, NULL, NULL) == SINS_OK);
+            for (k = 0; k < (COUNT - 1) * out; k++) {
+                CHECK(k % out < sizeof(sins_record) || records[k] == 0xa5);
+            }
+            free(samples);
+            free(records);
+        }
+    }
+}
+
+static void struct_sizes(sins_sim *sim, sins_flight *flight)
+{
+    sins_sim *fresh = NULL;
+    CHECK(sins_create(NULL, &fresh) == SINS_OK);
+    INPUT_SIZES(sins_options, create_and_destroy(pointer));
+    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_set_gyro(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_set_accel(fresh, pointer));
+    INPUT_SIZES(sins_altimeter_params, sins_set_altimeter(fresh, pointer));
+    INPUT_SIZES(sins_failure, sins_set_failure(fresh, SINS_SENSOR_ACCEL, 2, pointer));
+    INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
+    INPUT_SIZES(sins_mounting, sins_set_mounting(fresh, pointer));
+    INPUT_SIZES(sins_gravity_params, sins_set_gravity_disturbance(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_reposition(fresh, pointer));
+    CHECK(sins_reset(fresh) == SINS_OK);
+    INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
+    INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, push_first(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, run_first(fresh, pointer));
+    INPUT_SIZES(sins_flight_start, create_flight(pointer, NULL));
+    INPUT_SIZES(sins_manoeuvre, create_flight(NULL, pointer));
+    INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
+    INPUT_SIZES(sins_options, recommend(NULL, pointer, NULL));
+
+    INPUT_SIZES(sins_options, budget_of(pointer, NULL, NULL, NULL, NULL, NULL, NULL, NULL));
+    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, budget_of(NULL, pointer, NULL, NULL, NULL, NULL, NULL, NULL));
+    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, budget_of(NULL, NULL, pointer, NULL, NULL, NULL, NULL, NULL));
+    INPUT_SIZES(sins_altimeter_params, budget_of(NULL, NULL, NULL, pointer, NULL, NULL, NULL, NULL));
+    INPUT_SIZES(sins_initial_errors, budget_of(NULL, NULL, NULL, NULL, pointer, NULL, NULL, NULL));
+    INPUT_SIZES(sins_budget_request, budget_of(NULL, NULL, NULL, NULL, NULL, pointer, NULL, NULL));
+
+    OUTPUT_SIZES(sins_budget_row, budget_of(NULL, NULL, NULL, NULL, NULL, NULL, pointer, NULL));
+    OUTPUT_SIZES(sins_budget, budget_of(NULL, NULL, NULL, NULL, NULL, NULL, NULL, pointer));
+    OUTPUT_SIZES(sins_cost, recommend(NULL, NULL, pointer));
+    OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
+    OUTPUT_SIZES(sins_navigation, sins_get_navigation(sim, pointer));
+    OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));
+    OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
+    OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
+    OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
+    OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
+    OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
+    OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
+    strides(fresh);
+    CHECK(sins_destroy(fresh) == SINS_OK);
+}
+
+int main(void)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_flight *flight = scene_flight();
+    sins_sim *sim = NULL;
+    options.error_model = SINS_ERROR_MODEL_RK4;
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    sample.time_s = 0.01;
+    CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) == SINS_OK);
+    struct_sizes(sim, flight);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
+    printf("struct_sizes: every struct, from 0 to twice its size\n");
+    return 0;
+}

@@ -1,0 +1,226 @@
+/* The library loaded at run time: two copies of it side by side, and 100 rounds of load, work on two threads, unload, after
+ * which memory and mappings are those of before. Arguments: two copies of the library. */
+
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "allocator.h"
+#include "check.h"
+#include "sins.h"
+
+/* The functions of the copy in use, under their own names for the code below. */
+static struct {
+    __typeof__(&sins_create) create;
+    __typeof__(&sins_destroy) destroy;
+    __typeof__(&sins_last_error) last_error;
+    __typeof__(&sins_set_gyro) set_gyro;
+    __typeof__(&sins_set_accel) set_accel;
+    __typeof__(&sins_set_altimeter) set_altimeter;
+    __typeof__(&sins_set_initial_errors) set_initial_errors;
+    __typeof__(&sins_run) run;
+    __typeof__(&sins_step) step;
+    __typeof__(&sins_flight_create) flight_create;
+    __typeof__(&sins_flight_sample_at) flight_sample_at;
+    __typeof__(&sins_flight_destroy) flight_destroy;
+    __typeof__(&sins_recommend) recommend;
+} api;
+
+#define sins_create api.create
+#define sins_destroy api.destroy
+#define sins_last_error api.last_error
+#define sins_set_gyro api.set_gyro
+#define sins_set_accel api.set_accel
+#define sins_set_altimeter api.set_altimeter
+#define sins_set_initial_errors api.set_initial_errors
+#define sins_run api.run
+#define sins_step api.step
+#define sins_flight_create api.flight_create
+#define sins_flight_sample_at api.flight_sample_at
+#define sins_flight_destroy api.flight_destroy
+#define sins_recommend api.recommend
+
+#include "scene.h"
+
+enum { ROUNDS = 100, COPIES = 2, MAPPINGS_SIZE = 1 << 16 };
+
+static sins_flight_sample samples[SCENE_COUNT];
+static sins_record expected[SCENE_COUNT - 1], found[COPIES][SCENE_COUNT - 1];
+
+static void *symbol(void *library, const char *name)
+{
+    void *address = dlsym(library, name);
+    CHECK(address != NULL);
+    return address;
+}
+
+static void bind(void *library)
+{
+    static const char *const names[] = {
+        "sins_create",        "sins_destroy",           "sins_last_error",       "sins_set_gyro",    "sins_set_accel",
+        "sins_set_altimeter", "sins_set_initial_errors", "sins_run",              "sins_step",        "sins_flight_create",
+        "sins_flight_sample_at", "sins_flight_destroy", "sins_recommend",
+    };
+    void *addresses[sizeof names / sizeof names[0]];
+    size_t i;
+    for (i = 0; i < sizeof names / sizeof names[0]; i++) {
+        addresses[i] = symbol(library, names[i]);
+    }
+    CHECK(sizeof addresses == sizeof api);
+    memcpy(&api, addresses, sizeof api);
+}
+
+static void *load(const char *path)
+{
+    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (library == NULL) {
+        fprintf(stderr, "%s\n", dlerror());
+    }
+    CHECK(library != NULL);
+    bind(library);
+    return library;
+}
+
+/* Work of every kind: flights, sensors, records, a sentence of this thread, a recommendation. */
+static void work(sins_record records[SCENE_COUNT - 1])
+{
+    sins_sim *sim = NULL;
+    sins_flight *flight = NULL;
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_options options = {.struct_size = sizeof options};
+    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 10.0};
+    sins_cost cost = {.struct_size = sizeof cost};
+    char text[200];
+    CHECK(sins_create(&options, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "sim") == text);
+    flight = scene_flight();
+    CHECK(sins_flight_sample_at(flight, scene_time(7), &sample) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
+    CHECK(memcmp(&sample, &samples[7], sizeof sample) == 0);
+    sim = scene_simulator(NULL, 4);
+    scene_fly(sim, samples, records);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(sins_recommend(samples, 129, &requirement, &options, &cost) == SINS_OK);
+}
+
+/* Two copies: each has its own handles, and the one stays when the other goes. */
+static void side_by_side(char *const paths[COPIES])
+{
+    void *libraries[COPIES];
+    sins_sim *sims[COPIES];
+    sins_flight *flights[COPIES];
+    int i;
+    for (i = 0; i < COPIES; i++) {
+        libraries[i] = load(paths[i]);
+        scene_samples(samples);
+        work(found[i]);
+        sims[i] = scene_simulator(NULL, 4);
+        flights[i] = scene_flight();
+    }
+    CHECK(libraries[0] != libraries[1]);
+    CHECK(memcmp(found[0], found[1], sizeof found[0]) == 0);
+    memcpy(expected, found[0], sizeof expected);
+    for (i = 0; i < COPIES; i++) {
+        bind(libraries[i]);
+        CHECK(sins_step(sims[1 - i]) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_destroy(sims[1 - i]) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_flight_destroy(flights[1 - i]) == SINS_ERROR_BAD_HANDLE);
+    }
+    for (i = 0; i < COPIES; i++) {
+        bind(libraries[i]);
+        CHECK(sins_destroy(sims[i]) == SINS_OK && sins_flight_destroy(flights[i]) == SINS_OK);
+        work(found[i]);
+        CHECK(memcmp(found[i], expected, sizeof expected) == 0);
+        CHECK(dlclose(libraries[i]) == 0);
+    }
+}
+
+/* The mappings but heap and stacks, as text; read without the allocator. */
+static void mappings(char text[MAPPINGS_SIZE])
+{
+    static char whole[MAPPINGS_SIZE];
+    size_t length = 0;
+    ssize_t piece;
+    char *line, *rest = whole;
+    int file = open("/proc/self/maps", O_RDONLY);
+    CHECK(file >= 0);
+    while ((piece = read(file, whole + length, sizeof whole - 1 - length)) > 0) {
+        length += (size_t)piece;
+    }
+    CHECK(piece == 0 && length < sizeof whole - 1 && close(file) == 0);
+    whole[length] = '\0';
+    text[0] = '\0';
+    while ((line = strsep(&rest, "\n")) != NULL) {
+        if (strstr(line, "[heap]") == NULL && strstr(line, "[stack]") == NULL) {
+            strcat(strcat(text, line), "\n");
+        }
+    }
+}
+
+/* A thread that outlives the library round by round. */
+static pthread_barrier_t barrier;
+
+static void *visit(void *unused)
+{
+    int round;
+    (void)unused;
+    for (round = 0; round < ROUNDS; round++) {
+        long calls;
+        pthread_barrier_wait(&barrier); /* loaded */
+        /* A thread's first call lets the loader allocate what is thread-local in the library; no later one allocates. */
+        CHECK(sins_step(NULL) == SINS_ERROR_BAD_HANDLE);
+        calls = allocator_calls;
+        CHECK(sins_step(NULL) == SINS_ERROR_BAD_HANDLE && allocator_calls == calls);
+        work(found[1]);
+        pthread_barrier_wait(&barrier); /* done */
+    }
+    return NULL;
+}
+
+int main(int count, char **paths)
+{
+    static char before[MAPPINGS_SIZE], after[MAPPINGS_SIZE];
+    long living = 0;
+    pthread_t visitor;
+    sins_sim *earlier = NULL;
+    int round;
+
+    CHECK(count == 1 + COPIES);
+    side_by_side(paths + 1);
+
+    CHECK(pthread_barrier_init(&barrier, NULL, 2) == 0);
+    CHECK(pthread_create(&visitor, NULL, visit, NULL) == 0);
+    for (round = 0; round < ROUNDS; round++) {
+        void *library = load(paths[1]);
+        pthread_barrier_wait(&barrier);
+        work(found[0]);
+        pthread_barrier_wait(&barrier);
+        CHECK(memcmp(found[0], expected, sizeof expected) == 0 && memcmp(found[1], expected, sizeof expected) == 0);
+
+        /* The handle of a library that is gone is none in the next. */
+        CHECK(sins_destroy(earlier) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_create(NULL, &earlier) == SINS_OK);
+        CHECK(sins_destroy(earlier) == SINS_OK);
+        CHECK(sins_create(NULL, &earlier) == SINS_OK);
+        CHECK(sins_destroy(earlier) == SINS_OK);
+        CHECK(dlclose(library) == 0);
+
+        mappings(after);
+        CHECK(strstr(after, "libsins") == NULL);
+        /* The loader's lists and the visitor's arena are made in the first rounds. */
+        if (round < 2) {
+            memcpy(before, after, sizeof before);
+            living = allocator_living;
+        }
+        if (strcmp(before, after) != 0 || living != allocator_living) {
+            fprintf(stderr, "round %d: %ld blocks, %ld before; before:\n%safter:\n%s", round, allocator_living, living, before,
+                    after);
+        }
+        CHECK(strcmp(before, after) == 0 && living == allocator_living);
+    }
+    CHECK(pthread_join(visitor, NULL) == 0);
+    printf("unload: two copies side by side, %d rounds of load and unload leave nothing\n", round);
+    return 0;
+}

@@ -1,0 +1,94 @@
+//! What a host and its machine do to the library: programs in C, built and run. `tests/README.md` has the table.
+
+#[path = "support/c_side.rs"]
+mod c_side;
+
+use c_side::{library_folder, project_file, run_test_program, succeed, test_program};
+
+#[test]
+fn misuse_of_every_function_is_answered() {
+    run_test_program("misuse");
+}
+
+#[test]
+fn struct_sizes_from_zero_to_twice_are_answered() {
+    run_test_program("struct_sizes");
+}
+
+#[test]
+fn sentences_name_field_value_and_limit() {
+    run_test_program("sentences");
+}
+
+/// What a later function or struct must not forget.
+#[test]
+fn every_function_and_struct_is_in_the_programs() {
+    let [header, calls, nulls, sizes] =
+        ["include/sins.h", "tests/c/every_call.h", "tests/c/misuse.c", "tests/c/struct_sizes.c"]
+            .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
+    let mut missing = Vec::new();
+    for prototype in header.split("sins_status SINS_CALL ").skip(1) {
+        let (name, rest) = prototype.split_once('(').unwrap();
+        let arguments: Vec<&str> = rest.split_once(");").unwrap().0.split(',').map(str::trim).collect();
+        let of_handle = ["sins_sim *sim", "sins_flight *flight"].iter().any(|h| arguments[0].ends_with(h));
+        let answers_otherwise = name.ends_with("destroy") || name == "sins_last_error";
+        if of_handle && !answers_otherwise && !calls.contains(&format!("EVERY_CALL({name}(")) {
+            missing.push(format!("{name} in every_call.h"));
+        }
+        let pointers = arguments.iter().skip(usize::from(of_handle)).filter(|a| a.contains('*')).count();
+        let null = |line: &str| line.contains(&format!("{name}(")) && line.contains("NULL");
+        let tried = nulls.lines().filter(|line| null(line) && line.contains("NULL_POINTER")).count();
+        // Some pointers may be null: `written`, `needed`.
+        if pointers > 0 && tried == 0 {
+            missing.push(format!("{name} with null in misuse.c"));
+        }
+    }
+    for definition in header.split("typedef struct ").skip(1) {
+        let (name, body) = definition.split_once(' ').unwrap();
+        let is_sized = body.trim_start_matches(['{', '\n', ' ']).starts_with("/* sizeof(");
+        let is_tried =
+            ["_SIZES(", "_PARAMS, ", "_SAMPLE, "].iter().any(|b| sizes.contains(&format!("{b}{name}, ")));
+        if is_sized && !is_tried {
+            missing.push(format!("{name} in struct_sizes.c"));
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+#[test]
+fn a_handle_destroyed_under_its_users_is_gone_for_all() {
+    run_test_program("destroyed");
+}
+
+#[test]
+fn threads_are_serialised_by_handle() {
+    run_test_program("threads");
+}
+
+/// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
+#[test]
+fn digests_of_four_flights_are_the_pinned_ones() {
+    run_test_program("digests");
+}
+
+#[test]
+fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
+    run_test_program("float_environment");
+}
+
+#[test]
+fn a_real_time_frame_makes_no_allocation_and_no_system_call() {
+    run_test_program("real_time");
+}
+
+#[test]
+fn the_library_comes_and_goes_and_two_copies_of_it_are_strangers() {
+    let folder = library_folder("unload");
+    let copies = ["libsins.so", "libsins.so.1"].map(|name| folder.join(name));
+    succeed(test_program("unload", &folder).args(copies));
+}
+
+#[test]
+fn memory_that_runs_out_is_told() {
+    run_test_program("out_of_memory");
+}

@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool first has to find a
+# mistake that is planted. The first two need nightly Rust; what cannot be had, or takes too long to build, is told at the end.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+target=x86_64-unknown-linux-gnu
+folder=$PWD/target/sanitizers/programs
+built=target/sanitizers/$target/debug
+longest_build_s=900
+mkdir -p "$folder"
+need gcc gcc
+need valgrind valgrind
+
+# compile NAME FLAGS...
+compile() {
+    local name=$1
+    shift
+    gcc -std=c99 -g -O1 -I include "tests/c/$name.c" -o "$folder/$name" "$@" -lpthread -ldl -lm
+}
+
+# clean COMMAND...: succeeds and complains of nothing.
+clean() {
+    echo "$*"
+    "$@" 2>"$folder/complaints" && [ ! -s "$folder/complaints" ] || { cat "$folder/complaints"; exit 1; }
+}
+
+# finds PATTERN COMMAND...: the tool stops the program and names the mistake.
+finds() {
+    local pattern=$1
+    shift
+    echo "$* (planted)"
+    if "$@" >/dev/null 2>"$folder/complaints" || ! grep -q "$pattern" "$folder/complaints"; then
+        cat "$folder/complaints"
+        echo "the planted mistake was not found"
+        exit 1
+    fi
+}
+
+# library SANITIZER CRATE_TYPE OPTIONS...: the library, instrumented, with the panic to be injected; false if that takes too long.
+library() {
+    local status=0
+    RUSTFLAGS="-Zsanitizer=$1" timeout "$longest_build_s" cargo +nightly rustc --quiet --lib --crate-type "$2" \
+        --target "$target" --target-dir target/sanitizers --features fault-injection --config profile.dev.opt-level=1 \
+        "${@:3}" || status=$?
+    if [ "$status" -eq 124 ]; then
+        could_not "the $1 sanitizer" "its build took more than $longest_build_s s"
+        return 1
+    fi
+    [ "$status" -eq 0 ] || exit "$status"
+}
+
+address_sanitizer() {
+    library address cdylib || return 0
+    cp "$built/libsins.so" "$folder/libsins.so.1"
+    cp "$built/libsins.so" "$folder/libsins.so"
+    for name in planted misuse struct_sizes sentences run threads destroyed panic; do
+        compile "$name" -fsanitize=address,undefined -fno-sanitize-recover=all -L "$folder" -lsins -Wl,-rpath,"$folder"
+    done
+    finds heap-buffer-overflow "$folder/planted" overrun
+    for name in misuse struct_sizes sentences run threads destroyed; do
+        clean "$folder/$name"
+    done
+    cp "$built/libsins.so" "$folder/second.so"
+    clean "$folder/panic" "$folder/second.so"
+}
+
+# The standard library has to be instrumented too, else its locks are not seen. Without address randomisation: the shadow
+# memory of ThreadSanitizer has a fixed place.
+thread_sanitizer() {
+    library thread staticlib -Zbuild-std || return 0
+    local runtime
+    runtime=$(rustc +nightly --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
+    for name in planted threads destroyed; do
+        compile "$name" -DSINS_STATIC -fsanitize=thread -c
+        mv "$folder/$name" "$folder/$name.o"
+        gcc -rdynamic "$folder/$name.o" "$built/libsins.a" -Wl,--whole-archive "$runtime" -Wl,--no-whole-archive \
+            -o "$folder/$name" -lpthread -ldl -lm -lgcc_s
+    done
+    finds "data race" setarch -R "$folder/planted" race
+    for name in threads destroyed; do
+        clean setarch -R "$folder/$name"
+    done
+}
+
+memcheck() {
+    cargo build --quiet
+    cp target/debug/libsins.so "$folder/libsins.so.1"
+    cp target/debug/libsins.so "$folder/libsins.so"
+    local valgrind=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect)
+    for name in planted misuse sentences run; do
+        compile "$name" -L "$folder" -lsins -Wl,-rpath,"$folder"
+    done
+    finds "uninitialised" "${valgrind[@]}" "$folder/planted" uninitialized
+    for name in misuse sentences run; do
+        clean "${valgrind[@]}" "$folder/$name"
+    done
+}
+
+memcheck
+if ! rustup run nightly rustc --version >/dev/null 2>&1 && ! rustup toolchain install nightly --profile minimal; then
+    could_not "AddressSanitizer, ThreadSanitizer" "no nightly Rust to be had"
+else
+    address_sanitizer
+    if rustup component add rust-src --toolchain nightly; then
+        thread_sanitizer
+    else
+        could_not ThreadSanitizer "no sources of the standard library to be had"
+    fi
+fi
+report_not_run

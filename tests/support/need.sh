@@ -1,0 +1,31 @@
+# For the scripts of this project, to be sourced: what they need is installed, and what cannot be had is told at the end.
+
+# need PACKAGE PROGRAM: installs the Debian package if the program is not there.
+need() {
+    command -v "$2" >/dev/null || install "$1"
+}
+
+install() {
+    as_root apt-get update -qq
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+not_run=()
+
+# could_not WHAT WHY
+could_not() {
+    not_run+=("$1: $2")
+    echo "not run: $1: $2"
+}
+
+# Says again, at the end, what was not run.
+report_not_run() {
+    if [ "${#not_run[@]}" -gt 0 ]; then
+        printf '\n%s:\n' "${0##*/} could not run"
+        printf '    %s\n' "${not_run[@]}"
+    fi
+}
