@@ -48,6 +48,7 @@ mod stream;
 mod tame;
 mod triad;
 mod validation;
+mod xoshiro;
 
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};

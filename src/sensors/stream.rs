@@ -1,8 +1,8 @@
 //! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect moves another one's draws.
 
-use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use rand_xoshiro::Xoshiro256PlusPlus;
+
+use super::xoshiro::{Xoshiro256PlusPlus, mix};
 
 /// Who draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub(super) struct Stream(Xoshiro256PlusPlus);
 impl Stream {
     pub fn new(key: StreamKey, source: Source, axis: usize, purpose: Purpose) -> Self {
         let words = [key.seed, key.run, source as u64, axis as u64, purpose as u64];
-        Self(Xoshiro256PlusPlus::seed_from_u64(words.into_iter().fold(0, |hash, word| mix(hash ^ word))))
+        Self(Xoshiro256PlusPlus::seeded(words.into_iter().fold(0, |hash, word| mix(hash ^ word))))
     }
 
     /// Streams of the three axes.
@@ -56,14 +56,6 @@ impl Stream {
     pub fn normal(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)
     }
-}
-
-/// Step and finalizer of SplitMix64 (Steele, Lea and Flood 2014): every bit of the input moves every bit of the output.
-fn mix(x: u64) -> u64 {
-    let mut z = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]
