@@ -137,6 +137,8 @@ pub mod signal;
 #[forbid(unsafe_code)]
 mod simulator;
 #[forbid(unsafe_code)]
+pub mod snapshot;
+#[forbid(unsafe_code)]
 pub mod state;
 #[forbid(unsafe_code)]
 pub mod truth;

@@ -5,6 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::math::{Euler, euler_from_attitude, rotate, rotate_inverse, wrap_angle};
+use crate::snapshot::codes;
 
 /// How the sensor axes lie in the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,6 +16,8 @@ pub enum BodyAxes {
     /// x forward, y right, z down: the aerospace convention.
     ForwardRightDown,
 }
+
+codes!(BodyAxes { RightForwardUp = 0, ForwardRightDown = 1 });
 
 impl BodyAxes {
     /// Attitude of the sensor axes for the attitude `q` of the axes right-forward-up; its own inverse, as the two

@@ -2,6 +2,7 @@
 //! truth.
 
 use crate::math::exp_m1;
+use crate::snapshot::{codes, stored};
 
 /// How the vertical channel is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -14,6 +15,8 @@ pub enum VerticalMode {
     /// Left to itself.
     Free,
 }
+
+codes!(VerticalMode { Damped = 0, FollowTruth = 1, Free = 2 });
 
 /// What the vertical channel is told at the end of an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +50,13 @@ pub struct VerticalLoop {
     t: f64,
     gains: [f64; 3],
 }
+
+stored!(VerticalLoop { bias_m_s2: 1e6, t: 1e3 } rebuilt { gains } then |channel, _| {
+    if channel.t > 0.0 {
+        channel.set_interval(channel.t);
+    }
+    Ok(())
+});
 
 /// Corrections of the vertical channel over one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

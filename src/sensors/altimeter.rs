@@ -2,10 +2,11 @@
 
 use super::gauss_markov::MarkovStep;
 
-use super::stream::{Purpose, Source, Stream, StreamKey};
+use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
+use crate::snapshot::{ANY, stored};
 
 /// Errors of the barometric height. All zero is an ideal altimeter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,6 +24,15 @@ pub struct AltimeterParameters {
     /// Time constant of the first-order lag of the static pressure [s].
     pub lag_s: f64,
 }
+
+stored!(AltimeterParameters {
+    bias_m: ANY,
+    markov_sigma_m: ANY,
+    markov_time_s: ANY,
+    noise_m: ANY,
+    scale_factor: ANY,
+    lag_s: ANY,
+});
 
 impl AltimeterParameters {
     /// Checks every field.
@@ -48,6 +58,8 @@ pub struct Altimeter {
     height_m: f64,
     lagged_m: f64,
 }
+
+stored!(Altimeter { x: DEVIATES, markov, noise, height_m: 1e9, lagged_m: 1e9 } rebuilt { parameters });
 
 impl Altimeter {
     /// An ideal altimeter at the true height `height_m`, whose random errors draw from the streams of `key`.

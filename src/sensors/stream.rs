@@ -2,7 +2,9 @@
 
 use rand_distr::{Distribution, StandardNormal};
 
-use super::xoshiro::{Xoshiro256PlusPlus, mix};
+use super::xoshiro::Xoshiro256PlusPlus;
+use crate::math::mix;
+use crate::snapshot::{ANY, stored};
 
 /// Who draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,14 +38,24 @@ pub struct StreamKey {
     pub run: u64,
 }
 
+stored!(StreamKey { seed: ANY, run: ANY });
+
+/// A standard normal number is never as large [1].
+pub(super) const DEVIATES: f64 = 100.0;
+
 /// A stream of standard normal numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Stream(Xoshiro256PlusPlus);
+pub(super) struct Stream {
+    generator: Xoshiro256PlusPlus,
+}
+
+stored!(Stream { generator });
 
 impl Stream {
     pub fn new(key: StreamKey, source: Source, axis: usize, purpose: Purpose) -> Self {
         let words = [key.seed, key.run, source as u64, axis as u64, purpose as u64];
-        Self(Xoshiro256PlusPlus::seeded(words.into_iter().fold(0, |hash, word| mix(hash ^ word))))
+        let seed = words.into_iter().fold(0, |hash, word| mix(hash ^ word));
+        Self { generator: Xoshiro256PlusPlus::seeded(seed) }
     }
 
     /// Streams of the three axes.
@@ -54,7 +66,7 @@ impl Stream {
     /// The next number, mean 0 and variance 1.
     #[inline]
     pub fn normal(&mut self) -> f64 {
-        StandardNormal.sample(&mut self.0)
+        StandardNormal.sample(&mut self.generator)
     }
 }
 

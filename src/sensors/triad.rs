@@ -21,6 +21,7 @@ use super::rate_random_walk::RateRandomWalk;
 use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
 use crate::signal::Increment;
+use crate::snapshot::stored;
 
 /// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +48,25 @@ pub struct Triad {
     /// Whether an output has been beyond the range since the flag was taken.
     saturated: bool,
 }
+
+stored!(Triad {
+    size_effect,
+    bandwidth,
+    gauss_markov,
+    flicker,
+    rate_random_walk,
+    ramp,
+    random_walk,
+    quantization,
+    dt: 1e3,
+} rebuilt {
+    sensor, linear, asymmetry, quadratic, g_sensitivity, bias, dead_zone, range, plan, saturated,
+} then |triad, _| {
+    if triad.dt > 0.0 {
+        triad.set_interval(triad.dt);
+    }
+    Ok(())
+});
 
 impl Triad {
     /// An ideal triad whose random effects, if ever switched on, draw from the streams of `key`.

@@ -4,21 +4,27 @@ use core::convert::Infallible;
 
 use rand::TryRng;
 
+use crate::error::Rule;
+use crate::math::{SPLIT_MIX_STEP, mix};
+use crate::snapshot::{ANY, stored};
+
 /// xoshiro256++ 1.0 (Blackman and Vigna 2019): the same numbers on every machine and in every release, and a state that a
 /// snapshot can keep, which `rand_xoshiro` does not show.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Xoshiro256PlusPlus {
     /// Not all zero: from there the generator never moves.
-    pub state: [u64; 4],
+    state: [u64; 4],
 }
 
-/// Increment of SplitMix64: 2^64 over the golden ratio.
-const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+stored!(Xoshiro256PlusPlus { state: ANY } then |generator, from| match generator.state {
+    [0, 0, 0, 0] => Err(from.refused(0.0, Rule::Words("is a state that the generator never has"))),
+    _ => Ok(()),
+});
 
 impl Xoshiro256PlusPlus {
     /// The state that the authors recommend for a seed of one word: four numbers of SplitMix64.
     pub fn seeded(seed: u64) -> Self {
-        Self { state: [0, 1, 2, 3].map(|k: u64| mix(seed.wrapping_add(k.wrapping_mul(GOLDEN)))) }
+        Self { state: [0, 1, 2, 3].map(|k: u64| mix(seed.wrapping_add(k.wrapping_mul(SPLIT_MIX_STEP)))) }
     }
 
     #[inline]
@@ -57,14 +63,6 @@ impl TryRng for Xoshiro256PlusPlus {
         }
         Ok(())
     }
-}
-
-/// Step and finalizer of SplitMix64 (Steele, Lea and Flood 2014): every bit of the input moves every bit of the output.
-pub(super) fn mix(x: u64) -> u64 {
-    let mut z = x.wrapping_add(GOLDEN);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
+mod snapshot;
+
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::start::{start_errors, with_errors};
@@ -13,10 +15,11 @@ use crate::errors::{
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
+use crate::snapshot::stored;
 use crate::truth::{Recent, TruthPoint};
 
 /// Ideal and measured signals of an interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ImuInterval {
     /// Time of its end [s].
     pub time_s: f64,
@@ -30,13 +33,17 @@ pub struct ImuInterval {
     pub saturation: Saturation,
 }
 
+stored!(ImuInterval { time_s: 1e12, interval_s: 1e3, ideal, measured, saturation });
+
 /// The interval flown last.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct LastInterval {
-    time_s: f64,
-    interval_s: f64,
-    sensors_were_ideal: bool,
-    saturation: Saturation,
+enum LastInterval {
+    /// There is none.
+    None,
+    /// It left its increments in the chain.
+    Flown { time_s: f64, interval_s: f64, sensors_were_ideal: bool, saturation: Saturation },
+    /// A snapshot keeps the sums alone.
+    Loaded(ImuInterval),
 }
 
 /// The chain in flight.
@@ -48,7 +55,7 @@ pub(super) struct Chain {
     /// Ideal increments of the last interval, and measured ones unless the sensors were ideal.
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
-    last: Option<LastInterval>,
+    last: LastInterval,
     mechanization: Mechanization,
     error_model: Option<ErrorModel>,
     accuracy: Accuracy,
@@ -70,26 +77,37 @@ impl Chain {
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
-        let errs = start != StartErrors::NONE;
+        Ok(Self::new(options, earth, first, &start, mechanization, start != StartErrors::NONE))
+    }
+
+    /// A chain at the truth `first` whose navigator is `mechanization`, off the truth by `start`.
+    fn new(
+        options: &Options,
+        earth: Earth,
+        first: &TruthPoint,
+        start: &StartErrors,
+        mechanization: Mechanization,
+        with_shadow: bool,
+    ) -> Self {
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
             let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &first.state);
-            ClosedLoop::new(time_constant_s, first.time_s, errs.then(at_truth))
+            ClosedLoop::new(time_constant_s, first.time_s, with_shadow.then(at_truth))
         });
-        let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, &start));
-        Ok(Self {
+        let error_model = options.error_model.then(|| ErrorModel::new(earth, options.frame, first, start));
+        Self {
             options: *options,
             earth,
             generator: SignalGenerator::new(earth.rate_rad_s),
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
-            last: None,
+            last: LastInterval::None,
             mechanization,
             error_model,
             accuracy: Accuracy::new(first.time_s),
             intervals: 0,
             closure: Closure::new(),
             closed_loop,
-        })
+        }
     }
 
     /// Flies the interval that `recent` ends; on an error nothing has changed.
@@ -153,7 +171,8 @@ impl Chain {
             saturation = sensors.sense(ideal, t / count as f64, measured);
             &*measured
         };
-        self.last = Some(LastInterval { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation });
+        self.last =
+            LastInterval::Flown { time_s: next.time_s, interval_s: t, sensors_were_ideal, saturation };
 
         // Mechanization, and the error-free one beside it.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
@@ -204,13 +223,19 @@ impl Chain {
 
     pub fn ideal_increments(&self) -> &[Increment] {
         match self.last {
-            Some(_) => &self.ideal[..self.increments()],
-            None => &[],
+            LastInterval::Flown { .. } => &self.ideal[..self.increments()],
+            LastInterval::None | LastInterval::Loaded(_) => &[],
         }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let LastInterval { time_s, interval_s, sensors_were_ideal, saturation } = self.last?;
+        let (time_s, interval_s, sensors_were_ideal, saturation) = match self.last {
+            LastInterval::None => return None,
+            LastInterval::Loaded(imu) => return Some(imu),
+            LastInterval::Flown { time_s, interval_s, sensors_were_ideal, saturation } => {
+                (time_s, interval_s, sensors_were_ideal, saturation)
+            }
+        };
         let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
         Some(ImuInterval {
             time_s,

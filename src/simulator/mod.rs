@@ -5,6 +5,7 @@ mod closed_loop;
 mod closure;
 mod navigator;
 mod options;
+mod snapshot;
 mod solution;
 mod start;
 mod suite;

@@ -1,10 +1,12 @@
 //! The sensors of a simulator and what the host set of them.
 
 use super::Options;
+use crate::error::Error;
 use crate::sensors::{
     Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, Triad, TriadParameters,
 };
 use crate::signal::Increment;
+use crate::snapshot::{Reader, Stored, Writer, stored};
 
 /// Which outputs were beyond their range in an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -14,6 +16,8 @@ pub struct Saturation {
     /// An accelerometer.
     pub accel: bool,
 }
+
+stored!(Saturation { gyro, accel });
 
 /// Sensor models and what the host set of them.
 #[derive(Debug, Clone)]
@@ -26,6 +30,48 @@ pub(super) struct SensorSuite {
     accel_parameters: TriadParameters,
     is_tame: bool,
     altimeter_parameters: AltimeterParameters,
+}
+
+/// The parameters first: they are set again, and the state of what they call for is laid over that.
+impl Stored for SensorSuite {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self {
+            gyro,
+            accel,
+            altimeter,
+            initial,
+            gyro_parameters,
+            accel_parameters,
+            is_tame: _,
+            altimeter_parameters,
+        } = self;
+        gyro_parameters.save(to);
+        accel_parameters.save(to);
+        altimeter_parameters.save(to);
+        initial.save(to);
+        gyro.save(to);
+        accel.save(to);
+        altimeter.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        let mut triad = TriadParameters::default();
+        triad.load(from)?;
+        triad.validate(Sensor::Gyro)?;
+        self.set_gyro(&triad);
+        triad.load(from)?;
+        triad.validate(Sensor::Accelerometer)?;
+        self.set_accel(&triad);
+        let mut altimeter = AltimeterParameters::default();
+        altimeter.load(from)?;
+        altimeter.validate()?;
+        self.set_altimeter(&altimeter);
+        self.initial.load(from)?;
+        self.initial.validate()?;
+        self.gyro.load(from)?;
+        self.accel.load(from)?;
+        self.altimeter.load(from)
+    }
 }
 
 impl SensorSuite {

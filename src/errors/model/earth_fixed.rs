@@ -7,6 +7,7 @@ use super::{SensorErrors, StartErrors};
 use crate::earth::Earth;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::IntervalMotion;
+use crate::snapshot::{ANY, stored};
 use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity
@@ -18,6 +19,8 @@ pub(super) struct EarthFixedForm {
     dv: Vector3<f64>,
     dr: Vector3<f64>,
 }
+
+stored!(EarthFixedForm { psi: ANY, dv: ANY, dr: ANY });
 
 impl EarthFixedForm {
     pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StartErrors) -> Self {

@@ -15,6 +15,7 @@ use crate::earth::Earth;
 use crate::math::{Pair, VectorPair, euler_from_attitude, rotation_quaternion, wrap_angle};
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::signal::{Increment, IntervalMotion};
+use crate::snapshot::{stored, variants};
 use crate::state::{BodyAxes, Navigation};
 use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
@@ -98,6 +99,8 @@ enum Form {
     Geographic(GeographicForm),
 }
 
+variants!(Form { EarthFixed, Geographic });
+
 /// The linear error model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorModel {
@@ -105,6 +108,8 @@ pub struct ErrorModel {
     form: Form,
     vertical: VerticalLoop,
 }
+
+stored!(ErrorModel { form, vertical } rebuilt { earth });
 
 impl ErrorModel {
     /// Starts at the true state `truth` with the errors `start`, in the form that belongs to `frame`.
