@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 17] = [
     "version",
     "failure",
     "options",
@@ -23,6 +23,7 @@ const SOURCES: [&str; 16] = [
     "accuracy",
     "record",
     "navigator",
+    "snapshot",
     "preset",
     "manoeuvre",
     "flight",

@@ -32,4 +32,7 @@ else
     for what in simulation2 ideal free; do
         echo "$what: $(per_step 10000 20000 $what) instructions a step"
     done
+    for what in save load; do
+        echo "$what: $(per_step 100 1100 $what) instructions a snapshot of simulation 2"
+    done
 fi

@@ -45,6 +45,11 @@ fn any_call_pattern_gives_the_same_bits() {
 }
 
 #[test]
+fn a_snapshot_goes_on_to_the_same_bits_in_any_handle() {
+    run_test_program("snapshot");
+}
+
+#[test]
 fn threads_are_serialised_by_handle() {
     run_test_program("threads");
 }

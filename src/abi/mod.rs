@@ -30,6 +30,7 @@ mod run;
 mod sample;
 mod sensors;
 mod simulator;
+mod snapshot;
 mod solution;
 mod version;
 
@@ -47,5 +48,6 @@ pub use run::sins_run;
 pub use sample::*;
 pub use sensors::*;
 pub use simulator::*;
+pub use snapshot::*;
 pub use solution::*;
 pub use version::*;

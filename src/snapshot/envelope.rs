@@ -1,7 +1,7 @@
 //! What stands before the words of a snapshot: whose it is, which version, how long, and whether it is whole.
 
 use crate::error::{Error, ErrorKind, Rule};
-use crate::math::mix;
+use crate::math::{SPLIT_MIX_STEP, mix};
 
 /// Version of the format that this library writes, the only one so far.
 pub const FORMAT_VERSION: u32 = 1;
@@ -59,21 +59,24 @@ pub(super) fn open(snapshot: &[u8]) -> Result<&[u8], Error> {
     Ok(&snapshot[HEADER_BYTES..])
 }
 
-/// Hash of all bytes but its own, eight at a time, the last ones filled up with zeros. For a given hash before, the one after is
-/// one to one with the word, and the other way round: no change within a single word is lost.
+/// A word into the hash: both halves of a long product, so that each bit of either moves all bits of the result.
+#[inline]
+fn folded(hash: u64, word: u64) -> u64 {
+    let product = u128::from(hash ^ word) * u128::from(SPLIT_MIX_STEP);
+    (product >> 64) as u64 ^ product as u64
+}
+
+/// Hash of all bytes but its own, eight at a time, the last ones filled up with zeros.
 fn checksum(snapshot: &[u8]) -> u64 {
-    let (before, after) = (&snapshot[..CHECKSUM.start], &snapshot[CHECKSUM.end..]);
-    let mut hash = 0;
-    for part in [before, after] {
-        let (words, rest) = part.as_chunks::<8>();
-        hash = words.iter().fold(hash, |hash, word| mix(hash ^ u64::from_le_bytes(*word)));
-        if !rest.is_empty() {
-            let mut last = [0; 8];
-            last[..rest.len()].copy_from_slice(rest);
-            hash = mix(hash ^ u64::from_le_bytes(last));
-        }
+    let mut hash = SPLIT_MIX_STEP;
+    for part in [&snapshot[..CHECKSUM.start], &snapshot[CHECKSUM.end..]] {
+        let (words, rest) = part.as_chunks();
+        hash = words.iter().fold(hash, |hash, word| folded(hash, u64::from_le_bytes(*word)));
+        let mut last = [0; 8];
+        last[..rest.len()].copy_from_slice(rest);
+        hash = folded(hash, u64::from_le_bytes(last));
     }
-    hash
+    mix(hash)
 }
 
 #[cfg(test)]

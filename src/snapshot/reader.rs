@@ -1,15 +1,15 @@
 //! Bytes back to words.
 
 use super::envelope::open;
-use super::writer::GROUP;
+use super::writer::{BYTE, GROUP, NOTHING, WHOLE};
 use crate::error::{Error, ErrorKind, Rule};
 
 /// Reads a snapshot.
 pub(crate) struct Reader<'a> {
     rest: &'a [u8],
-    /// Of the words to come, lowest bit first.
-    flags: u8,
-    /// Words that these flags are still for.
+    /// Of the words to come, lowest bits first.
+    sizes: u16,
+    /// Words that these sizes are still for.
     left: usize,
     /// What is being read, for messages.
     field: &'static str,
@@ -18,7 +18,7 @@ pub(crate) struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// Of a snapshot with a good header.
     pub fn new(snapshot: &'a [u8]) -> Result<Self, Error> {
-        Ok(Self { rest: open(snapshot)?, flags: 0, left: 0, field: "" })
+        Ok(Self { rest: open(snapshot)?, sizes: 0, left: 0, field: "" })
     }
 
     /// What is read next, by its name in messages.
@@ -28,21 +28,27 @@ impl<'a> Reader<'a> {
 
     pub fn word(&mut self) -> Result<u64, Error> {
         if self.left == 0 {
-            let Some((&flags, rest)) = self.rest.split_first() else { return Err(self.ended()) };
-            (self.flags, self.rest, self.left) = (flags, rest, GROUP);
+            (self.sizes, self.left) = (u16::from_le_bytes(self.bytes()?), GROUP);
         }
-        let is_there = self.flags & 1 != 0;
-        self.flags >>= 1;
+        let size = self.sizes & 3;
+        self.sizes >>= 2;
         self.left -= 1;
-        if !is_there {
-            return Ok(0);
+        let (word, smallest) = match size {
+            NOTHING => (0, 0),
+            BYTE => (u64::from(u8::from_le_bytes(self.bytes()?)), 1),
+            WHOLE => (u64::from_le_bytes(self.bytes()?), 256),
+            _ => return Err(self.refused(f64::from(size), Rule::Words("is no size of a word"))),
+        };
+        if word < smallest {
+            return Err(self.refused(word as f64, Rule::Words("takes more bytes than it needs")));
         }
+        Ok(word)
+    }
+
+    fn bytes<const N: usize>(&mut self) -> Result<[u8; N], Error> {
         let Some((bytes, rest)) = self.rest.split_first_chunk() else { return Err(self.ended()) };
         self.rest = rest;
-        match u64::from_le_bytes(*bytes) {
-            0 => Err(self.refused(0.0, Rule::Words("a zero is written as none"))),
-            word => Ok(word),
-        }
+        Ok(*bytes)
     }
 
     /// A count from 0 to `most`.
@@ -60,7 +66,7 @@ impl<'a> Reader<'a> {
 
     /// The end: nothing may be left.
     pub fn finish(self) -> Result<(), Error> {
-        if self.rest.is_empty() && self.flags == 0 {
+        if self.rest.is_empty() && self.sizes == 0 {
             return Ok(());
         }
         let rule = Rule::Words("must be 0: the snapshot goes on behind its end");

@@ -83,6 +83,9 @@ static void handles(void)
         CHECK(sins_push_imu(sim, &increment) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_reposition(sim, &sample) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_reset(sim) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_snapshot_size(sim, &needed) == SINS_ERROR_BAD_HANDLE && needed == 77);
+        CHECK(sins_snapshot_save(sim, text, sizeof text, &written) == SINS_ERROR_BAD_HANDLE && written == 77);
+        CHECK(sins_snapshot_load(sim, text, sizeof text) == SINS_ERROR_BAD_HANDLE);
         if (i != NULL_HANDLE) {
             CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_ERROR_BAD_HANDLE);
             CHECK(needed == 77 && strcmp(text, "before") == 0);
@@ -130,6 +133,9 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_start_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_push_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_reposition(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_snapshot_size(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_snapshot_save(sim, NULL, 10000, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_snapshot_load(sim, NULL, 0) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_flight_create(NULL, &rest, 1, &made) == SINS_ERROR_NULL_POINTER);

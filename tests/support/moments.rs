@@ -231,7 +231,12 @@ pub fn runs() -> Vec<Run> {
         calls.extend(burst.iter().map(|sample| Call::Push(*sample)));
         calls.extend((0..18).map(|_| Call::Step));
     }
-    runs.push(Run { name: "bursts", options: Options { frame: Frame::Geographic, ..model }, calls, every: 1 });
+    runs.push(Run {
+        name: "bursts",
+        options: Options { frame: Frame::Geographic, ..model },
+        calls,
+        every: 1,
+    });
 
     // Repositioned, reset, refused; samples left in the queue at both.
     let mut calls = setting();
