@@ -14,10 +14,6 @@ fn fly(simulator: &mut Simulator, samples: &[FlightSample]) {
     }
 }
 
-fn position_error_m(simulator: &Simulator) -> f64 {
-    simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1.position_n.norm()
-}
-
 /// Whatever a host does while it is paused: steps without samples, the last sample again, a stamp of an hour later. Then the
 /// flight goes on as if there had been no pause.
 #[test]
@@ -65,52 +61,38 @@ fn stamps_that_ran_on_are_a_reposition() {
     assert_eq!(simulator.navigation().unwrap().unwrap().time_s, at(2, 0.0).time_s);
 }
 
-/// An hour at rest with the time running at 1, 10 and 100 times its pace, by turns: rounding alone is left, 1 ulp of 6.4e6 m for each
-/// of the 36 changes of pace.
-#[test]
-fn at_rest_no_pace_leaves_anything() {
-    let mut simulator = Simulator::new(&Options {
-        vertical: sins::mechanization::VerticalMode::FollowTruth,
-        ..Options::default()
-    })
-    .unwrap();
-    let mut time_s = 0.0;
-    let mut pace = [0.02, 0.2, 2.0].iter().cycle();
-    while time_s < 3600.0 {
-        let interval_s = pace.next().unwrap();
-        for _ in 0..50 {
-            simulator.push_sample(&resting_sample(time_s)).unwrap();
-            simulator.step().unwrap();
-            time_s += interval_s;
+/// Largest position errors [m] over three thirds of a flight of samples 0.02 s apart, of which those are pushed that `is_sampled`
+/// says.
+fn largest_errors_m(sample: &dyn Fn(i32) -> FlightSample, is_sampled: &dyn Fn(i32) -> bool) -> [f64; 3] {
+    let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
+    let mut largest = [0.0_f64; 3];
+    for step in (0..=45_000).filter(|&step| is_sampled(step)) {
+        simulator.push_sample(&sample(step)).unwrap();
+        if simulator.step().unwrap() == Step::Done {
+            let third = &mut largest[((step - 1) / 15_000) as usize];
+            let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
+            *third = third.max(errors.position_n.norm());
         }
     }
-    let error = position_error_m(&simulator);
-    println!("at rest: {error:e} m");
-    assert!(error < 36.0 * f64::EPSILON * 6.4e6, "{error:e} m");
+    largest
 }
 
-/// Ten times the pace in the middle third of a flight. What is left is no more than what the whole flight at that pace leaves,
-/// and with the pace taken back it grows no further than the flight at full rate does.
+/// Ten and a hundred times the pace in the middle third of a quarter of an hour, in flight and at rest. What it leaves is no more
+/// than what a whole flight at that pace leaves, there and after it: each interval adds its own error, the slower ones more.
 #[test]
-fn ten_times_the_pace_costs_what_the_slower_rate_costs() {
+fn a_faster_pace_costs_what_the_slower_rate_costs() {
     let flight = patrol(1500.0);
-    let sample = |step: i32| flight.sample_at(300.0 + 0.02 * f64::from(step)).unwrap();
-    let largest = |is_sampled: &dyn Fn(i32) -> bool| {
-        let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
-        let mut largest = [0.0_f64; 3];
-        for step in (0..=45_000).filter(|&step| is_sampled(step)) {
-            simulator.push_sample(&sample(step)).unwrap();
-            if simulator.step().unwrap() == Step::Done {
-                let third = &mut largest[((step - 1) / 15_000) as usize];
-                *third = third.max(position_error_m(&simulator));
-            }
-        }
-        largest
-    };
-    let full = largest(&|_| true);
-    let slow = largest(&|step| step % 10 == 0);
-    let mixed = largest(&|step| step % 10 == 0 || !(15_000..30_000).contains(&step));
-    println!("largest errors [m]: full rate {full:?}, a tenth {slow:?}, in the middle third {mixed:?}");
-    assert_eq!(mixed[0], full[0]);
-    assert!(mixed[1] <= slow[1] + full[1] && mixed[2] <= slow[2] + full[2]);
+    let flown = |step: i32| flight.sample_at(300.0 + 0.02 * f64::from(step)).unwrap();
+    let at_rest = |step: i32| resting_sample(0.02 * f64::from(step));
+    let scenes: [(&dyn Fn(i32) -> FlightSample, i32); 3] = [(&flown, 10), (&at_rest, 10), (&at_rest, 100)];
+    for (sample, pace) in scenes {
+        let full = largest_errors_m(sample, &|_| true);
+        let slow = largest_errors_m(sample, &|step| step % pace == 0);
+        let mixed = largest_errors_m(sample, &|step| step % pace == 0 || !(15_000..30_000).contains(&step));
+        println!(
+            "largest errors [m] at full rate {full:?}, {pace} times the pace {slow:?}, in between {mixed:?}"
+        );
+        assert_eq!(mixed[0], full[0]);
+        assert!(mixed[1] <= slow[1] + full[1] && mixed[2] <= slow[2] + full[2]);
+    }
 }

@@ -53,11 +53,11 @@ pub unsafe extern "C" fn sins_snapshot_save(
 
 /// Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
 /// fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
-/// what sins_snapshot_save() wrote. No allocation.
+/// what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
 ///
 /// SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
 /// sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
-/// where CHANGELOG does not say that the algorithms changed.
+/// where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_load(
     sim: *mut sins_sim,

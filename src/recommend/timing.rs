@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
-use super::piece::heap_simulator;
 use crate::error::Error;
 use crate::simulator::Options;
+use crate::simulator::heap_simulator;
 use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.

@@ -3,6 +3,7 @@
 mod chain;
 mod closed_loop;
 mod closure;
+mod heap;
 mod navigator;
 mod options;
 mod snapshot;
@@ -13,6 +14,7 @@ mod suite;
 pub use chain::ImuInterval;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
+pub(crate) use heap::{heap_simulator, room};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
 pub use suite::Saturation;

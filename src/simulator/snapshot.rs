@@ -3,6 +3,7 @@
 use nalgebra::{Quaternion, Vector3};
 
 use super::chain::Chain;
+use super::heap::heap_simulator;
 use super::navigator::Navigator;
 use super::{Mode, Options, Simulator};
 use crate::earth::Geodetic;
@@ -33,11 +34,18 @@ impl Simulator {
     }
 
     /// Becomes the simulator of a snapshot, options included, whatever this one was: the run goes on to the same bits. Only
-    /// [`Self::ideal_increments`] are empty until the next interval.
+    /// [`Self::ideal_increments`] are empty until the next interval. Allocates.
     ///
     /// [`ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
-        *self = Self::of_snapshot(snapshot).map_err(|error| Error { kind: ErrorKind::Snapshot, ..error })?;
+        let damaged = |error| Error { kind: ErrorKind::Snapshot, ..error };
+        let mut from = Reader::new(snapshot)?;
+        let mut options = Options::default();
+        options.load(&mut from).and_then(|()| options.validate()).map_err(damaged)?;
+        let mut memory = heap_simulator(&options)?;
+        let [loaded] = &mut *memory else { return Ok(()) };
+        loaded.read_snapshot(from).map_err(damaged)?;
+        core::mem::swap(self, loaded);
         Ok(())
     }
 
@@ -62,37 +70,35 @@ impl Simulator {
         to.finish()
     }
 
-    fn of_snapshot(snapshot: &[u8]) -> Result<Self, Error> {
-        let mut from = Reader::new(snapshot)?;
-        let mut options = Options::default();
-        options.load(&mut from)?;
-        let mut simulator = Self::new(&options)?;
-        simulator.sensors.load(&mut from)?;
-        simulator.intake.load(&mut from)?;
+    /// Takes the state over that stands behind the options, which this simulator was made with. Not inlined: its stack
+    /// is not needed while memory for the simulator is made.
+    #[inline(never)]
+    fn read_snapshot(&mut self, mut from: Reader<'_>) -> Result<(), Error> {
+        self.sensors.load(&mut from)?;
+        self.intake.load(&mut from)?;
+        let behind = self.intake.behind();
+        let flown = behind.iter().flatten().count();
         from.enter("snapshot: mode");
-        match from.count(NAVIGATING)? {
+        let mode = from.count(NAVIGATING)?;
+        let samples = if mode == NAVIGATING { flown + self.intake.waiting() } else { flown };
+        match mode {
             FLYING => {
-                let behind = simulator.intake.behind();
-                simulator.mode = Mode::Flying(Chain::load(&options, simulator.earth, &behind, &mut from)?);
+                self.mode = Mode::Flying(Chain::load(&self.options, self.earth, &behind, &mut from)?);
             }
-            mode => {
-                let behind = simulator.intake.behind().iter().flatten().count();
-                let kept = if mode == WAITING { behind } else { behind + simulator.intake.waiting() };
-                if kept > 0 {
-                    from.enter("snapshot: samples that were flown");
-                    return Err(from.refused(kept as f64, Rule::Words("must be none before the first step")));
-                }
-                if mode == NAVIGATING {
-                    let place = Geodetic::default();
-                    let upright = Quaternion::identity();
-                    let anywhere = Navigation::new(place, Vector3::zeros(), upright, options.axes);
-                    let mut navigator = Navigator::new(&options, simulator.earth, 0.0, &anywhere);
-                    navigator.load(&mut from)?;
-                    simulator.mode = Mode::Navigating(navigator);
-                }
+            _ if samples > 0 => {
+                from.enter("snapshot: samples that were flown");
+                return Err(from.refused(samples as f64, Rule::Words("must be none without a flight")));
             }
+            NAVIGATING => {
+                let upright = Quaternion::identity();
+                let anywhere =
+                    Navigation::new(Geodetic::default(), Vector3::zeros(), upright, self.options.axes);
+                let mut navigator = Navigator::new(&self.options, self.earth, 0.0, &anywhere);
+                navigator.load(&mut from)?;
+                self.mode = Mode::Navigating(navigator);
+            }
+            _ => {}
         }
-        from.finish()?;
-        Ok(simulator)
+        from.finish()
     }
 }
