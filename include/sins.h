@@ -35,7 +35,8 @@
  * Host time. The time of a run is that of its time stamps; no function looks at a clock (sins_recommend() times itself).
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
  *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition().
+ *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition(). A shorter gap is an interval that was
+ *     flown: take it off too if the vehicle stood still.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
  *     sample to the next and back. With sample_period_s stated, stamps skip periods. Each interval is integrated as one and
  *     has the noise of its length; accuracy is that of the slower sample rate as long as it lasts.
@@ -1091,7 +1092,7 @@ SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_im
 
 /*
  * The size that a snapshot has now: 1.7 KiB without sensor errors, up to 4 KiB with all there are, while each sample is flown
- * as it comes; 80 to 128 bytes more for each that waits. It changes with what is set and with the samples that wait.
+ * as it comes; 80 to 135 bytes more for each that waits. It changes with what is set and with the samples that wait.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 
@@ -1110,11 +1111,11 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 /*
  * Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
  * fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
- * what sins_snapshot_save() wrote. No allocation.
+ * what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
  *
  * SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
  * sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
- * where CHANGELOG does not say that the algorithms changed.
+ * where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 

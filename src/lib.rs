@@ -29,7 +29,7 @@
 //! ```
 //!
 //! Each block is a module, each arrow a type; [`earth`] (ellipsoid, gravity) and [`math`] serve them all, [`flight`] makes
-//! samples from manoeuvres, `simulator` puts the blocks together.
+//! samples from manoeuvres, `simulator` puts the blocks together, [`snapshot`] keeps the state of all of them.
 //!
 //! # Notation
 //!
@@ -66,6 +66,8 @@
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
+//! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
+//! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |

@@ -35,7 +35,8 @@
  * Host time. The time of a run is that of its time stamps; no function looks at a clock (sins_recommend() times itself).
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
  *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition().
+ *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition(). A shorter gap is an interval that was
+ *     flown: take it off too if the vehicle stood still.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
  *     sample to the next and back. With sample_period_s stated, stamps skip periods. Each interval is integrated as one and
  *     has the noise of its length; accuracy is that of the slower sample rate as long as it lasts.

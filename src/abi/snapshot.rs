@@ -10,7 +10,7 @@ use super::simulator::{sins_sim, with_simulator};
 pub const SINS_SNAPSHOT_MAX_SIZE: usize = 8192;
 
 /// The size that a snapshot has now: 1.7 KiB without sensor errors, up to 4 KiB with all there are, while each sample is flown
-/// as it comes; 80 to 128 bytes more for each that waits. It changes with what is set and with the samples that wait.
+/// as it comes; 80 to 135 bytes more for each that waits. It changes with what is set and with the samples that wait.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {
