@@ -4,6 +4,7 @@ mod snapshot;
 
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
+use super::interval::{ImuInterval, LastInterval};
 use super::start::{start_errors, with_errors};
 use super::{ErrorSource, Options, Saturation, SensorSuite, Solution, singular};
 use crate::earth::Earth;
@@ -15,36 +16,7 @@ use crate::errors::{
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
-use crate::snapshot::stored;
 use crate::truth::{Recent, TruthPoint};
-
-/// Ideal and measured signals of an interval.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ImuInterval {
-    /// Time of its end [s].
-    pub time_s: f64,
-    /// Its length [s].
-    pub interval_s: f64,
-    /// What perfect sensors give.
-    pub ideal: Increment,
-    /// What the modelled sensors give.
-    pub measured: Increment,
-    /// Whether some of that was beyond their range.
-    pub saturation: Saturation,
-}
-
-stored!(ImuInterval { time_s: 1e12, interval_s: 1e3, ideal, measured, saturation });
-
-/// The interval flown last.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum LastInterval {
-    /// There is none.
-    None,
-    /// It left its increments in the chain.
-    Flown { time_s: f64, interval_s: f64, sensors_were_ideal: bool, saturation: Saturation },
-    /// A snapshot keeps the sums alone.
-    Loaded(ImuInterval),
-}
 
 /// The chain in flight.
 #[derive(Debug, Clone)]

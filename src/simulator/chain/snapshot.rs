@@ -1,11 +1,12 @@
 //! What a snapshot keeps of the chain.
 
-use super::{Chain, ImuInterval, LastInterval};
+use super::Chain;
 use crate::earth::Earth;
 use crate::error::{Error, Rule};
 use crate::errors::StartErrors;
 use crate::mechanization::Mechanization;
 use crate::simulator::Options;
+use crate::simulator::interval::{ImuInterval, LastInterval};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::truth::TruthPoint;
 
