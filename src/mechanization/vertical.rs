@@ -51,7 +51,7 @@ pub struct VerticalLoop {
     gains: [f64; 3],
 }
 
-stored!(VerticalLoop { bias_m_s2: 1e6, t: 1e3 } rebuilt { gains } then |channel, _| {
+stored!(VerticalLoop { bias_m_s2: 1e15, t: 1e3 } rebuilt { gains } then |channel, _| {
     if channel.t > 0.0 {
         channel.set_interval(channel.t);
     }

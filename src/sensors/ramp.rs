@@ -14,7 +14,7 @@ pub(super) struct Ramp {
     value: Vector3<f64>,
 }
 
-stored!(Ramp { value: 1e13 } rebuilt { slope });
+stored!(Ramp { value: 1e15 } rebuilt { slope });
 
 impl Ramp {
     pub fn new() -> Self {

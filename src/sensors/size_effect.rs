@@ -34,7 +34,7 @@ struct Past {
     mean: Vector3<f64>,
 }
 
-stored!(SizeEffect { past, rate: 1e12 } rebuilt { arms });
+stored!(SizeEffect { past, rate: 1e18 } rebuilt { arms });
 stored!(Past { dt: 1e3, mean: 1e12 });
 
 impl SizeEffect {

@@ -30,7 +30,7 @@ pub(super) struct Derivatives {
     pub omega_ib_b: Vector3<f64>,
 }
 
-stored!(Derivatives { a_e: 1e12, omega_ib_b: 1e12 });
+stored!(Derivatives { a_e: 1e18, omega_ib_b: 1e18 });
 
 /// Another sample, seen from the one where derivatives are wanted.
 #[derive(Debug, Clone, Copy)]
