@@ -11,7 +11,7 @@
 //! that is zero and left out, 1 for one below 256, of which a byte follows, 2 for one that follows whole. So what is off costs
 //! two bits. Numbers are their IEEE 754 bits.
 //! Behind the header stand the options, the sensors' parameters and state, the samples, and the chain, each part in the
-//! order in which its [`stored!`] names the fields. What follows from something else is not stored but made again.
+//! order in which its `stored!` names the fields. What follows from something else is not stored but made again.
 //!
 //! Checked is everything: the header, each number against a limit, options, parameters and samples as if the host had given
 //! them. An alteration is missed once in 2^64 times; forged bytes with the right checksum are refused too, or are the state of
