@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 23] = [
     "version",
     "failure",
     "options",
@@ -28,6 +28,7 @@ const SOURCES: [&str; 22] = [
     "accuracy",
     "record",
     "navigator",
+    "snapshot",
     "preset",
     "manoeuvre",
     "flight",

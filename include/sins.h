@@ -33,6 +33,16 @@
  * Real time. Push, step, run and the reads make no allocation and no system call. (If the library was loaded at run time, the
  *   loader allocates in the first call of each thread: make one before the frame.) The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
+ * Host time. The time of a run is that of its time stamps; no function looks at a clock (sins_recommend() times itself).
+ *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
+ *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
+ *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition(). A shorter gap is an interval that was
+ *     flown: take it off too if the vehicle stood still.
+ *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
+ *     sample to the next and back. With sample_period_s stated, stamps skip periods. Each interval is integrated as one and
+ *     has the noise of its length; accuracy is that of the slower sample rate as long as it lasts.
+ *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
+ *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one
  *   leaves every other draw as it was.
@@ -280,6 +290,9 @@ typedef struct sins_flight sins_flight;
 #define SINS_IMU_GYRO_INVALID 4
 /* An accelerometer had none. */
 #define SINS_IMU_ACCEL_INVALID 8
+
+/* A buffer of this size holds every snapshot that this release saves. */
+#define SINS_SNAPSHOT_MAX_SIZE 8192
 
 /*
  * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
@@ -1223,13 +1236,18 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
  * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
- * errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped.
+ * errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump
+ * too, forward or back: the run goes on from the sample's time stamp. What is read until the next step is that of the sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
-/* Back to before the first sample: same parameters, seed and draws, no failures. */
+/*
+ * Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that the same
+ * samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
+ * flight, see sins_snapshot_save().
+ */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
 /*
@@ -1379,6 +1397,35 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step().
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
+
+/*
+ * The size that a snapshot has now: 1.7 KiB without sensor errors, up to 4 KiB with all there are, while each sample is flown
+ * as it comes; 80 to 135 bytes more for each that waits. It changes with what is set and with the samples that wait.
+ */
+SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
+
+/*
+ * Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
+ * stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
+ * keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+ *
+ * Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR it is the last
+ * good solution that is saved, after SINS_ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are as they were.
+ */
+SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, size_t capacity, size_t *written);
+
+/*
+ * Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
+ * fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
+ * what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
+ * sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
+ * where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+ */
+SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
  * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases that a source gives as a standard deviation are drawn at

@@ -289,6 +289,31 @@ public:
     void start_navigation(const sins_navigation &navigation) { done(sins_start_navigation(sim_, &navigation)); }
     void push_imu(const sins_imu_increment &increment) { done(sins_push_imu(sim_, &increment)); }
 
+    std::size_t snapshot_size() const
+    {
+        std::size_t size = 0;
+        done(sins_snapshot_size(sim_, &size));
+        return size;
+    }
+
+    /* The bytes written. */
+    std::size_t snapshot_save(void *buffer, std::size_t capacity) const
+    {
+        std::size_t written = 0;
+        done(sins_snapshot_save(sim_, buffer, capacity, &written));
+        return written;
+    }
+
+    std::vector<unsigned char> snapshot_save() const
+    {
+        std::vector<unsigned char> bytes(snapshot_size());
+        bytes.resize(snapshot_save(bytes.data(), bytes.size()));
+        return bytes;
+    }
+
+    void snapshot_load(const void *snapshot, std::size_t size) { done(sins_snapshot_load(sim_, snapshot, size)); }
+    void snapshot_load(const std::vector<unsigned char> &snapshot) { snapshot_load(snapshot.data(), snapshot.size()); }
+
 private:
     bool done(sins_status status) const { return detail::done(status, sim_); }
 

@@ -21,6 +21,10 @@ pub enum ErrorKind {
     Singular,
     /// No memory for what was asked.
     OutOfMemory,
+    /// A snapshot that is damaged, foreign or newer.
+    Snapshot,
+    /// No room for what was asked.
+    BufferTooSmall,
 }
 
 /// The limit that a value has to keep.

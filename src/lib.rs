@@ -32,7 +32,7 @@
 //! ```
 //!
 //! Each block is a module, each arrow a type; [`earth`] (ellipsoid, gravity) and [`math`] serve them all, [`flight`] makes
-//! samples from manoeuvres, `simulator` puts the blocks together.
+//! samples from manoeuvres, `simulator` puts the blocks together, [`snapshot`] keeps the state of all of them.
 //!
 //! # Notation
 //!
@@ -74,6 +74,8 @@
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | nothing that a host does hurts the library, nor the library the host | `tests/host_machine.rs` and the table of `tests/README.md` |
+//! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
+//! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
@@ -150,6 +152,8 @@ pub mod sensors;
 pub mod signal;
 #[forbid(unsafe_code)]
 mod simulator;
+#[forbid(unsafe_code)]
+pub mod snapshot;
 #[forbid(unsafe_code)]
 pub mod state;
 #[forbid(unsafe_code)]

@@ -5,6 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::math::{Euler, euler_from_attitude, rotate, rotate_inverse, wrap_angle};
+use crate::snapshot::codes;
 
 /// Distance from the Earth's axis [m] below which longitude, heading, east and north turn fast: at a pole they are undefined.
 pub const NEAR_POLE_M: f64 = 20e3;
@@ -18,6 +19,8 @@ pub enum BodyAxes {
     /// x forward, y right, z down: the aerospace convention.
     ForwardRightDown,
 }
+
+codes!(BodyAxes { RightForwardUp = 0, ForwardRightDown = 1 });
 
 impl BodyAxes {
     /// Attitude of the sensor axes for the attitude `q` of the axes right-forward-up; its own inverse, as the two

@@ -36,6 +36,11 @@ fn any_call_pattern_gives_the_same_bits() {
 }
 
 #[test]
+fn a_snapshot_goes_on_to_the_same_bits_in_any_handle() {
+    run_test_program("snapshot");
+}
+
+#[test]
 fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
     run_test_program("recommend");
 }

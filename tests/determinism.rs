@@ -1,4 +1,4 @@
-//! Same inputs, same bits: on every platform (pinned digests), by any call pattern, again after a reset.
+//! Same inputs, same bits: on every platform (pinned digests), by any call pattern, again after a reset, from a snapshot.
 
 mod support;
 
@@ -9,7 +9,7 @@ use sins::sensors::{
 };
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator, Step};
-use support::{options_at, patrol};
+use support::{options_at, patrol, project_file};
 
 /// Fowler, Noll and Vo's 64-bit hash of the bits of numbers.
 #[derive(Clone, Copy)]
@@ -112,6 +112,34 @@ fn digests_are_the_pinned_ones() {
     ]
     .map(|(frame, scheme)| format!("{:016x}", digest(&mut simulator(&options(frame, scheme)), &samples)));
     assert_eq!(found, PINNED);
+}
+
+const PINNED_REPLAY: &str = "1fd688c40bca6059";
+
+/// A snapshot that was saved in mid-flight, on whatever machine, with samples waiting: here it has the same bytes, and the rest of
+/// the run the same digest as if there had been none. `SINS_WRITE_SNAPSHOT=1 cargo test --test determinism` writes it anew.
+#[test]
+fn a_snapshot_of_another_machine_replays_to_the_pinned_digest() {
+    let samples = samples();
+    let (before, rest) = samples.split_at(3000);
+    let mut straight =
+        simulator(&Options { closed_loop_time_s: Some(30.0), ..options(Frame::EarthFixed, Scheme::Exact) });
+    digest(&mut straight, before);
+    let (waiting, rest) = rest.split_at(3);
+    waiting.iter().for_each(|sample| straight.push_sample(sample).unwrap());
+    let mut bytes = vec![0; straight.snapshot_size()];
+    straight.save_snapshot(&mut bytes).unwrap();
+
+    let path = project_file("tests/data/replay.snapshot");
+    if std::env::var_os("SINS_WRITE_SNAPSHOT").is_some() {
+        std::fs::write(&path, &bytes).unwrap();
+    }
+    let committed = std::fs::read(&path).unwrap();
+    assert!(committed == bytes, "tests/data/replay.snapshot is of another format or other algorithms");
+    let mut replay = Simulator::new(&Options::default()).unwrap();
+    replay.load_snapshot(&committed).unwrap();
+    assert_eq!(format!("{:016x}", digest(&mut replay, rest)), PINNED_REPLAY);
+    assert_eq!(format!("{:016x}", digest(&mut straight, rest)), PINNED_REPLAY);
 }
 
 /// Reads in between, a queue filled and emptied, one sample at a time: the same bits.

@@ -1,12 +1,13 @@
 //! Flies a number of steps, for an instruction counter: the difference between two numbers of steps is the cost of a step.
 //! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`; reads: simulation 2 with push, step, and read
-//! navigation and both errors, each a call; or SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed) by push and step of the Rust
-//! simulator.
+//! navigation and both errors, each a call; SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed) by push and step of the Rust
+//! simulator; or save | load: as many snapshots of simulation 2 in flight.
 
 mod c_scene;
 mod scene;
 
 use std::ptr::null_mut;
+use std::time::Instant;
 
 use sins::abi::*;
 use sins::mechanization::{Frame, Scheme};
@@ -23,15 +24,40 @@ fn main() {
     let count = arguments.get(2).and_then(|count| count.parse::<usize>().ok());
     match (what, options(what), count) {
         ("simulation2" | "reads" | "ideal" | "free", _, Some(count)) => run(what, count),
+        ("save" | "load", _, Some(count)) => snapshots(what == "load", count),
         (_, Some(options), Some(count)) => {
             let samples = scene::patrol(FEW_SAMPLES);
             push_and_step(&options, &samples[..=count.min(samples.len() - 1)]);
         }
         _ => {
-            eprintln!("usage: steps simulation2|reads|ideal|free|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT");
+            eprintln!(
+                "usage: steps simulation2|reads|ideal|free|save|load|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
+            );
             std::process::exit(2);
         }
     }
+}
+
+fn snapshots(load: bool, count: usize) {
+    let (gyro, accel) = sins::sensors::paper_simulation2();
+    let mut simulator = Simulator::new(&Options { error_model: true, ..Options::default() }).unwrap();
+    simulator.set_gyro(&gyro).unwrap();
+    simulator.set_accel(&accel).unwrap();
+    for sample in scene::patrol(100) {
+        simulator.push_sample(&sample).unwrap();
+        simulator.step().unwrap();
+    }
+    let mut bytes = vec![0; simulator.snapshot_size()];
+    simulator.save_snapshot(&mut bytes).unwrap();
+    let start = Instant::now();
+    for _ in 0..count {
+        if load {
+            simulator.load_snapshot(&bytes).unwrap();
+        } else {
+            simulator.save_snapshot(&mut bytes).unwrap();
+        }
+    }
+    println!("{} bytes, {:.2} us each", bytes.len(), start.elapsed().as_secs_f64() * 1e6 / count as f64);
 }
 
 /// The options that `what` spells.

@@ -115,6 +115,8 @@ impl From<Error> for Failure {
             ErrorKind::Diverged => SINS_ERROR_DIVERGED,
             ErrorKind::Singular => SINS_ERROR_SINGULAR,
             ErrorKind::OutOfMemory => SINS_ERROR_OUT_OF_MEMORY,
+            ErrorKind::Snapshot => SINS_ERROR_SNAPSHOT,
+            ErrorKind::BufferTooSmall => SINS_ERROR_BUFFER_TOO_SMALL,
         };
         Self { status, error, sample: None }
     }

@@ -194,6 +194,37 @@ pub(super) unsafe fn put<T: Copy>(pointer: *mut T, value: T, name: &'static str)
     Ok(())
 }
 
+/// Copies bytes to a place of the host.
+///
+/// # Safety
+/// `buffer` has `capacity` writable bytes.
+pub(super) unsafe fn put_bytes(bytes: &[u8], buffer: *mut u8, capacity: usize) -> Result<(), Failure> {
+    if bytes.len() > capacity {
+        return Err(Failure::buffer("capacity", capacity, bytes.len()));
+    }
+    // SAFETY: not more than there is room for; a local and the host's bytes do not overlap.
+    unsafe { core::ptr::copy_nonoverlapping(bytes.as_ptr(), buffer, bytes.len()) };
+    Ok(())
+}
+
+/// Bytes of the host.
+///
+/// # Safety
+/// `pointer` is null or has `size` readable bytes, which nobody writes while the slice lives.
+pub(super) unsafe fn bytes_of<'a>(
+    pointer: *const u8,
+    size: usize,
+    name: &'static str,
+) -> Result<&'a [u8], Failure> {
+    if pointer.is_null() {
+        return Err(Failure::null(name));
+    }
+    // No object is larger; a wrong size, as -1 for an error, stays a wrong size.
+    let size = size.min(isize::MAX as usize);
+    // SAFETY: not null, and of no larger size than an object can have.
+    Ok(unsafe { core::slice::from_raw_parts(pointer, size) })
+}
+
 /// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
 ///
 /// # Safety

@@ -38,6 +38,7 @@ mod run;
 mod sample;
 mod sensor_failure;
 mod simulator;
+mod snapshot;
 mod solution;
 mod version;
 
@@ -63,5 +64,6 @@ pub use run::sins_run;
 pub use sample::*;
 pub use sensor_failure::*;
 pub use simulator::*;
+pub use snapshot::*;
 pub use solution::*;
 pub use version::*;

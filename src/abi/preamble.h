@@ -33,6 +33,16 @@
  * Real time. Push, step, run and the reads make no allocation and no system call. (If the library was loaded at run time, the
  *   loader allocates in the first call of each thread: make one before the frame.) The library prints nothing, reads no
  *   environment and no file, and leaves the host's floating-point control state as it found it.
+ * Host time. The time of a run is that of its time stamps; no function looks at a clock (sins_recommend() times itself).
+ *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
+ *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
+ *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition(). A shorter gap is an interval that was
+ *     flown: take it off too if the vehicle stood still.
+ *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
+ *     sample to the next and back. With sample_period_s stated, stamps skip periods. Each interval is integrated as one and
+ *     has the noise of its length; accuracy is that of the slower sample rate as long as it lasts.
+ *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
+ *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one
  *   leaves every other draw as it was.

@@ -126,7 +126,8 @@ pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::erro
 }
 
 /// The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
-/// errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped.
+/// errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump
+/// too, forward or back: the run goes on from the sample's time stamp. What is read until the next step is that of the sample.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
@@ -142,7 +143,9 @@ pub unsafe extern "C" fn sins_reposition(
     })
 }
 
-/// Back to before the first sample: same parameters, seed and draws, no failures.
+/// Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that the same
+/// samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
+/// flight, see sins_snapshot_save().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -2,8 +2,9 @@
 
 use super::{Effect, ErrorParameters, Scene};
 use crate::error::Error;
-use crate::recommend::{heap_simulator, room, round_ns};
+use crate::recommend::round_ns;
 use crate::simulator::{Options, Simulator};
+use crate::simulator::{heap_simulator, room};
 
 /// Rounds, of which the fastest counts.
 const ROUNDS: usize = 61;

@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
 use crate::math::{atan2, hypot, sin_cos_each, two_product, two_sum};
+use crate::snapshot::{ANY, stored};
 
 /// A place by its geodetic coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -17,6 +18,8 @@ pub struct Geodetic {
     /// Height above the ellipsoid [m].
     pub height_m: f64,
 }
+
+stored!(Geodetic { latitude_rad: ANY, longitude_rad: ANY, height_m: ANY });
 
 /// The vertical at a place: the normal of the ellipsoid, free of latitude and longitude, and the height along it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +37,8 @@ pub struct VerticalTrack {
     centre_z: f64,
     centre_p: f64,
 }
+
+stored!(VerticalTrack { centre_z: 1e6, centre_p: 1e6 });
 
 /// Sine and cosine of a latitude; the solution of the meridian ellipse keeps to them, so that nothing is singular.
 #[derive(Debug, Clone, Copy)]

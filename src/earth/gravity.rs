@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::Earth;
+use crate::snapshot::codes;
 
 /// Which normal field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -13,6 +14,8 @@ pub enum GravityModel {
     /// Somigliana's formula on the ellipsoid with the second-order height term, along the ellipsoid normal.
     Somigliana,
 }
+
+codes!(GravityModel { Normal = 0, Somigliana = 1 });
 
 /// Constants of the field. E is the linear eccentricity, E² = a² e².
 #[derive(Debug, Clone, Copy, PartialEq)]

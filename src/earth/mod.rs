@@ -9,6 +9,7 @@ pub(crate) use geodetic::navigation_axes_from_half_angles;
 pub use geodetic::{Geodetic, Vertical, VerticalTrack, navigation_axes};
 pub use gravity::GravityModel;
 
+use crate::snapshot::codes;
 use gravity::NormalField;
 
 /// The reference ellipsoids.
@@ -24,6 +25,8 @@ pub enum Ellipsoid {
     /// Krassovsky 1940. It fixes a shape alone; Earth rate and gravitational constant are those of WGS-84.
     Krassovsky1940,
 }
+
+codes!(Ellipsoid { Wgs84 = 0, Cgcs2000 = 1, Grs80 = 2, Krassovsky1940 = 3 });
 
 /// An ellipsoid with its gravity field: what every block of the simulator knows of the Earth.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::NavigationErrors;
+use crate::snapshot::{ANY, COUNT, stored};
 
 /// R50 = 0.8326 √(mean RER²): half of the radial errors, circular normal distribution (√ln 2).
 pub const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
@@ -32,6 +33,16 @@ pub struct Accuracy {
     /// Σ 1, t, t², r, t r over the window for the straight line through the radial error.
     line: [f64; 5],
 }
+
+stored!(Accuracy {
+    start_s: 1e12,
+    next_s: 1e12,
+    samples: COUNT,
+    velocity_squares: ANY,
+    windowed: COUNT,
+    rate_squares: ANY,
+    line: ANY,
+});
 
 /// The figures.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,6 +2,7 @@
 //! where a transcendental function is called.
 
 mod compensated;
+mod mix;
 mod pair;
 mod rotation;
 mod sine;
@@ -9,6 +10,7 @@ mod stencil;
 mod transcendental;
 
 pub use compensated::{Compensated, two_product, two_sum};
+pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
 pub use rotation::{
     Euler, RotationSeries, attitude_from_euler, attitude_from_half_angles, axis_turn_increment,

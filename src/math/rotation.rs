@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 use super::pair::Pair;
 use super::sine::sin_cos_each;
 use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
+use crate::snapshot::{ANY, stored};
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
 /// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
@@ -218,6 +219,8 @@ pub struct Euler {
     /// Clockwise from true north, 0..2π.
     pub heading: f64,
 }
+
+stored!(Euler { roll: ANY, pitch: ANY, heading: ANY });
 
 /// `q_nb` of the aerospace sequence heading, pitch, roll: C = Rz(-heading) Rx(pitch) Ry(roll).
 pub fn attitude_from_euler(euler: &Euler) -> Quaternion<f64> {

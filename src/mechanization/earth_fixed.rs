@@ -3,9 +3,10 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, StateDifference, VerticalCorrection, renormalize};
+use super::{BodyMotion, StateDifference, VerticalCorrection, check_rotation, renormalize};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{Compensated, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix};
+use crate::snapshot::stored;
 use crate::state::EarthFixedState;
 
 /// Position, velocity and attitude in Earth-fixed axes.
@@ -21,6 +22,10 @@ pub struct EarthFixed {
     /// Up at the last observation of the vertical channel.
     up_e: Vector3<f64>,
 }
+
+stored!(EarthFixed { r_e: 1e9, v_e: 1e9, q_eb: 2.0, gravity_e: 1e3, track } rebuilt { up_e } then |state, from| {
+    check_rotation(&state.q_eb, from)
+});
 
 impl EarthFixed {
     /// Starts from `state`.

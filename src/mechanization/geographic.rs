@@ -2,9 +2,10 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, VerticalCorrection, renormalize};
+use super::{BodyMotion, VerticalCorrection, check_rotation, renormalize};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
+use crate::snapshot::stored;
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Latitude, longitude, height, velocity and attitude in east-north-up.
@@ -32,6 +33,8 @@ struct Moving {
     /// Of latitude and longitude [rad/s], of height [m/s]
     rate_of_place: Vector3<f64>,
 }
+
+stored!(Geographic { place: 1e9, v_n: 1e9, q_nb: 2.0, a_n: 1e9, turn2: 1e30 } then |state, from| check_rotation(&state.q_nb, from));
 
 /// What the navigation axes and the Earth do at a place.
 #[derive(Clone, Copy)]

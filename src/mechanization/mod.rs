@@ -19,6 +19,7 @@ use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{Compensated, relative_rotation, rotation_vector};
 use crate::signal::Increment;
+use crate::snapshot::{Reader, codes, stored, variants};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
 use geographic::Geographic;
@@ -45,6 +46,9 @@ pub enum Scheme {
     /// As `Exact`, with rate and force as polynomials through the subsamples.
     Polynomial,
 }
+
+codes!(Frame { EarthFixed = 0, Geographic = 1 });
+codes!(Scheme { Exact = 0, Paper = 1, Polynomial = 2 });
 
 /// What a solution has to stay within.
 struct Bounds {
@@ -87,6 +91,8 @@ enum Axes {
     Geographic(Geographic),
 }
 
+variants!(Axes { EarthFixed, Geographic });
+
 /// The navigator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mechanization {
@@ -95,6 +101,8 @@ pub struct Mechanization {
     axes: Axes,
     vertical: VerticalLoop,
 }
+
+stored!(Mechanization { axes, vertical } rebuilt { earth, scheme } then |navigator, _| navigator.check());
 
 impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
@@ -253,6 +261,15 @@ impl Mechanization {
             Axes::Geographic(state) => state.navigation(axes),
         }
     }
+}
+
+/// Refuses a quaternion that is none of a rotation.
+fn check_rotation(q: &Compensated<4>, from: &Reader<'_>) -> Result<(), Error> {
+    let norm2 = q.value.norm_squared();
+    if (norm2 - 1.0).abs() <= 1e-6 {
+        return Ok(());
+    }
+    Err(from.refused(norm2, Rule::Words("the attitude's quaternion must have the norm 1")))
 }
 
 /// Adds what the norm of a quaternion lacks to 1, at once: along the quaternion of the next update, which can be turned by

@@ -3,6 +3,7 @@
 
 use crate::earth::Earth;
 use crate::math::exp_m1;
+use crate::snapshot::{codes, stored};
 use crate::state::EarthFixedState;
 
 /// How the vertical channel is kept.
@@ -16,6 +17,8 @@ pub enum VerticalMode {
     /// Left to itself.
     Free,
 }
+
+codes!(VerticalMode { Damped = 0, FollowTruth = 1, Free = 2 });
 
 /// What the vertical channel is told at the end of an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,6 +84,13 @@ pub struct VerticalLoop {
     t: f64,
     gains: [f64; 3],
 }
+
+stored!(VerticalLoop { bias_m_s2: 1e15, t: 1e3 } rebuilt { gains } then |channel, _| {
+    if channel.t > 0.0 {
+        channel.set_interval(channel.t);
+    }
+    Ok(())
+});
 
 /// Corrections of the vertical channel over one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

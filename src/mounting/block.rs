@@ -8,6 +8,7 @@ use crate::math::{
     Euler, VectorPair, relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_vector,
 };
 use crate::signal::{Increment, IntervalMotion, MotionNode};
+use crate::snapshot::stored;
 use crate::state::{BodyAxes, EarthFixedState};
 use crate::truth::TruthPoint;
 
@@ -24,6 +25,8 @@ pub struct Block {
     /// Mean error of the gyros over the last interval, block axes [rad/s].
     gyro_error_s: Vector3<f64>,
 }
+
+stored!(Block { rate_b: 1e6, gyro_error_s: 1e9 } rebuilt { earth_rate, placement, believed, to_block });
 
 /// Where an INS takes its block to sit, and how it takes it to turn.
 #[derive(Debug, Clone, Copy, PartialEq)]

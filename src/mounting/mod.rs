@@ -20,6 +20,7 @@ use nalgebra::Vector3;
 
 use crate::error::{Error, check_range, check_ranges};
 use crate::math::Euler;
+use crate::snapshot::{ANY, stored};
 
 /// Where the sensor block sits, and what the INS believes of it: the sum of the true and of its error, arm by arm and angle
 /// by angle. All zero is a block at the reference point, along the body axes.
@@ -34,6 +35,8 @@ pub struct MountingParameters {
     /// Believed less true boresight angles [rad].
     pub boresight_error: Euler,
 }
+
+stored!(MountingParameters { lever_arm_m: ANY, boresight, lever_arm_error_m: ANY, boresight_error });
 
 impl MountingParameters {
     /// Checks every field.

@@ -1,9 +1,9 @@
 //! The cheapest algorithm that meets a requirement.
 
-use super::piece::room;
 use super::{Growth, Piece, Reference, Refusal, Requirement, Rung, SolutionError, ladder};
 use crate::error::{Error, ErrorKind};
 use crate::simulator::Options;
+use crate::simulator::room;
 use crate::truth::FlightSample;
 
 /// An algorithm and what it gives.

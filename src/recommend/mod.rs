@@ -13,7 +13,6 @@ pub use choice::{Recommendation, recommend};
 pub use growth::Growth;
 pub use ladder::{Rung, ladder};
 pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Piece, Refusal};
-pub(crate) use piece::{heap_simulator, room};
 pub(crate) use reference::fly_looking;
 pub use reference::{Reference, SolutionError, Track, fly, track};
 pub use requirement::Requirement;

@@ -2,12 +2,12 @@
 
 use core::ops::ControlFlow;
 
-use super::piece::{heap_simulator, room};
 use super::{Refusal, Rung};
 use crate::error::Error;
 use crate::math::{relative_rotation, rotation_vector};
 use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme};
 use crate::simulator::{MAX_UPDATES, Options, Simulator, Step};
+use crate::simulator::{heap_simulator, room};
 use crate::state::EarthFixedState;
 use crate::truth::FlightSample;
 

@@ -2,9 +2,8 @@
 
 use std::time::Instant;
 
-use super::piece::heap_simulator;
 use crate::error::Error;
-use crate::simulator::{Options, Simulator};
+use crate::simulator::{Options, Simulator, heap_simulator};
 use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.

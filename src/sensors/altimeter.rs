@@ -1,12 +1,14 @@
 //! The barometric altimeter that damps the vertical channel.
 
 use super::failing::FailingOutput;
-use super::failure::Failure;
+use super::failure::{Failure, SensorOutput};
 use super::gauss_markov::MarkovStep;
-use super::stream::{Purpose, Source, Stream, StreamKey};
+
+use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
+use crate::snapshot::{ANY, stored};
 
 /// Errors of the barometric height. All zero is an ideal altimeter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -24,6 +26,15 @@ pub struct AltimeterParameters {
     /// Time constant of the first-order lag of the static pressure [s].
     pub lag_s: f64,
 }
+
+stored!(AltimeterParameters {
+    bias_m: ANY,
+    markov_sigma_m: ANY,
+    markov_time_s: ANY,
+    noise_m: ANY,
+    scale_factor: ANY,
+    lag_s: ANY,
+});
 
 impl AltimeterParameters {
     /// Checks every field.
@@ -57,6 +68,22 @@ pub struct Altimeter {
     indicated_m: f64,
     failing: FailingOutput,
 }
+
+stored!(Altimeter {
+    x: DEVIATES,
+    markov,
+    noise,
+    height_m: 1e9,
+    lagged_m: 1e9,
+    indicated_m: 1e12,
+    failing,
+} rebuilt {
+    parameters, is_ideal, dt, markov_step, lag_decay,
+} then |altimeter, _| {
+    altimeter.failing.check(SensorOutput::Altimeter)?;
+    altimeter.decide();
+    Ok(())
+});
 
 impl Altimeter {
     /// An ideal altimeter at the true height `height_m`, whose random errors draw from the streams of `key`.

@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 
 use super::parameters::TriadParameters;
+use crate::error::Error;
 use crate::math::{exp, sin_cos};
+use crate::snapshot::{Reader, Stored, Writer, stored};
 
 /// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is taken constant over
 /// each increment, at its mean; for that the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
@@ -30,6 +32,21 @@ struct Filter {
     sin: f64,
     /// y, w [u]; none before the first increment.
     state: Option<(f64, f64)>,
+}
+
+stored!(Filter { state: 1e12 } rebuilt { rate, cos, sin });
+
+/// Which axes have a filter follows from the parameters.
+impl Stored for Bandwidth {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self { axes } = self;
+        axes.iter().flatten().for_each(|filter| filter.save(to));
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        let Self { axes } = self;
+        axes.iter_mut().flatten().try_for_each(|filter| filter.load(from))
+    }
 }
 
 /// Below it a state is nothing: no arithmetic on denormal numbers.

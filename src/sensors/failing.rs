@@ -2,8 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::failure::{Axis, Failure};
+use super::failure::{Axis, Failure, SensorOutput};
 use super::stream::{Purpose, Source, Stream, StreamKey};
+use crate::error::Error;
+use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
 
 /// Share of a sample interval by which a loss may be early for the interval: sums of intervals round.
 const SLACK: f64 = 1e-6;
@@ -18,7 +20,46 @@ pub(super) struct FailingOutput {
     held: Option<f64>,
     /// Whether there is no signal.
     is_silent: bool,
+    has_drawn: bool,
     stream: Stream,
+}
+
+/// Bits of what is stored of an output beyond a sound one.
+const FAILED: usize = 1;
+const SILENT: usize = 2;
+const DRAWN: usize = 4;
+
+/// Without a failure there is no phase and nothing held; a stream that was not drawn from is as it was made.
+impl Stored for FailingOutput {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self { failure, phase_s, held, is_silent, has_drawn, stream } = self;
+        let bit = |is_set: bool, bit: usize| if is_set { bit } else { 0 };
+        to.count(bit(failure.is_some(), FAILED) | bit(*is_silent, SILENT) | bit(*has_drawn, DRAWN));
+        if let Some(failure) = failure {
+            failure.save(to);
+            Numbers::save(phase_s, to);
+            Numbers::save(held, to);
+        }
+        if *has_drawn {
+            stream.save(to);
+        }
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        from.enter("snapshot: FailingOutput");
+        let kind = from.count(FAILED | SILENT | DRAWN)?;
+        let Self { failure, phase_s, held, is_silent, has_drawn, stream } = self;
+        (*failure, *is_silent, *has_drawn) = (None, kind & SILENT != 0, kind & DRAWN != 0);
+        if kind & FAILED != 0 {
+            failure.insert(Failure::default()).load(from)?;
+            Numbers::load(phase_s, from, 1e12)?;
+            Numbers::load(held, from, 1e12)?;
+        }
+        if *has_drawn {
+            stream.load(from)?;
+        }
+        Ok(())
+    }
 }
 
 impl FailingOutput {
@@ -28,6 +69,7 @@ impl FailingOutput {
             phase_s: 0.0,
             held: None,
             is_silent: false,
+            has_drawn: false,
             stream: Stream::new(key, source, axis, Purpose::Failure),
         }
     }
@@ -38,6 +80,11 @@ impl FailingOutput {
         self.phase_s = 0.0;
         self.held = last;
         self.is_silent = failure == Some(Failure::Dead);
+    }
+
+    /// Checks the failure of the output `output`, if it has one.
+    pub fn check(&self, output: SensorOutput) -> Result<(), Error> {
+        self.failure.map_or(Ok(()), |failure| failure.validate(output))
     }
 
     /// Whether there is a failure.
@@ -59,6 +106,7 @@ impl FailingOutput {
     pub fn begin_interval(&mut self, t: f64) {
         match self.failure {
             Some(Failure::RandomDropOuts { probability }) => {
+                self.has_drawn = true;
                 self.is_silent = self.stream.uniform() < probability;
             }
             Some(Failure::PeriodicDropOuts { interval_s }) => {
@@ -77,7 +125,10 @@ impl FailingOutput {
     pub fn added(&mut self, dt: f64) -> f64 {
         match self.failure {
             Some(Failure::BiasStep { size }) => size * dt,
-            Some(Failure::Noise { density }) => density * dt.sqrt() * self.stream.normal(),
+            Some(Failure::Noise { density }) => {
+                self.has_drawn = true;
+                density * dt.sqrt() * self.stream.normal()
+            }
             Some(Failure::Spikes { size, interval_s, duration_s }) => {
                 let end = self.phase_s + dt;
                 let whole = (end / interval_s).floor();
@@ -108,6 +159,8 @@ pub(super) struct FailingTriad {
     outputs: [FailingOutput; 3],
 }
 
+stored!(FailingTriad { outputs });
+
 impl FailingTriad {
     pub fn new(key: StreamKey, source: Source) -> Self {
         Self { outputs: [0, 1, 2].map(|axis| FailingOutput::new(key, source, axis)) }
@@ -116,6 +169,14 @@ impl FailingTriad {
     /// Takes a failure of one axis, as [`FailingOutput::set`].
     pub fn set(&mut self, axis: Axis, failure: Option<Failure>, last: Option<f64>) {
         self.outputs[axis as usize].set(failure, last);
+    }
+
+    /// Checks each failure; `output` makes of an axis what fails.
+    pub fn check(&self, output: fn(Axis) -> SensorOutput) -> Result<(), Error> {
+        let [x, y, z] = &self.outputs;
+        x.check(output(Axis::X))?;
+        y.check(output(Axis::Y))?;
+        z.check(output(Axis::Z))
     }
 
     /// Whether a failure adds to what is felt.

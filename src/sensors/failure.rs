@@ -1,6 +1,7 @@
 //! How a sensor can fail, as an instructor sets it.
 
 use crate::error::{Error, Rule, check_range};
+use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// Axis of a triad, sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,9 +29,10 @@ pub enum SensorOutput {
 ///
 /// Biases, spikes and noise are added to what the sensor feels, before dead zone, range and quantization: what they make of it
 /// looks like data. The others replace the output. Noise processes, filters and residuals run on behind a failure.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Failure {
     /// The output holds the mean of the interval before the failure; where there was none, its first value.
+    #[default]
     Stuck,
     /// No signal: gyros and accelerometers give 0, the altimeter nothing. Seen by the built-in test.
     Dead,
@@ -63,6 +65,40 @@ pub enum Failure {
         /// From one loss to the next [s]; where that is shorter than a sample interval, each interval is lost.
         interval_s: f64,
     },
+}
+
+/// A number of the kind, which is part of the format, and three numbers.
+impl Stored for Failure {
+    fn save(&self, to: &mut Writer<'_>) {
+        let (kind, numbers) = match *self {
+            Self::Stuck => (0, [0.0; 3]),
+            Self::Dead => (1, [0.0; 3]),
+            Self::BiasStep { size } => (2, [size, 0.0, 0.0]),
+            Self::Spikes { size, interval_s, duration_s } => (3, [size, interval_s, duration_s]),
+            Self::Noise { density } => (4, [density, 0.0, 0.0]),
+            Self::RandomDropOuts { probability } => (5, [probability, 0.0, 0.0]),
+            Self::PeriodicDropOuts { interval_s } => (6, [interval_s, 0.0, 0.0]),
+        };
+        to.count(kind);
+        Numbers::save(&numbers, to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        let kind = from.count(6)?;
+        let mut numbers = [0.0; 3];
+        Numbers::load(&mut numbers, from, ANY)?;
+        let [first, second, third] = numbers;
+        *self = match kind {
+            0 => Self::Stuck,
+            1 => Self::Dead,
+            2 => Self::BiasStep { size: first },
+            3 => Self::Spikes { size: first, interval_s: second, duration_s: third },
+            4 => Self::Noise { density: first },
+            5 => Self::RandomDropOuts { probability: first },
+            _ => Self::PeriodicDropOuts { interval_s: first },
+        };
+        Ok(())
+    }
 }
 
 impl Failure {

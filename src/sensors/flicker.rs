@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use super::gauss_markov::MarkovStep;
 use super::parameters::{Sensor, TriadParameters};
-use super::stream::{Purpose, Stream, StreamKey};
+use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
+use crate::snapshot::stored;
 
 /// Correlation times of the processes [s]: one a decade.
 const TIMES_S: [f64; 6] = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5];
@@ -39,6 +40,8 @@ pub(super) struct Flicker {
     own: f64,
     streams: [Stream; 3],
 }
+
+stored!(Flicker { x: DEVIATES, streams } rebuilt { instability, steps, own });
 
 impl Flicker {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {

@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
-use super::stream::{Purpose, Stream, StreamKey};
+use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
 use crate::math::{exp_m1, tanh};
+use crate::snapshot::stored;
 
 /// Exact discretisation of x' = -x/τ + white noise, stationary variance 1, over a step of a = dt/τ:
 /// ```text
@@ -86,6 +87,8 @@ pub(super) struct GaussMarkov {
     steps: [MarkovStep; 3],
     streams: [Stream; 3],
 }
+
+stored!(GaussMarkov { x: DEVIATES, streams } rebuilt { sigma, time_s, steps });
 
 impl GaussMarkov {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {

@@ -3,9 +3,10 @@
 use nalgebra::Vector3;
 
 use super::gauss_markov::MarkovStep;
-use super::stream::{Purpose, Source, Stream, StreamKey};
+use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
 use crate::error::{Error, check_range};
+use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::truth::TruthPoint;
 
 /// One component of the disturbance: a constant part, and a random one with the correlation σ² exp(-d/D) over the distance d.
@@ -19,6 +20,8 @@ pub struct GravityField {
     pub distance_m: f64,
 }
 
+stored!(GravityField { mean: ANY, sigma: ANY, distance_m: ANY });
+
 /// True gravity less normal gravity. All zero is the normal field.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GravityDisturbanceParameters {
@@ -29,6 +32,8 @@ pub struct GravityDisturbanceParameters {
     /// Δg, excess of gravity along the vertical [m/s²].
     pub anomaly: GravityField,
 }
+
+stored!(GravityDisturbanceParameters { deflection_north, deflection_east, anomaly });
 
 impl GravityDisturbanceParameters {
     /// Checks every field.
@@ -77,9 +82,33 @@ impl GravityField {
 pub struct GravityDisturbance {
     parameters: GravityDisturbanceParameters,
     is_on: bool,
+    has_moved: bool,
     /// Fields of unit variance.
     x: [f64; 3],
     streams: [Stream; 3],
+}
+
+/// Fields that have not moved are as they were made.
+impl Stored for GravityDisturbance {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self { parameters: _, is_on: _, has_moved, x, streams } = self;
+        has_moved.save(to);
+        if *has_moved {
+            Numbers::save(x, to);
+            streams.save(to);
+        }
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        from.enter("snapshot: GravityDisturbance");
+        let Self { parameters: _, is_on: _, has_moved, x, streams } = self;
+        has_moved.load(from)?;
+        if *has_moved {
+            Numbers::load(x, from, DEVIATES)?;
+            streams.load(from)?;
+        }
+        Ok(())
+    }
 }
 
 impl GravityDisturbance {
@@ -87,7 +116,13 @@ impl GravityDisturbance {
     pub fn new(key: StreamKey) -> Self {
         let mut streams = Stream::triad(key, Source::Gravity, Purpose::GaussMarkov);
         let x = [0, 1, 2].map(|field| streams[field].normal());
-        Self { parameters: GravityDisturbanceParameters::default(), is_on: false, x, streams }
+        Self {
+            parameters: GravityDisturbanceParameters::default(),
+            is_on: false,
+            has_moved: false,
+            x,
+            streams,
+        }
     }
 
     /// Takes validated parameters.
@@ -124,6 +159,7 @@ impl GravityDisturbance {
         let fields = self.parameters.fields();
         for ((x, stream), field) in self.x.iter_mut().zip(&mut self.streams).zip(fields) {
             if field.sigma > 0.0 {
+                self.has_moved = true;
                 MarkovStep::new(distance_m, field.distance_m).advance(x, stream);
             }
         }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::error::{Error, check_ranges};
+use crate::snapshot::{ANY, codes, stored};
 
 /// Where the misalignment at the start comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,6 +34,18 @@ pub struct InitialErrorParameters {
     /// Where the rest of the misalignment comes from.
     pub alignment: Alignment,
 }
+
+codes!(Alignment { Given = 0, LevelAndGyrocompass = 1 });
+
+stored!(InitialErrorParameters {
+    position_n: ANY,
+    velocity_n: ANY,
+    misalignment_n: ANY,
+    position_sigma_n: ANY,
+    velocity_sigma_n: ANY,
+    misalignment_sigma_n: ANY,
+    alignment,
+});
 
 /// The initial errors of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -56,6 +56,7 @@ mod tame;
 mod temperature;
 mod triad;
 mod validation;
+mod xoshiro;
 
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use failure::{Axis, Failure, SensorOutput};

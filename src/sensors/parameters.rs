@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::stream::Source;
+use crate::snapshot::{ANY, stored};
 
 /// Which triad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +66,33 @@ pub struct TriadParameters {
     /// And with its square [1/K²].
     pub scale_factor_temperature2: Vector3<f64>,
 }
+
+stored!(TriadParameters {
+    bias: ANY,
+    bias_sigma: ANY,
+    markov_sigma: ANY,
+    markov_time_s: ANY,
+    random_walk: ANY,
+    rate_random_walk: ANY,
+    ramp: ANY,
+    flicker: ANY,
+    quantization: ANY,
+    scale_factor: ANY,
+    scale_factor_asymmetry: ANY,
+    scale_factor_nonlinearity: ANY,
+    misalignment: ANY,
+    g_sensitivity: ANY,
+    range: ANY,
+    bandwidth_hz: ANY,
+    dead_zone: ANY,
+    lever_arm_m: ANY,
+    vibration_rectification_s2_m: ANY,
+    reference_temperature_c: ANY,
+    bias_temperature: ANY,
+    bias_temperature2: ANY,
+    scale_factor_temperature: ANY,
+    scale_factor_temperature2: ANY,
+});
 
 impl Default for TriadParameters {
     fn default() -> Self {

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::parameters::TriadParameters;
+use crate::snapshot::stored;
 
 /// The output is a whole number of pulses of q [u s], to the nearest; what is left over, at most q/2, is carried to the next
 /// increment, so that the integral is never wrong by more. The quantization noise of IEEE Std 952 is Q = q/√12.
@@ -13,6 +14,8 @@ pub(super) struct Quantization {
     /// Left over [u s].
     residual: Vector3<f64>,
 }
+
+stored!(Quantization { residual: 1.0 } rebuilt { pulse });
 
 impl Quantization {
     pub fn new() -> Self {

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::parameters::TriadParameters;
+use crate::snapshot::stored;
 
 /// b = R t, t since the run began or the ramp was set; ∫b dt over dt = (b + R dt/2) dt (IEEE Std 952, C.1.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +13,8 @@ pub(super) struct Ramp {
     /// b [u].
     value: Vector3<f64>,
 }
+
+stored!(Ramp { value: 1e15 } rebuilt { slope });
 
 impl Ramp {
     pub fn new() -> Self {

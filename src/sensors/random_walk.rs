@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
+use crate::snapshot::stored;
 
 /// w: its integral over dt is N √dt n, n standard normal, independent from one increment to the next; the density N
 /// [u √s] does not depend on the rate at which it is sampled.
@@ -15,6 +16,8 @@ pub(super) struct RandomWalk {
     step: Vector3<f64>,
     streams: [Stream; 3],
 }
+
+stored!(RandomWalk { streams } rebuilt { density, step });
 
 impl RandomWalk {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {

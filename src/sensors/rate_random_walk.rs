@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
+use crate::snapshot::stored;
 
 /// b' = K w, w white noise of density 1 [1/√s], b = 0 at the start of a run. Over dt, n1 and n2 standard normal,
 /// ```text
@@ -21,6 +22,8 @@ pub(super) struct RateRandomWalk {
     root: f64,
     streams: [Stream; 3],
 }
+
+stored!(RateRandomWalk { value: 1e12, streams } rebuilt { density, root });
 
 /// 1/√12
 const INTEGRAL_OWN: f64 = 0.288_675_134_594_812_9;

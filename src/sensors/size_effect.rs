@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::parameters::TriadParameters;
 use crate::mounting::{centripetal, lever_arm_velocity};
+use crate::snapshot::stored;
 
 /// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the reference point does (Savage 1998,
 /// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`]; ω at an end is the derivative of the cubic through the angle at it and at the ends of the three increments before, of any
@@ -21,13 +22,16 @@ pub(super) struct SizeEffect {
 }
 
 /// An increment that has gone by.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Past {
     /// Length [s].
     dt: f64,
     /// Mean rate [rad/s].
     mean: Vector3<f64>,
 }
+
+stored!(SizeEffect { past, rate: 1e18 } rebuilt { arms });
+stored!(Past { dt: 1e3, mean: 1e12 });
 
 impl SizeEffect {
     pub fn new() -> Self {

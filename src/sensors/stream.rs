@@ -1,8 +1,11 @@
 //! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect moves another one's draws.
 
-use rand::{Rng, SeedableRng};
+use rand::Rng;
 use rand_distr::{Distribution, StandardNormal};
-use rand_xoshiro::Xoshiro256PlusPlus;
+
+use super::xoshiro::Xoshiro256PlusPlus;
+use crate::math::mix;
+use crate::snapshot::{ANY, stored};
 
 /// Who draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,14 +41,24 @@ pub struct StreamKey {
     pub run: u64,
 }
 
+stored!(StreamKey { seed: ANY, run: ANY });
+
+/// A standard normal number is never as large [1].
+pub(super) const DEVIATES: f64 = 100.0;
+
 /// A stream of random numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Stream(Xoshiro256PlusPlus);
+pub(super) struct Stream {
+    generator: Xoshiro256PlusPlus,
+}
+
+stored!(Stream { generator });
 
 impl Stream {
     pub fn new(key: StreamKey, source: Source, axis: usize, purpose: Purpose) -> Self {
         let words = [key.seed, key.run, source as u64, axis as u64, purpose as u64];
-        Self(Xoshiro256PlusPlus::seed_from_u64(words.into_iter().fold(0, |hash, word| mix(hash ^ word))))
+        let seed = words.into_iter().fold(0, |hash, word| mix(hash ^ word));
+        Self { generator: Xoshiro256PlusPlus::seeded(seed) }
     }
 
     /// Streams of the three axes.
@@ -55,22 +68,14 @@ impl Stream {
 
     /// The next number, evenly from 0 up to but not 1, in steps of 2^-53.
     pub fn uniform(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+        (self.generator.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
     }
 
     /// The next number, normal with mean 0 and variance 1.
     #[inline]
     pub fn normal(&mut self) -> f64 {
-        StandardNormal.sample(&mut self.0)
+        StandardNormal.sample(&mut self.generator)
     }
-}
-
-/// Step and finalizer of SplitMix64 (Steele, Lea and Flood 2014): every bit of the input moves every bit of the output.
-fn mix(x: u64) -> u64 {
-    let mut z = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use super::bandwidth::Bandwidth;
 use super::bias::Bias;
 use super::dead_zone::DeadZone;
 use super::failing::FailingTriad;
-use super::failure::{Axis, Failure};
+use super::failure::{Axis, Failure, SensorOutput};
 use super::flicker::Flicker;
 use super::g_sensitivity::GSensitivity;
 use super::gauss_markov::GaussMarkov;
@@ -26,7 +26,9 @@ use super::rate_random_walk::RateRandomWalk;
 use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
 use super::temperature::Temperature;
+use crate::error::Error;
 use crate::signal::Increment;
+use crate::snapshot::{Reader, Stored, stored};
 
 /// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,6 +57,25 @@ pub struct Triad {
     /// Whether an output has been beyond the range since the flag was taken.
     saturated: bool,
 }
+
+stored!(Triad {
+    size_effect,
+    bandwidth,
+    gauss_markov,
+    flicker,
+    rate_random_walk,
+    ramp,
+    random_walk,
+    quantization,
+    dt: 1e3,
+} rebuilt {
+    sensor, linear, asymmetry, quadratic, g_sensitivity, bias, dead_zone, range, plan, saturated, temperature, failing,
+} then |triad, _| {
+    if triad.dt > 0.0 {
+        triad.set_interval(triad.dt);
+    }
+    Ok(())
+});
 
 impl Triad {
     /// An ideal triad whose random effects, if ever switched on, draw from the streams of `key`.
@@ -123,6 +144,20 @@ impl Triad {
     ) {
         self.failing.set(axis, failure, last);
         self.set(parameters);
+    }
+
+    /// The failures: a snapshot needs them before the parameters are set, which make a plan of both.
+    pub(crate) fn failures(&self) -> &impl Stored {
+        &self.failing
+    }
+
+    /// Reads them.
+    pub(crate) fn load_failures(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.failing.load(from)?;
+        self.failing.check(match self.sensor {
+            Sensor::Gyro => SensorOutput::Gyro,
+            Sensor::Accelerometer => SensorOutput::Accelerometer,
+        })
     }
 
     /// Whether an axis has a failure.

@@ -8,6 +8,7 @@ use crate::math::{
     end_derivative_weights, inverse_right_jacobian, relative_rotation, rotated_z, rotation_increment,
     rotation_vector,
 };
+use crate::snapshot::stored;
 use crate::truth::{Recent, TruthPoint};
 
 /// Total rotation over a stencil beyond which the rotation vectors from its end grow ambiguous [rad] (150°).
@@ -21,13 +22,15 @@ const MAX_SERIES_ROTATION: f64 = 0.5;
 const MAX_SMALL_TURN: f64 = 0.02;
 
 /// Derivatives of the motion at a sample.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Derivatives {
     /// Acceleration against the Earth, Earth-fixed axes [m/s²].
     pub a_e: Vector3<f64>,
     /// Angular rate against inertial space, sensor axes [rad/s].
     pub omega_ib_b: Vector3<f64>,
 }
+
+stored!(Derivatives { a_e: 1e18, omega_ib_b: 1e18 });
 
 /// Another sample, seen from the one where derivatives are wanted.
 #[derive(Debug, Clone, Copy)]
@@ -57,6 +60,11 @@ struct Turn {
 
 impl Turn {
     const NONE: Self = Self { vector: Vector3::new(0.0, 0.0, 0.0), angle: 0.0 };
+
+    fn new(against_earth: &Quaternion<f64>) -> Self {
+        let vector = rotation_vector(against_earth);
+        Self { vector, angle: vector.norm_squared().sqrt() }
+    }
 }
 
 /// Makes the ideal signals of the interval between each sample and the next.
@@ -71,10 +79,21 @@ pub struct SignalGenerator {
     stencil: Stencil,
 }
 
+stored!(SignalGenerator { settled } rebuilt { earth_rate, turns, stencil });
+
 impl SignalGenerator {
     /// Starts on an Earth that turns at `earth_rate` [rad/s].
     pub fn new(earth_rate: f64) -> Self {
         Self { earth_rate, settled: None, turns: [Turn::NONE; 2], stencil: Stencil::NONE }
+    }
+
+    /// Takes the turns of the last intervals from the points at their ends, newest first, as if they had been flown.
+    pub fn look_back(&mut self, points: &[Option<&TruthPoint>; 3]) {
+        let turn = |end: Option<&TruthPoint>, start: Option<&TruthPoint>| match (end, start) {
+            (Some(end), Some(start)) => Turn::new(&relative_rotation(&start.state.q_eb, &end.state.q_eb)),
+            _ => Turn::NONE,
+        };
+        self.turns = [turn(points[0], points[1]), turn(points[1], points[2])];
     }
 
     /// The motion of the interval that `recent` ends; the intervals come in order.
@@ -84,8 +103,7 @@ impl SignalGenerator {
     pub fn advance<'a>(&mut self, recent: &Recent<'a>) -> IntervalMotion<'a> {
         let Recent { next, current, before } = *recent;
         let against_earth = relative_rotation(&current.state.q_eb, &next.state.q_eb);
-        let vector = rotation_vector(&against_earth);
-        let turn = Turn { vector, angle: vector.norm_squared().sqrt() };
+        let turn = Turn::new(&against_earth);
         let earth_rate_b = self.earth_rate_at(next);
 
         // As far back as the rotation since then is unambiguous.

@@ -15,17 +15,21 @@ pub use motion::{IntervalMotion, MotionNode};
 
 use nalgebra::Vector3;
 
+use crate::snapshot::stored;
+
 /// Sub-increments of an interval at the most: 5 subsamples of 16 updates.
 pub const MAX_INCREMENTS: usize = 80;
 
 /// Integrals of angular rate and specific force over a short time, sensor axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Increment {
     /// ∫ omega_ib_b dt [rad]
     pub angle: Vector3<f64>,
     /// ∫ f_b dt [m/s]
     pub velocity: Vector3<f64>,
 }
+
+stored!(Increment { angle: 1e12, velocity: 1e12 });
 
 impl Increment {
     /// No motion, no force.

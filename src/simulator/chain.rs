@@ -1,11 +1,13 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
 mod beside;
+mod snapshot;
 
 use super::aid::vertical_aid;
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
+use super::interval::LastInterval;
 use super::mounted::block_at_start;
 use super::solution::is_near_pole;
 use super::start::{start_errors, with_errors};
@@ -21,18 +23,8 @@ use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::mounting::Block;
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
-use crate::state::Navigation;
+use crate::state::{EarthFixedState, Navigation};
 use crate::truth::{Recent, TruthPoint};
-
-/// The interval flown last.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct LastInterval {
-    time_s: f64,
-    interval_s: f64,
-    sensors_were_ideal: bool,
-    flags: ImuFlags,
-    vertical_unaided: bool,
-}
 
 /// The chain in flight.
 #[derive(Debug, Clone)]
@@ -43,7 +35,7 @@ pub(super) struct Chain {
     /// Ideal increments of the last interval, and measured ones unless the sensors were ideal.
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
-    last: Option<LastInterval>,
+    last: LastInterval,
     /// The sensors' block, where it does not sit at the reference point.
     block: Option<Block>,
     /// True less normal gravity, where it is other.
@@ -57,6 +49,13 @@ pub(super) struct Chain {
     closure: Closure,
     closed_loop: Option<ClosedLoop>,
     views: Views,
+}
+
+/// What a mounting and gravity beyond the normal field make of a chain, and the true state of the sensors.
+struct Beside {
+    block: Option<Block>,
+    disturbance: Option<Disturbance>,
+    sensors_state: EarthFixedState,
 }
 
 impl Chain {
@@ -85,21 +84,34 @@ impl Chain {
         let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
-        let errs = start != StartErrors::NONE;
+        let beside = Beside { block, disturbance, sensors_state };
+        Ok(Self::new(options, earth, first, &start, mechanization, start != StartErrors::NONE, beside))
+    }
+
+    /// A chain at the truth `first` whose navigator is `mechanization`, off the truth by `start`.
+    fn new(
+        options: &Options,
+        earth: Earth,
+        first: &TruthPoint,
+        start: &StartErrors,
+        mechanization: Mechanization,
+        with_shadow: bool,
+        Beside { block, disturbance, sensors_state }: Beside,
+    ) -> Self {
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
             let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
-            ClosedLoop::new(time_constant_s, first.time_s, errs.then(at_truth))
+            ClosedLoop::new(time_constant_s, first.time_s, with_shadow.then(at_truth))
         });
         let error_model = options
             .error_model
-            .then(|| ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, &start));
-        Ok(Self {
+            .then(|| ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, start));
+        Self {
             options: *options,
             earth,
             generator: SignalGenerator::new(earth.rate_rad_s),
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
-            last: None,
+            last: LastInterval::None,
             is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
             block,
             disturbance,
@@ -110,7 +122,7 @@ impl Chain {
             closure: Closure::new(),
             closed_loop,
             views: Views::default(),
-        })
+        }
     }
 
     /// Flies the interval that `recent` ends; on an error nothing has changed.
@@ -190,13 +202,13 @@ impl Chain {
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
-        self.last = Some(LastInterval {
+        self.last = LastInterval::Flown {
             time_s: next.time_s,
             interval_s: t,
             sensors_were_ideal,
             flags,
             vertical_unaided: aid == VerticalAid::None,
-        });
+        };
         navigate(&mut self.mechanization, &self.options, increments, t);
         if self.is_plain {
             self.mechanization.aid_vertical(&aid, t);
@@ -239,22 +251,26 @@ impl Chain {
 
     /// The navigated solution while the truth is at `truth`.
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
-        let vertical_unaided = match &self.last {
-            Some(last) => last.vertical_unaided,
-            None => self.options.vertical == VerticalMode::Free,
-        };
+        let vertical_unaided =
+            self.last.vertical_unaided().unwrap_or(self.options.vertical == VerticalMode::Free);
         Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, *self.navigated_view()) }
     }
 
     pub fn ideal_increments(&self) -> &[Increment] {
         match self.last {
-            Some(_) => &self.ideal[..self.increments()],
-            None => &[],
+            LastInterval::Flown { .. } => &self.ideal[..self.increments()],
+            LastInterval::None | LastInterval::Loaded { .. } => &[],
         }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let LastInterval { time_s, interval_s, sensors_were_ideal, flags, .. } = self.last?;
+        let (time_s, interval_s, sensors_were_ideal, flags) = match self.last {
+            LastInterval::None => return None,
+            LastInterval::Loaded { imu, .. } => return Some(imu),
+            LastInterval::Flown { time_s, interval_s, sensors_were_ideal, flags, .. } => {
+                (time_s, interval_s, sensors_were_ideal, flags)
+            }
+        };
         let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
         Some(ImuInterval {
             time_s,

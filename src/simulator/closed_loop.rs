@@ -3,9 +3,11 @@
 
 use nalgebra::Vector3;
 
+use crate::error::Error;
 use crate::math::rotate_inverse;
 use crate::mechanization::Mechanization;
 use crate::signal::Increment;
+use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
 use crate::state::EarthFixedState;
 
 /// Damping of the position loop.
@@ -37,6 +39,36 @@ pub(super) struct ClosedLoop {
     force_b: Vector3<f64>,
     settles_at_s: f64,
     largest: TrimFigures,
+}
+
+stored!(TrimFigures { rate_rad_s: 1e12, force_m_s2: 1e12 });
+
+/// Read over a loop that was made with a shadow.
+impl Stored for ClosedLoop {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self { time_constant_s: _, shadow, rate_b, force_b, settles_at_s, largest } = self;
+        to.flag(shadow.is_some());
+        if let Some(shadow) = shadow {
+            shadow.save(to);
+        }
+        rate_b.save(to);
+        force_b.save(to);
+        settles_at_s.save(to);
+        largest.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        let Self { time_constant_s: _, shadow, rate_b, force_b, settles_at_s, largest } = self;
+        from.enter("snapshot: ClosedLoop");
+        match (from.flag()?, shadow.as_mut()) {
+            (true, Some(shadow)) => shadow.load(from)?,
+            _ => *shadow = None,
+        }
+        rate_b.load(from, 1e12)?;
+        force_b.load(from, 1e12)?;
+        settles_at_s.load(from, 1e12)?;
+        largest.load(from)
+    }
 }
 
 impl ClosedLoop {

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::earth::Earth;
 use crate::errors::NavigationErrors;
 use crate::math::Compensated;
+use crate::snapshot::{COUNT, stored};
 use crate::truth::TruthPoint;
 
 /// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is
@@ -58,6 +59,20 @@ struct Answer {
     r_e: Vector3<f64>,
     v_e: Vector3<f64>,
 }
+
+stored!(Closure {
+    inconsistency_e: SUMS_M,
+    max2_m2: SUMS_M,
+    flagged: COUNT,
+    last_flagged,
+    answer,
+    pending_e: SUMS_M,
+    pending_s: 1e6,
+});
+stored!(Answer { r_e: SUMS_M, v_e: SUMS_M });
+
+/// No sum over a run is as large [m, m/s, m²].
+const SUMS_M: f64 = 1e40;
 
 impl Answer {
     /// δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency over `t` [s], semi-implicit; the vertical part is taken out.

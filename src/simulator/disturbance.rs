@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::errors::SensorErrors;
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS};
+use crate::snapshot::stored;
 
 /// Gauss-Legendre nodes on 0..1: with two in each increment its error is θ⁴/4320 of it, at a rotation θ [rad].
 const NODES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
@@ -17,6 +18,8 @@ pub(super) struct Disturbance {
     /// Of the last interval.
     felt: SensorErrors,
 }
+
+stored!(Disturbance { at_last_e: 1e3 } rebuilt { felt });
 
 impl Disturbance {
     /// Starts with `at_first_e` [m/s²].

@@ -1,9 +1,10 @@
 //! What is told of the signals of an interval.
 
 use crate::signal::Increment;
+use crate::snapshot::stored;
 
 /// Ideal and measured signals of an interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ImuInterval {
     /// Time of its end [s].
     pub time_s: f64,
@@ -17,6 +18,8 @@ pub struct ImuInterval {
     pub flags: ImuFlags,
 }
 
+stored!(ImuInterval { time_s: 1e12, interval_s: 1e3, ideal, measured, flags });
+
 /// What the built-in test of the sensors reports of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ImuFlags {
@@ -29,3 +32,5 @@ pub struct ImuFlags {
     /// An accelerometer had none.
     pub accel_invalid: bool,
 }
+
+stored!(ImuFlags { gyro_saturated, accel_saturated, gyro_invalid, accel_invalid });

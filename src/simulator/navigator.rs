@@ -6,6 +6,7 @@ use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::two_sum;
 use crate::mechanization::{MAX_SUBSAMPLES, Mechanization};
 use crate::signal::Increment;
+use crate::snapshot::stored;
 use crate::state::{BodyAxes, Navigation};
 
 /// A mechanization without a truth: its vertical channel is free.
@@ -19,6 +20,8 @@ pub(super) struct Navigator {
     time_carry_s: f64,
     imu: Option<ImuInterval>,
 }
+
+stored!(Navigator { mechanization, time_s: 1e12, time_carry_s: 1.0, imu } rebuilt { earth, axes });
 
 impl Navigator {
     pub fn new(options: &Options, earth: Earth, time_s: f64, navigation: &Navigation) -> Self {

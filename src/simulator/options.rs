@@ -5,6 +5,7 @@ use crate::error::{Error, Rule, check_range};
 use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme, VerticalMode};
 use crate::sensors::StreamKey;
 use crate::signal::MAX_INCREMENTS;
+use crate::snapshot::{ANY, stored};
 use crate::state::BodyAxes;
 use crate::truth::IntakeLimits;
 
@@ -39,6 +40,21 @@ pub struct Options {
     /// Limits and time base of the samples.
     pub intake: IntakeLimits,
 }
+
+stored!(Options {
+    frame,
+    scheme,
+    subsamples: 1e3,
+    updates_per_sample: 1e3,
+    vertical,
+    error_model,
+    ellipsoid,
+    gravity,
+    axes,
+    closed_loop_time_s: ANY,
+    key,
+    intake,
+});
 
 impl Default for Options {
     fn default() -> Self {

@@ -10,6 +10,7 @@ use crate::sensors::{
     InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
 use crate::signal::Increment;
+use crate::snapshot::{Reader, Stored, Writer};
 
 /// Sensor models and what the host set of them.
 #[derive(Debug, Clone)]
@@ -35,6 +36,72 @@ pub(super) struct SensorSuite {
     gyro_is_silent: bool,
     accel_is_silent: bool,
     altimeter_parameters: AltimeterParameters,
+}
+
+/// The parameters first: they are set again, and the state of what they call for is laid over that.
+impl Stored for SensorSuite {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self {
+            gyro,
+            accel,
+            altimeter,
+            gravity,
+            initial,
+            mounting,
+            gyro_parameters,
+            accel_parameters,
+            triads_are_ideal: _,
+            all_are_ideal: _,
+            is_tame: _,
+            depend_on_temperature: _,
+            follow_intervals: _,
+            gyro_is_silent: _,
+            accel_is_silent: _,
+            altimeter_parameters,
+        } = self;
+        gyro.failures().save(to);
+        gyro_parameters.save(to);
+        accel.failures().save(to);
+        accel_parameters.save(to);
+        altimeter_parameters.save(to);
+        initial.save(to);
+        mounting.save(to);
+        gravity.parameters().save(to);
+        gyro.save(to);
+        accel.save(to);
+        altimeter.save(to);
+        gravity.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        let mut triad = TriadParameters::default();
+        self.gyro.load_failures(from)?;
+        triad.load(from)?;
+        triad.validate(Sensor::Gyro)?;
+        self.set_gyro(&triad);
+        self.accel.load_failures(from)?;
+        triad.load(from)?;
+        triad.validate(Sensor::Accelerometer)?;
+        self.set_accel(&triad);
+        let mut altimeter = AltimeterParameters::default();
+        altimeter.load(from)?;
+        altimeter.validate()?;
+        self.set_altimeter(&altimeter);
+        self.initial.load(from)?;
+        self.initial.validate()?;
+        self.mounting.load(from)?;
+        self.mounting.map_or(Ok(()), |mounting| mounting.validate())?;
+        let mut gravity = GravityDisturbanceParameters::default();
+        gravity.load(from)?;
+        gravity.validate()?;
+        self.gravity.set(&gravity);
+        self.gyro.load(from)?;
+        self.accel.load(from)?;
+        self.altimeter.load(from)?;
+        self.gravity.load(from)?;
+        self.decide();
+        Ok(())
+    }
 }
 
 impl SensorSuite {

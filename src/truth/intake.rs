@@ -2,12 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::ring::Ring;
+use super::ring::{LOOK_BACK, Ring};
 use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::end_derivative_weights;
+use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::state::BodyAxes;
 
 /// Shortest interval between samples [s].
@@ -32,6 +33,8 @@ impl Default for IntakeLimits {
         Self { max_gap_s: 2.5, max_acceleration_m_s2: 2000.0, period_s: None }
     }
 }
+
+stored!(IntakeLimits { max_gap_s: ANY, max_acceleration_m_s2: ANY, period_s: ANY });
 
 /// Takes samples in.
 #[derive(Debug, Clone)]
@@ -70,6 +73,11 @@ impl Intake {
     /// The point taken last.
     pub fn current(&self) -> Option<&TruthPoint> {
         self.ring.taken(0)
+    }
+
+    /// The point taken last and the two before it, as far as there are any.
+    pub fn behind(&self) -> [Option<&TruthPoint>; 3] {
+        [0, 1, 2].map(|back| self.ring.taken(back))
     }
 
     /// The interval from the current point to the oldest that waits.
@@ -119,21 +127,57 @@ impl Intake {
         Ok(())
     }
 
+    /// Time on the time base and periods since the first sample, where a period is stated.
+    fn on_time_base(&self, stamp_s: f64) -> (f64, f64) {
+        match self.limits.period_s {
+            None => (stamp_s, 0.0),
+            Some(period) => {
+                let ticks = ((stamp_s - self.first_time_s) / period).round();
+                (self.first_time_s + ticks * period, ticks)
+            }
+        }
+    }
+
+    /// Checks and puts back a sample that was in the ring, oldest first; `v_e` is its velocity [m/s] if it has none itself.
+    fn put_back(&mut self, sample: &FlightSample, v_e: Option<Vector3<f64>>) -> Result<(), Error> {
+        sample.validate()?;
+        let (time_s, interval_s, ticks) = match self.ring.pushed(0) {
+            Some(last) => self.place_in_time(last, sample.time_s)?,
+            None => {
+                // What the interval before the oldest was nobody asks any more.
+                let (time_s, ticks) = self.on_time_base(sample.time_s);
+                (time_s, 0.0, ticks)
+            }
+        };
+        let mut point = TruthPoint::new(&self.earth, self.axes, sample, time_s, interval_s);
+        if let Some(v_e) = v_e {
+            point.set_velocity(&self.earth, v_e);
+        }
+        // What a sample without velocity was judged by is not kept, or came of a later position.
+        let knows_velocity = |point: &TruthPoint| point.sample.v_n.is_some();
+        if let Some(last) = self.ring.pushed(0).filter(|last| knows_velocity(last) && knows_velocity(&point))
+        {
+            Steps { last, before: [self.ring.pushed(1), None] }.check(&point, &self.limits)?;
+        }
+        self.ticks = ticks;
+        self.ring.push(point);
+        Ok(())
+    }
+
     /// Time on the time base, interval to the point before, ticks since the first sample.
     fn place_in_time(&self, last: &TruthPoint, stamp_s: f64) -> Result<(f64, f64, f64), Error> {
         let order = |rule| Err(Error::of(ErrorKind::TimeOrder, "sample.time_s", stamp_s, rule));
-        let (time_s, interval_s, ticks) = match self.limits.period_s {
-            None => (stamp_s, stamp_s - last.time_s, 0.0),
+        let (time_s, ticks) = self.on_time_base(stamp_s);
+        let interval_s = match self.limits.period_s {
+            None => stamp_s - last.time_s,
             Some(period) => {
-                let ticks = ((stamp_s - self.first_time_s) / period).round();
-                let time_s = self.first_time_s + ticks * period;
                 if (stamp_s - time_s).abs() > 0.4 * period {
                     return order(Rule::WordsAnd(
                         "is off the stated sample period; the nearest sample time is",
                         time_s,
                     ));
                 }
-                (time_s, (ticks - self.ticks) * period, ticks)
+                (ticks - self.ticks) * period
             }
         };
         let rounding = STAMP_ROUNDING * stamp_s.abs();
@@ -166,6 +210,45 @@ impl Intake {
             (Some(a), None, _) => weighted([a]),
             _ => Vector3::zeros(),
         }
+    }
+}
+
+/// The samples that the ring keeps; their points are made of them again, checked as if the host had pushed them.
+impl Stored for Intake {
+    fn save(&self, to: &mut Writer<'_>) {
+        // The ticks follow from the last sample.
+        let Self { earth: _, axes: _, limits: _, ring, first_time_s, ticks: _ } = self;
+        first_time_s.save(to);
+        to.count(ring.behind());
+        to.count(ring.waiting());
+        for point in ring.kept() {
+            point.sample.save(to);
+            if point.sample.v_n.is_none() {
+                point.state.v_e.save(to);
+            }
+        }
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        from.enter("snapshot: time of the first sample");
+        self.first_time_s.load(from, 1e10)?;
+        from.enter("snapshot: number of samples");
+        let behind = from.count(LOOK_BACK)?;
+        let waiting = from.count(QUEUE_CAPACITY)?;
+        for _ in 0..behind + waiting {
+            let mut sample = FlightSample::default();
+            sample.load(from)?;
+            let mut v_e = None;
+            if sample.v_n.is_none() {
+                from.enter("snapshot: velocity of a sample");
+                Numbers::load(v_e.insert(Vector3::zeros()), from, 1e12)?;
+            }
+            self.put_back(&sample, v_e)?;
+        }
+        for _ in 0..behind {
+            self.take();
+        }
+        Ok(())
     }
 }
 

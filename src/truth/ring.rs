@@ -5,6 +5,9 @@ use super::TruthPoint;
 /// Samples that may wait for a step.
 pub const QUEUE_CAPACITY: usize = 16;
 
+/// Points behind the queue that are still looked at: the current one and two before it.
+pub(super) const LOOK_BACK: usize = 3;
+
 /// A power of two that holds a full queue and the points behind it.
 const RING: usize = 32;
 
@@ -38,6 +41,16 @@ impl Ring {
     pub fn push(&mut self, point: TruthPoint) {
         self.points[self.pushed % RING] = Some(point);
         self.pushed += 1;
+    }
+
+    /// The points taken last that a stencil still looks back to, then those that wait, oldest first.
+    pub fn kept(&self) -> impl Iterator<Item = &TruthPoint> {
+        (self.taken - self.behind()..self.pushed).filter_map(|index| self.at(index))
+    }
+
+    /// How many of the kept points have been taken.
+    pub fn behind(&self) -> usize {
+        self.taken.min(LOOK_BACK)
     }
 
     /// The oldest point that waits is now the current one.

@@ -5,9 +5,10 @@ use nalgebra::Vector3;
 use crate::earth::Geodetic;
 use crate::error::{Error, check_range, check_ranges, check_temperature};
 use crate::math::Euler;
+use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// True position, velocity and attitude at an instant, as a flight simulator gives them.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FlightSample {
     /// Time stamp [s].
     pub time_s: f64,
@@ -23,6 +24,52 @@ pub struct FlightSample {
     pub f_b: Option<Vector3<f64>>,
     /// Temperature of the gyros and accelerometers [°C], if the host knows it.
     pub temperature_c: Option<f64>,
+}
+
+/// Bits of what a stored sample has beyond or short of the usual: no velocity, a rate, a force, a
+/// temperature.
+const NO_VELOCITY: usize = 1;
+const WITH_RATE: usize = 2;
+const WITH_FORCE: usize = 4;
+const WITH_TEMPERATURE: usize = 8;
+
+impl Stored for FlightSample {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self { time_s, place, v_n, euler, omega_ib_b, f_b, temperature_c } = self;
+        let bit = |is_set: bool, bit: usize| if is_set { bit } else { 0 };
+        to.count(
+            bit(v_n.is_none(), NO_VELOCITY)
+                | bit(omega_ib_b.is_some(), WITH_RATE)
+                | bit(f_b.is_some(), WITH_FORCE)
+                | bit(temperature_c.is_some(), WITH_TEMPERATURE),
+        );
+        time_s.save(to);
+        place.save(to);
+        euler.save(to);
+        [v_n, omega_ib_b, f_b].into_iter().flatten().for_each(|vector| vector.save(to));
+        temperature_c.iter().for_each(|temperature| temperature.save(to));
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        from.enter("snapshot: FlightSample");
+        let kind = from.count(NO_VELOCITY | WITH_RATE | WITH_FORCE | WITH_TEMPERATURE)?;
+        let Self { time_s, place, v_n, euler, omega_ib_b, f_b, temperature_c } = self;
+        time_s.load(from, ANY)?;
+        place.load(from)?;
+        euler.load(from)?;
+        let parts = [(v_n, NO_VELOCITY, false), (omega_ib_b, WITH_RATE, true), (f_b, WITH_FORCE, true)];
+        for (part, bit, is_there) in parts {
+            *part = None;
+            if (kind & bit != 0) == is_there {
+                part.insert(Vector3::zeros()).load(from, ANY)?;
+            }
+        }
+        *temperature_c = None;
+        if kind & WITH_TEMPERATURE != 0 {
+            temperature_c.insert(0.0).load(from, ANY)?;
+        }
+        Ok(())
+    }
 }
 
 impl FlightSample {

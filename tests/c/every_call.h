@@ -39,6 +39,8 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     sins_navigation start = {.struct_size = sizeof start};
     sins_imu_increment increment = {.struct_size = sizeof increment};
     sins_options options = {.struct_size = sizeof options};
+    unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
+    size_t size = 0;
     start.quaternion_nb[0] = 1.0;
     increment.interval_s = 0.01;
     increment.count = 1;
@@ -55,6 +57,9 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     sample.time_s = 0.01;
     EVERY_CALL(sins_run(sim, &sample, 1, 0, NULL, 0, NULL));
     every_read(sim, answer, context);
+    EVERY_CALL(sins_snapshot_size(sim, &size));
+    EVERY_CALL(sins_snapshot_save(sim, snapshot, sizeof snapshot, &size));
+    EVERY_CALL(sins_snapshot_load(sim, snapshot, size));
     EVERY_CALL(sins_reposition(sim, &sample));
     EVERY_CALL(sins_reset(sim));
     EVERY_CALL(sins_start_navigation(sim, &start));

@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "sins.h"
+#include "turn.h"
 
 enum { COUNT = 1001, EVERY = 7, RECORDS = (COUNT - 1) / EVERY };
 
@@ -25,24 +26,6 @@ static sins_sim *make(void)
     CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
     CHECK(sins_set_accel(sim, &accel) == SINS_OK);
     return sim;
-}
-
-static void make_samples(void)
-{
-    sins_flight_start start = {.struct_size = sizeof start};
-    sins_manoeuvre turn = {.struct_size = sizeof turn};
-    sins_flight *flight = NULL;
-    int k;
-    start.speed_m_s = 200.0;
-    turn.kind = SINS_MANOEUVRE_TURN;
-    turn.heading_change_rad = 2.0;
-    turn.bank_rad = 0.6;
-    CHECK(sins_flight_create(&start, &turn, 1, &flight) == SINS_OK);
-    for (k = 0; k < COUNT; k++) {
-        samples[k].struct_size = sizeof samples[k];
-        CHECK(sins_flight_sample_at(flight, k * 0.01, &samples[k]) == SINS_OK);
-    }
-    CHECK(sins_flight_destroy(flight) == SINS_OK);
 }
 
 /* Sample by sample; the records put together from the reads. */
@@ -138,7 +121,7 @@ static void refusals(void)
 
 int main(void)
 {
-    make_samples();
+    make_samples(samples, COUNT);
     by_steps();
     by_chunks(COUNT);
     by_chunks(1);

@@ -8,6 +8,7 @@ use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::MotionNode;
+use crate::snapshot::{ANY, stored};
 use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity
@@ -19,6 +20,8 @@ pub(super) struct EarthFixedForm {
     dv: Vector3<f64>,
     dr: Vector3<f64>,
 }
+
+stored!(EarthFixedForm { psi: ANY, dv: ANY, dr: ANY });
 
 impl EarthFixedForm {
     pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StartErrors) -> Self {

@@ -9,6 +9,7 @@ use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::MotionNode;
+use crate::snapshot::{ANY, stored};
 use crate::truth::TruthPoint;
 
 /// φ [rad], δv [m/s], (δL [rad], δλ [rad], δh [m]).
@@ -21,6 +22,8 @@ pub(super) struct GeographicForm {
     dv: Vector3<f64>,
     d_place: Vector3<f64>,
 }
+
+stored!(GeographicForm { phi: ANY, dv: ANY, d_place: ANY });
 
 /// The coefficients at an instant.
 pub(super) struct Coefficients {

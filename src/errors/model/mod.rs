@@ -17,6 +17,7 @@ use crate::math::{Pair, VectorPair, euler_from_attitude, rotation_quaternion, wr
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion, MotionNode};
+use crate::snapshot::{stored, variants};
 use crate::state::{BodyAxes, Navigation};
 use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
@@ -129,6 +130,8 @@ enum Form {
     Geographic(GeographicForm),
 }
 
+variants!(Form { EarthFixed, Geographic });
+
 /// The linear error model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorModel {
@@ -136,6 +139,8 @@ pub struct ErrorModel {
     form: Form,
     vertical: VerticalLoop,
 }
+
+stored!(ErrorModel { form, vertical } rebuilt { earth });
 
 impl ErrorModel {
     /// Starts at the true vertical and velocity `v_e` [m/s] with the errors `start`, in the form that belongs to `frame`.

@@ -42,7 +42,7 @@ impl Chain {
     #[inline(never)]
     pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid) {
         let (count, t) = (self.increments(), next.interval_s);
-        let sensors_were_ideal = self.last.is_none_or(|last| last.sensors_were_ideal);
+        let sensors_were_ideal = self.last.sensors_were_ideal();
         if let Some(block) = &mut self.block {
             let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
             block.observe(&self.ideal[..count], &increments[..count], t);

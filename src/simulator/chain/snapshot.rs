@@ -1,0 +1,113 @@
+//! What a snapshot keeps of the chain.
+
+use nalgebra::Vector3;
+
+use super::{Beside, Chain};
+use crate::earth::Earth;
+use crate::error::{Error, Rule};
+use crate::errors::StartErrors;
+use crate::mechanization::Mechanization;
+use crate::simulator::disturbance::Disturbance;
+use crate::simulator::interval::LastInterval;
+use crate::simulator::mounted::block_at_start;
+use crate::simulator::{ImuInterval, Options, SensorSuite};
+use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
+use crate::truth::TruthPoint;
+
+/// Read over a chain that was made at the current point. Of the increments the sums are kept.
+impl Stored for Chain {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self {
+            options: _,
+            earth: _,
+            generator,
+            ideal: _,
+            measured: _,
+            last: _,
+            mechanization,
+            error_model,
+            accuracy,
+            intervals,
+            closure,
+            closed_loop,
+            block,
+            disturbance,
+            is_plain: _,
+            views: _,
+        } = self;
+        generator.save(to);
+        self.imu().save(to);
+        self.last.vertical_unaided().unwrap_or_default().save(to);
+        block.iter().for_each(|block| block.save(to));
+        disturbance.iter().for_each(|disturbance| disturbance.save(to));
+        mechanization.save(to);
+        if let Some(model) = error_model {
+            model.save(to);
+        }
+        accuracy.save(to);
+        intervals.save(to);
+        closure.save(to);
+        if let Some(closed_loop) = closed_loop {
+            closed_loop.save(to);
+        }
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.generator.load(from)?;
+        let mut imu: Option<ImuInterval> = None;
+        imu.load(from)?;
+        let vertical_unaided = from.flag()?;
+        self.last = imu.map_or(LastInterval::None, |imu| LastInterval::Loaded { imu, vertical_unaided });
+        if let Some(block) = &mut self.block {
+            block.load(from)?;
+        }
+        if let Some(disturbance) = &mut self.disturbance {
+            disturbance.load(from)?;
+        }
+        self.mechanization.load(from)?;
+        if let Some(model) = &mut self.error_model {
+            model.load(from)?;
+        }
+        self.accuracy.load(from)?;
+        from.enter("snapshot: intervals");
+        Numbers::load(&mut self.intervals, from, COUNT)?;
+        self.closure.load(from)?;
+        if let Some(closed_loop) = &mut self.closed_loop {
+            closed_loop.load(from)?;
+        }
+        Ok(())
+    }
+}
+
+impl Chain {
+    /// The point that the chain of a snapshot has come to: the first of the points `behind`, newest first.
+    pub fn flown_to<'a>(
+        behind: &[Option<&'a TruthPoint>; 3],
+        from: &mut Reader<'_>,
+    ) -> Result<&'a TruthPoint, Error> {
+        if let [Some(current), Some(_), _] = *behind {
+            return Ok(current);
+        }
+        from.enter("snapshot: samples that were flown");
+        let count = behind.iter().flatten().count();
+        Err(from.refused(count as f64, Rule::Words("must be two at the least in flight")))
+    }
+
+    /// A chain at the point `current`, over which that of a snapshot can be read.
+    pub fn to_load(options: &Options, earth: Earth, current: &TruthPoint, sensors: &SensorSuite) -> Self {
+        let navigator = Mechanization::new(earth, options.frame, options.scheme, &current.state);
+        let beside = Beside {
+            block: sensors
+                .mounting()
+                .map(|mounting| block_at_start(mounting, options, &earth, current, None)),
+            disturbance: sensors.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
+            sensors_state: current.state,
+        };
+        Self::new(options, earth, current, &StartErrors::NONE, navigator, true, beside)
+    }
+
+    /// Looks back at the points `behind`, newest first.
+    pub fn look_back(&mut self, behind: &[Option<&TruthPoint>; 3]) {
+        self.generator.look_back(behind);
+    }
+}

@@ -1,0 +1,31 @@
+//! The interval flown last.
+
+use super::{ImuFlags, ImuInterval};
+
+/// The interval flown last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum LastInterval {
+    /// There is none.
+    None,
+    /// It left its increments in the chain.
+    Flown { time_s: f64, interval_s: f64, sensors_were_ideal: bool, flags: ImuFlags, vertical_unaided: bool },
+    /// A snapshot keeps the sums alone.
+    Loaded { imu: ImuInterval, vertical_unaided: bool },
+}
+
+impl LastInterval {
+    /// Whether what the sensors measured is what they should.
+    pub fn sensors_were_ideal(&self) -> bool {
+        !matches!(self, Self::Flown { sensors_were_ideal: false, .. })
+    }
+
+    /// Whether nothing aided the vertical channel, if there was an interval.
+    pub fn vertical_unaided(&self) -> Option<bool> {
+        match *self {
+            Self::None => None,
+            Self::Flown { vertical_unaided, .. } | Self::Loaded { vertical_unaided, .. } => {
+                Some(vertical_unaided)
+            }
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! What stands before the words of a snapshot: whose it is, which version, how long, and whether it is whole.
+
+use crate::error::{Error, ErrorKind, Rule};
+use crate::math::{SPLIT_MIX_STEP, mix};
+
+/// Version of the format that this library writes, the only one so far.
+pub const FORMAT_VERSION: u32 = 1;
+
+const MAGIC: [u8; 8] = *b"SINSsnap";
+
+/// Of magic, version, length and checksum.
+pub(super) const HEADER_BYTES: usize = 24;
+
+/// Where the checksum stands.
+const CHECKSUM: core::ops::Range<usize> = 16..24;
+
+/// Writes magic, version, length and checksum into the first 24 bytes of a snapshot whose words stand behind them: what a
+/// test needs that alters words. Fewer bytes stay as they are.
+pub fn seal(snapshot: &mut [u8]) {
+    let length = snapshot.len() as u32;
+    let Some(header) = snapshot.get_mut(..HEADER_BYTES) else { return };
+    header[..8].copy_from_slice(&MAGIC);
+    header[8..12].copy_from_slice(&FORMAT_VERSION.to_le_bytes());
+    header[12..16].copy_from_slice(&length.to_le_bytes());
+    let checksum = checksum(snapshot);
+    snapshot[CHECKSUM].copy_from_slice(&checksum.to_le_bytes());
+}
+
+/// The words of a snapshot with a good header.
+pub(super) fn open(snapshot: &[u8]) -> Result<&[u8], Error> {
+    let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value as f64, rule));
+    let Some(header) = snapshot.get(..HEADER_BYTES) else {
+        let rule = Rule::WordsAnd("is cut off; the header alone has bytes:", HEADER_BYTES as f64);
+        return damaged("snapshot size", snapshot.len(), rule);
+    };
+    let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
+    if header[..8] != MAGIC {
+        return Err(Error {
+            kind: ErrorKind::Snapshot,
+            ..Error::bad_state("snapshot: these bytes are something else")
+        });
+    }
+    let version = number(8) as usize;
+    if version != FORMAT_VERSION as usize {
+        let rule = Rule::WordsAnd("is of another release; this one reads version", f64::from(FORMAT_VERSION));
+        return damaged("snapshot format version", version, rule);
+    }
+    let length = number(12) as usize;
+    if length != snapshot.len() {
+        let rule = Rule::WordsAnd("is not the size that was saved:", length as f64);
+        return damaged("snapshot size", snapshot.len(), rule);
+    }
+    if header[CHECKSUM] != checksum(snapshot).to_le_bytes() {
+        return Err(Error {
+            kind: ErrorKind::Snapshot,
+            ..Error::bad_state("snapshot: its checksum does not fit; bytes were altered")
+        });
+    }
+    Ok(&snapshot[HEADER_BYTES..])
+}
+
+/// A word into the hash: both halves of a long product, so that each bit of either moves all bits of the result.
+#[inline]
+fn folded(hash: u64, word: u64) -> u64 {
+    let product = u128::from(hash ^ word) * u128::from(SPLIT_MIX_STEP);
+    (product >> 64) as u64 ^ product as u64
+}
+
+/// Hash of all bytes but its own, eight at a time, the last ones filled up with zeros.
+fn checksum(snapshot: &[u8]) -> u64 {
+    let mut hash = SPLIT_MIX_STEP;
+    for part in [&snapshot[..CHECKSUM.start], &snapshot[CHECKSUM.end..]] {
+        let (words, rest) = part.as_chunks();
+        hash = words.iter().fold(hash, |hash, word| folded(hash, u64::from_le_bytes(*word)));
+        let mut last = [0; 8];
+        last[..rest.len()].copy_from_slice(rest);
+        hash = folded(hash, u64::from_le_bytes(last));
+    }
+    mix(hash)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_header_is_as_documented_and_seals_what_is_behind_it() {
+        let mut bytes = vec![0; 27];
+        bytes[24..].copy_from_slice(&[7, 8, 9]);
+        seal(&mut bytes);
+        assert_eq!(&bytes[..16], b"SINSsnap\x01\0\0\0\x1b\0\0\0");
+        assert_eq!(open(&bytes), Ok(&[7, 8, 9][..]));
+    }
+
+    #[test]
+    fn each_damage_has_its_words() {
+        let mut good = vec![0; 40];
+        seal(&mut good);
+        let altered = |at: usize, change: u8| {
+            let mut bytes = good.clone();
+            bytes[at] ^= change;
+            open(&bytes).unwrap_err().to_string()
+        };
+        assert_eq!(altered(0, 1), "snapshot: these bytes are something else");
+        assert_eq!(
+            altered(8, 3),
+            "snapshot format version = 2: is of another release; this one reads version 1"
+        );
+        assert_eq!(altered(12, 1), "snapshot size = 40: is not the size that was saved: 41");
+        for at in 16..40 {
+            assert_eq!(altered(at, 0x80), "snapshot: its checksum does not fit; bytes were altered");
+        }
+        let cut = |length: usize| open(&good[..length]).unwrap_err().to_string();
+        assert_eq!(cut(39), "snapshot size = 39: is not the size that was saved: 40");
+        assert_eq!(cut(23), "snapshot size = 23: is cut off; the header alone has bytes: 24");
+    }
+}

@@ -1,0 +1,30 @@
+//! Snapshots: the state of a simulator as bytes that mean the same on every machine.
+//!
+//! ```text
+//!  0   8  "SINSsnap"
+//!  8   4  version of the format
+//! 12   4  length of the whole [bytes]
+//! 16   8  checksum of all the other bytes
+//! 24      words of 64 bits
+//! ```
+//! The least significant byte comes first. Sixteen bits go before each eight words, two for each, lowest first: 0 for a word
+//! that is zero and left out, 1 for one below 256, of which a byte follows, 2 for one that follows whole. So what is off costs
+//! two bits. Numbers are their IEEE 754 bits.
+//! Behind the header stand the options, the sensors' parameters and state, the samples, and the chain, each part in the
+//! order in which its `stored!` names the fields. What follows from something else is not stored but made again.
+//!
+//! Checked is everything: the header, each number against a limit, options, parameters and samples as if the host had given
+//! them. An alteration is missed once in 2^64 times; forged bytes with the right checksum are refused too, or are the state of
+//! a working simulator.
+
+mod envelope;
+mod numbers;
+mod reader;
+mod stored;
+mod writer;
+
+pub use envelope::{FORMAT_VERSION, seal};
+pub(crate) use numbers::{ANY, COUNT, Numbers};
+pub(crate) use reader::Reader;
+pub(crate) use stored::{Stored, codes, stored, variants};
+pub(crate) use writer::Writer;

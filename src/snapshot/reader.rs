@@ -1,0 +1,85 @@
+//! Bytes back to words.
+
+use super::envelope::open;
+use super::writer::{BYTE, GROUP, NOTHING, WHOLE};
+use crate::error::{Error, ErrorKind, Rule};
+
+/// Reads a snapshot.
+pub(crate) struct Reader<'a> {
+    rest: &'a [u8],
+    /// Of the words to come, lowest bits first.
+    sizes: u16,
+    /// Words that these sizes are still for.
+    left: usize,
+    /// What is being read, for messages.
+    field: &'static str,
+}
+
+impl<'a> Reader<'a> {
+    /// Of a snapshot with a good header.
+    pub fn new(snapshot: &'a [u8]) -> Result<Self, Error> {
+        Ok(Self { rest: open(snapshot)?, sizes: 0, left: 0, field: "" })
+    }
+
+    /// What is read next, by its name in messages.
+    pub fn enter(&mut self, field: &'static str) {
+        self.field = field;
+    }
+
+    pub fn word(&mut self) -> Result<u64, Error> {
+        if self.left == 0 {
+            (self.sizes, self.left) = (u16::from_le_bytes(self.bytes()?), GROUP);
+        }
+        let size = self.sizes & 3;
+        self.sizes >>= 2;
+        self.left -= 1;
+        let (word, smallest) = match size {
+            NOTHING => (0, 0),
+            BYTE => (u64::from(u8::from_le_bytes(self.bytes()?)), 1),
+            WHOLE => (u64::from_le_bytes(self.bytes()?), 256),
+            _ => return Err(self.refused(f64::from(size), Rule::Words("is no size of a word"))),
+        };
+        if word < smallest {
+            return Err(self.refused(word as f64, Rule::Words("takes more bytes than it needs")));
+        }
+        Ok(word)
+    }
+
+    fn bytes<const N: usize>(&mut self) -> Result<[u8; N], Error> {
+        let Some((bytes, rest)) = self.rest.split_first_chunk() else { return Err(self.ended()) };
+        self.rest = rest;
+        Ok(*bytes)
+    }
+
+    /// A count from 0 to `most`.
+    pub fn count(&mut self, most: usize) -> Result<usize, Error> {
+        let word = self.word()?;
+        if word > most as u64 {
+            return Err(self.refused(word as f64, Rule::Between(0.0, most as f64)));
+        }
+        Ok(word as usize)
+    }
+
+    pub fn flag(&mut self) -> Result<bool, Error> {
+        Ok(self.count(1)? == 1)
+    }
+
+    /// The end: nothing may be left.
+    pub fn finish(self) -> Result<(), Error> {
+        if self.rest.is_empty() && self.sizes == 0 {
+            return Ok(());
+        }
+        let rule = Rule::Words("must be 0: the snapshot goes on behind its end");
+        Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len() as f64, rule))
+    }
+
+    /// The value of the field at hand breaks `rule`.
+    pub fn refused(&self, value: f64, rule: Rule) -> Error {
+        Error::of(ErrorKind::Snapshot, self.field, value, rule)
+    }
+
+    fn ended(&self) -> Error {
+        let rule = Rule::Words("the snapshot ends before it");
+        Error { value: None, ..self.refused(0.0, rule) }
+    }
+}

@@ -1,0 +1,130 @@
+//! Which fields of a part are kept, so that none can be forgotten.
+
+use super::{Reader, Writer};
+use crate::error::Error;
+
+/// A part of the simulator that a snapshot keeps.
+pub(crate) trait Stored {
+    fn save(&self, to: &mut Writer<'_>);
+    /// Lays what is read over a part that was made for the same options and parameters.
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error>;
+}
+
+/// Makes a struct [`Stored`]. Every field is named, in one of two lists: the compiler refuses one that is not.
+///
+/// `field: limit` is a number or several, each finite and within ±limit when it is read; `field` alone is `Stored` itself.
+/// What is `rebuilt` follows from the options, the parameters or other fields: it is what the part was made with, and what
+/// the closure after `then` makes of it once the others are read, or refuses.
+macro_rules! stored {
+    (
+        $type:ident { $($field:ident $(: $limit:expr)?),* $(,)? }
+        $(rebuilt { $($rebuilt:ident),* $(,)? })?
+        $(then $then:expr)?
+    ) => {
+        impl $crate::snapshot::Stored for $type {
+            fn save(&self, to: &mut $crate::snapshot::Writer<'_>) {
+                let Self { $($field,)* $($($rebuilt: _,)*)? } = self;
+                $($crate::snapshot::stored!(@save $field, to $(, $limit)?);)*
+            }
+
+            fn load(&mut self, from: &mut $crate::snapshot::Reader<'_>) -> Result<(), $crate::error::Error> {
+                let Self { $($field,)* $($($rebuilt: _,)*)? } = self;
+                $(
+                    from.enter(concat!("snapshot: ", stringify!($type), ".", stringify!($field)));
+                    $crate::snapshot::stored!(@load $field, from $(, $limit)?)?;
+                )*
+                $(
+                    let then: fn(&mut Self, &$crate::snapshot::Reader<'_>) -> Result<(), $crate::error::Error> = $then;
+                    then(self, from)?;
+                )?
+                Ok(())
+            }
+        }
+    };
+    (@save $field:ident, $to:ident) => { $crate::snapshot::Stored::save($field, $to) };
+    (@save $field:ident, $to:ident, $limit:expr) => { $crate::snapshot::Numbers::save($field, $to) };
+    (@load $field:ident, $from:ident) => { $crate::snapshot::Stored::load($field, $from) };
+    (@load $field:ident, $from:ident, $limit:expr) => { $crate::snapshot::Numbers::load($field, $from, $limit) };
+}
+pub(crate) use stored;
+
+/// Makes an enumeration [`Stored`] by numbers, which are part of the format: never reuse one.
+macro_rules! codes {
+    ($type:ident { $($variant:ident = $code:literal),* $(,)? }) => {
+        impl $crate::snapshot::Stored for $type {
+            fn save(&self, to: &mut $crate::snapshot::Writer<'_>) {
+                to.word(match self { $(Self::$variant => $code,)* });
+            }
+
+            fn load(&mut self, from: &mut $crate::snapshot::Reader<'_>) -> Result<(), $crate::error::Error> {
+                *self = match from.word()? {
+                    $($code => Self::$variant,)*
+                    code => {
+                        let rule = $crate::error::Rule::Words("is none that this release knows");
+                        return Err(from.refused(code as f64, rule));
+                    }
+                };
+                Ok(())
+            }
+        }
+    };
+}
+pub(crate) use codes;
+
+/// Makes an enumeration of parts [`Stored`] of which the options choose one.
+macro_rules! variants {
+    ($type:ident { $($variant:ident),* $(,)? }) => {
+        impl $crate::snapshot::Stored for $type {
+            fn save(&self, to: &mut $crate::snapshot::Writer<'_>) {
+                match self { $(Self::$variant(part) => part.save(to),)* }
+            }
+
+            fn load(&mut self, from: &mut $crate::snapshot::Reader<'_>) -> Result<(), $crate::error::Error> {
+                match self { $(Self::$variant(part) => part.load(from),)* }
+            }
+        }
+    };
+}
+pub(crate) use variants;
+
+impl Stored for bool {
+    fn save(&self, to: &mut Writer<'_>) {
+        to.flag(*self);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        *self = from.flag()?;
+        Ok(())
+    }
+}
+
+impl<T: Stored, const N: usize> Stored for [T; N] {
+    #[inline]
+    fn save(&self, to: &mut Writer<'_>) {
+        self.iter().for_each(|part| part.save(to));
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.iter_mut().try_for_each(|part| part.load(from))
+    }
+}
+
+impl<T: Stored + Default> Stored for Option<T> {
+    fn save(&self, to: &mut Writer<'_>) {
+        to.flag(self.is_some());
+        if let Some(part) = self {
+            part.save(to);
+        }
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        *self = if from.flag()? {
+            let mut part = T::default();
+            part.load(from)?;
+            Some(part)
+        } else {
+            None
+        };
+        Ok(())
+    }
+}

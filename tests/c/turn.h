@@ -1,0 +1,27 @@
+/* Samples of a turn at 200 m/s and 100 Hz. */
+
+#ifndef TURN_H
+#define TURN_H
+
+#include "check.h"
+#include "sins.h"
+
+static void make_samples(sins_flight_sample *samples, int count)
+{
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre turn = {.struct_size = sizeof turn};
+    sins_flight *flight = NULL;
+    int k;
+    start.speed_m_s = 200.0;
+    turn.kind = SINS_MANOEUVRE_TURN;
+    turn.heading_change_rad = 2.0;
+    turn.bank_rad = 0.6;
+    CHECK(sins_flight_create(&start, &turn, 1, &flight) == SINS_OK);
+    for (k = 0; k < count; k++) {
+        samples[k].struct_size = sizeof samples[k];
+        CHECK(sins_flight_sample_at(flight, k * 0.01, &samples[k]) == SINS_OK);
+    }
+    CHECK(sins_flight_destroy(flight) == SINS_OK);
+}
+
+#endif

@@ -1,0 +1,342 @@
+//! Runs as lists of what a host does, to be cut anywhere: for the tests of snapshots.
+#![allow(dead_code)] // each test uses a part of it
+
+use nalgebra::{Matrix3, Vector3};
+use sins::earth::{Ellipsoid, GravityModel};
+use sins::math::Euler;
+use sins::mechanization::{Frame, Scheme, VerticalMode};
+use sins::mounting::MountingParameters;
+use sins::sensors::{
+    Alignment, AltimeterParameters, Axis, Failure, GravityDisturbanceParameters, GravityField,
+    InitialErrorParameters, SensorOutput, StreamKey, TriadParameters,
+};
+use sins::signal::Increment;
+use sins::state::{BodyAxes, Navigation};
+use sins::truth::{FlightSample, IntakeLimits};
+use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{Table, options_at, patrol, resting_sample};
+
+/// One call of a host.
+#[derive(Clone)]
+pub enum Call {
+    Push(FlightSample),
+    Step,
+    Gyro(TriadParameters),
+    Accel(TriadParameters),
+    Altimeter(AltimeterParameters),
+    Initial(InitialErrorParameters),
+    Mounting(MountingParameters),
+    Gravity(GravityDisturbanceParameters),
+    Failure(SensorOutput, Option<Failure>),
+    Reposition(FlightSample),
+    Reset,
+    Start(f64, Box<Navigation>),
+    Imu(Vec<Increment>, f64),
+}
+
+/// A host's run.
+pub struct Run {
+    pub name: &'static str,
+    pub options: Options,
+    pub calls: Vec<Call>,
+    /// A snapshot is taken after each so many calls.
+    pub every: usize,
+}
+
+impl Call {
+    /// Makes the call; what it answers.
+    pub fn make(&self, simulator: &mut Simulator) -> String {
+        match self {
+            Self::Push(sample) => format!("{:?}", simulator.push_sample(sample)),
+            Self::Step => format!("{:?}", simulator.step()),
+            Self::Gyro(parameters) => format!("{:?}", simulator.set_gyro(parameters)),
+            Self::Accel(parameters) => format!("{:?}", simulator.set_accel(parameters)),
+            Self::Altimeter(parameters) => format!("{:?}", simulator.set_altimeter(parameters)),
+            Self::Initial(parameters) => format!("{:?}", simulator.set_initial_errors(parameters)),
+            Self::Mounting(parameters) => format!("{:?}", simulator.set_mounting(parameters)),
+            Self::Gravity(parameters) => format!("{:?}", simulator.set_gravity_disturbance(parameters)),
+            Self::Failure(output, failure) => format!("{:?}", simulator.set_failure(*output, *failure)),
+            Self::Reposition(sample) => format!("{:?}", simulator.reposition(sample)),
+            Self::Reset => {
+                simulator.reset();
+                "reset".to_owned()
+            }
+            Self::Start(time_s, navigation) => {
+                format!("{:?}", simulator.start_navigation(*time_s, navigation))
+            }
+            Self::Imu(increments, interval_s) => format!("{:?}", simulator.push_imu(increments, *interval_s)),
+        }
+    }
+}
+
+/// All that can be read, as text: of a finite number it has every bit.
+pub fn reads(simulator: &Simulator) -> String {
+    format!(
+        "{:?}",
+        (
+            simulator.options(),
+            (simulator.intervals(), simulator.has_started(), simulator.waiting_samples()),
+            (simulator.truth(), simulator.navigation(), simulator.imu()),
+            (simulator.errors(ErrorSource::Navigation), simulator.errors(ErrorSource::Model)),
+            (simulator.accuracy(), simulator.trim()),
+        )
+    )
+}
+
+pub fn snapshot(simulator: &Simulator) -> Vec<u8> {
+    let mut bytes = vec![0; simulator.snapshot_size()];
+    assert_eq!(simulator.save_snapshot(&mut bytes), Ok(bytes.len()));
+    bytes
+}
+
+/// Gyros and accelerometers with every parameter that there is, none of them 0.
+pub fn every_effect() -> (TriadParameters, TriadParameters) {
+    let three = |scale: f64| Vector3::new(1.0, -0.7, 0.4) * scale;
+    let sizes = |scale: f64| three(scale).abs();
+    let matrix = |scale: f64| Matrix3::new(1.0, 2.0, -3.0, 0.5, -1.0, 2.0, 3.0, 1.0, 0.2) * scale;
+    let mut misalignment = matrix(1e-5);
+    misalignment.set_diagonal(&Vector3::zeros());
+    let of_scale = |u: f64| TriadParameters {
+        bias: three(u),
+        bias_sigma: sizes(u),
+        markov_sigma: sizes(u),
+        markov_time_s: Vector3::new(100.0, 1.0, 0.01),
+        random_walk: sizes(0.1 * u),
+        rate_random_walk: sizes(1e-3 * u),
+        ramp: three(1e-4 * u),
+        flicker: sizes(0.3 * u),
+        quantization: sizes(0.1 * u),
+        scale_factor: three(1e-4),
+        scale_factor_asymmetry: three(1e-5),
+        scale_factor_nonlinearity: three(1e-6),
+        misalignment,
+        range: sizes(1e6 * u),
+        bandwidth_hz: Vector3::new(20.0, 40.0, 90.0),
+        dead_zone: sizes(0.01 * u),
+        ..Default::default()
+    };
+    let gyro = TriadParameters { g_sensitivity: matrix(1e-9), ..of_scale(1e-5) };
+    let accel = TriadParameters {
+        lever_arm_m: matrix(0.02),
+        vibration_rectification_s2_m: three(1e-6),
+        ..of_scale(1e-3)
+    };
+    (gyro, accel)
+}
+
+pub fn altimeter() -> AltimeterParameters {
+    AltimeterParameters {
+        bias_m: 5.0,
+        markov_sigma_m: 3.0,
+        markov_time_s: 60.0,
+        noise_m: 1.0,
+        scale_factor: 1e-3,
+        lag_s: 0.5,
+    }
+}
+
+pub fn initial() -> InitialErrorParameters {
+    let three = Vector3::new(1.0, -2.0, 0.5);
+    InitialErrorParameters {
+        position_n: three * 10.0,
+        velocity_n: three * 0.1,
+        misalignment_n: three * 1e-4,
+        position_sigma_n: three.abs(),
+        velocity_sigma_n: three.abs() * 0.01,
+        misalignment_sigma_n: three.abs() * 1e-5,
+        alignment: Alignment::LevelAndGyrocompass,
+    }
+}
+
+/// What sets every effect.
+pub fn setting() -> Vec<Call> {
+    let (gyro, accel) = every_effect();
+    vec![Call::Gyro(gyro), Call::Accel(accel), Call::Altimeter(altimeter()), Call::Initial(initial())]
+}
+
+/// Each sample pushed and flown.
+pub fn flown(samples: impl IntoIterator<Item = FlightSample>) -> Vec<Call> {
+    samples.into_iter().flat_map(|sample| [Call::Push(sample), Call::Step]).collect()
+}
+
+pub fn samples(count: usize, interval_s: f64) -> impl Iterator<Item = FlightSample> {
+    let flight = patrol(1200.0);
+    (0..count).map(move |k| flight.sample_at(300.0 + k as f64 * interval_s).unwrap())
+}
+
+fn loops(count: usize, host_signals: bool) -> impl Iterator<Item = FlightSample> {
+    Table::packed("loop_truth.packed").samples(host_signals).into_iter().skip(1000).take(count)
+}
+
+/// Options with all that can be chosen chosen otherwise.
+pub fn unusual_options() -> Options {
+    Options {
+        frame: Frame::Geographic,
+        scheme: Scheme::Polynomial,
+        subsamples: 3,
+        updates_per_sample: 2,
+        vertical: VerticalMode::FollowTruth,
+        error_model: true,
+        ellipsoid: Ellipsoid::Krassovsky1940,
+        gravity: GravityModel::Somigliana,
+        axes: BodyAxes::ForwardRightDown,
+        closed_loop_time_s: Some(20.0),
+        key: StreamKey { seed: u64::MAX, run: 3 },
+        intake: IntakeLimits { max_gap_s: 3.0, max_acceleration_m_s2: 1500.0, period_s: Some(0.01) },
+    }
+}
+
+/// The largest of all: every option and effect on, the host's own signals.
+pub fn largest() -> Run {
+    let mut calls = setting();
+    calls.extend(flown(loops(30, true)));
+    Run { name: "largest", options: unusual_options(), calls, every: 1 }
+}
+
+pub fn runs() -> Vec<Run> {
+    let model = Options { error_model: true, ..Options::default() };
+    let mut runs = vec![
+        Run {
+            name: "at rest",
+            options: Options::default(),
+            calls: flown((0..25).map(|k| resting_sample(f64::from(k) * 0.02))),
+            every: 1,
+        },
+        Run {
+            name: "loops without an error",
+            options: options_at(100.0),
+            calls: flown(loops(30, false)),
+            every: 1,
+        },
+        largest(),
+    ];
+
+    // Half a second a sample past the window of the radial error rate; every effect in the recommended simulator.
+    let mut calls = setting();
+    calls.extend(flown(samples(700, 0.5)));
+    runs.push(Run { name: "every effect for minutes", options: model, calls, every: 101 });
+
+    // The paper's scheme, free vertical channel, no velocities, uneven stamps.
+    let uneven = samples(60, 0.01).enumerate().map(|(k, mut sample)| {
+        sample.time_s += 0.002 * ((k * 37 % 7) as f64 / 7.0);
+        FlightSample { v_n: None, ..sample }
+    });
+    let options = Options { scheme: Scheme::Paper, vertical: VerticalMode::Free, ..model };
+    runs.push(Run { name: "positions alone", options, calls: flown(uneven), every: 1 });
+
+    // The first sensor error comes in flight: the closed loop's shadow parts from the navigator; effects go and come again.
+    let (gyro, accel) = every_effect();
+    let mut calls = flown(samples(50, 0.01));
+    calls.insert(70, Call::Gyro(TriadParameters::default()));
+    calls.insert(60, Call::Altimeter(altimeter()));
+    calls.insert(50, Call::Accel(accel));
+    calls.insert(40, Call::Gyro(gyro));
+    calls.insert(90, Call::Gyro(gyro));
+    let options = Options { closed_loop_time_s: Some(30.0), ..model };
+    runs.push(Run { name: "sensors that change", options, calls, every: 1 });
+
+    // Samples in bursts, with a queue that is full and one sample too many.
+    let mut calls = setting();
+    for burst in samples(51, 0.01).collect::<Vec<_>>().chunks(17) {
+        calls.extend(burst.iter().map(|sample| Call::Push(*sample)));
+        calls.extend((0..18).map(|_| Call::Step));
+    }
+    runs.push(Run {
+        name: "bursts",
+        options: Options { frame: Frame::Geographic, ..model },
+        calls,
+        every: 1,
+    });
+
+    // Repositioned, reset, refused; samples left in the queue at both.
+    let mut calls = setting();
+    calls.extend(flown(samples(15, 0.01)));
+    let elsewhere: Vec<FlightSample> = loops(20, true).collect();
+    calls.push(Call::Push(elsewhere[0]));
+    calls.push(Call::Reposition(elsewhere[0]));
+    calls.push(Call::Initial(InitialErrorParameters::default()));
+    calls.extend(flown(elsewhere.into_iter().skip(1)));
+    calls.push(Call::Reset);
+    calls.extend(flown(samples(15, 0.01)));
+    runs.push(Run { name: "slewed and reset", options: model, calls, every: 1 });
+
+    for (name, closed_loop_time_s) in
+        [("a troubled block", None), ("a troubled block in a closed loop", Some(30.0))]
+    {
+        runs.push(Run {
+            name,
+            options: Options { closed_loop_time_s, ..model },
+            calls: troubled_block(),
+            every: 1,
+        });
+    }
+
+    // A navigator alone.
+    let (gyro, accel) = every_effect();
+    let place = samples(1, 0.01).next().unwrap();
+    let navigation = Navigation::new(
+        place.place,
+        place.v_n.unwrap(),
+        sins::math::attitude_from_euler(&place.euler),
+        BodyAxes::default(),
+    );
+    let mut calls = vec![Call::Gyro(gyro), Call::Accel(accel), Call::Start(-5.0, Box::new(navigation))];
+    calls.extend((0..30).map(|k| {
+        let increment =
+            Increment { angle: Vector3::new(1e-3, 2e-4, -1e-3), velocity: Vector3::new(0.01, 0.0, 0.0981) };
+        Call::Imu(vec![increment; 1 + k % 5], 0.01)
+    }));
+    calls.push(Call::Reset);
+    calls.extend(flown(samples(5, 0.01)));
+    runs.push(Run { name: "navigator alone", options: Options::default(), calls, every: 1 });
+    runs
+}
+
+/// A block off the reference point in disturbed gravity, its temperature on the way, and failures that come and go.
+fn troubled_block() -> Vec<Call> {
+    let three = |scale: f64| Vector3::new(1.0, -0.7, 0.4) * scale;
+    let triad = TriadParameters {
+        reference_temperature_c: 20.0,
+        bias_temperature: three(1e-6),
+        scale_factor_temperature2: three(1e-7),
+        ..Default::default()
+    };
+    let mounting = MountingParameters {
+        lever_arm_m: three(2.0),
+        boresight: Euler { roll: 0.1, pitch: -0.2, heading: 1.0 },
+        lever_arm_error_m: three(0.01),
+        boresight_error: Euler { roll: 1e-3, pitch: 0.0, heading: -2e-3 },
+    };
+    let field = GravityField { mean: 2e-5, sigma: 5e-5, distance_m: 30e3 };
+    let gravity = GravityDisturbanceParameters {
+        deflection_north: field,
+        deflection_east: GravityField { sigma: 0.0, ..field },
+        anomaly: field,
+    };
+    let warming = samples(70, 0.01)
+        .enumerate()
+        .map(|(k, sample)| FlightSample { temperature_c: Some(15.0 + 0.1 * k as f64), ..sample });
+    let mut calls = flown(warming);
+    let outputs = [
+        SensorOutput::Gyro(Axis::X),
+        SensorOutput::Gyro(Axis::Z),
+        SensorOutput::Accelerometer(Axis::Y),
+        SensorOutput::Altimeter,
+    ];
+    let failures = [
+        Failure::Noise { density: 1e-5 },
+        Failure::Spikes { size: 1e-3, interval_s: 0.05, duration_s: 0.013 },
+        Failure::RandomDropOuts { probability: 0.3 },
+        Failure::PeriodicDropOuts { interval_s: 0.07 },
+        Failure::Stuck,
+        Failure::Dead,
+        Failure::BiasStep { size: 1e-4 },
+    ];
+    for (k, failure) in failures.into_iter().enumerate() {
+        calls.insert(25 + 12 * k, Call::Failure(outputs[(k + 1) % 4], None));
+        calls.insert(32 + 12 * k, Call::Failure(outputs[k % 4], Some(failure)));
+    }
+    let first = [Call::Gyro(triad), Call::Accel(triad), Call::Mounting(mounting), Call::Gravity(gravity)];
+    first.into_iter().chain(calls).collect()
+}
