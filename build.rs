@@ -10,7 +10,7 @@ use std::{env, fs};
 const WIDTH: usize = 118;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 23] = [
     "version",
     "failure",
     "options",
@@ -33,6 +33,7 @@ const SOURCES: [&str; 22] = [
     "flight",
     "recommend",
     "budget",
+    "budget_answer",
 ];
 
 fn main() {

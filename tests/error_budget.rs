@@ -413,15 +413,16 @@ fn through_the_interface(
             first.struct_size = size_of::<sins_budget_row>() as u32;
         }
         let mut written = 77;
-        let (none, no_altimeter, no_initial) = (std::ptr::null(), std::ptr::null(), std::ptr::null());
         let status = sins_error_budget(
             samples.as_ptr(),
             samples.len(),
             &options,
             gyro,
-            none,
-            no_altimeter,
-            no_initial,
+            std::ptr::null(),
+            std::ptr::null(),
+            std::ptr::null(),
+            std::ptr::null(),
+            std::ptr::null(),
             request,
             if capacity == 0 { std::ptr::null_mut() } else { rows.as_mut_ptr() },
             capacity,
