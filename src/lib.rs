@@ -74,7 +74,7 @@
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
-//! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs` |
+//! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
 //!
