@@ -34,6 +34,7 @@ const SOURCES: [&str; 23] = [
     "flight",
     "recommend",
     "budget",
+    "budget_answer",
 ];
 
 fn main() {

@@ -1,5 +1,6 @@
-/* Which effects matter? Five minutes of an embedded flight with tactical sensors: what each of their errors contributes, and
- * which of them a host that tolerates 10 m may leave out. A host takes its own flight and its own sensors instead. */
+/* Which effects matter? Five minutes of an embedded flight with tactical sensors, a boresight known to an arc minute and a
+ * deflection of the vertical: what each error contributes, and which of them a host that tolerates 10 m may leave out. A host
+ * takes its own flight and its own sensors instead. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,6 +35,8 @@ static sins_status ask(const sins_flight_sample *samples)
     sins_options options;
     sins_gyro_params gyro;
     sins_accel_params accel;
+    sins_mounting mounting;
+    sins_gravity_params gravity;
     sins_budget_request request;
     sins_budget_row rows[16];
     sins_budget budget;
@@ -48,12 +51,17 @@ static sins_status ask(const sins_flight_sample *samples)
     sins_accel_preset(SINS_GRADE_TACTICAL, &accel);
     gyro.scale_factor[2] = 150.0 * SINS_PPM;
     accel.misalignment_rad[2] = 1.0 * SINS_ARCSEC;
+    SINS_INIT(mounting);
+    mounting.lever_arm_m[1] = 3.0;
+    mounting.boresight_error_rad[2] = 1.0 * SINS_ARCMIN;
+    SINS_INIT(gravity);
+    gravity.deflection_north_rad = 5.0 * SINS_ARCSEC;
     SINS_INIT(request);
     request.position_m = 10.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* tells how large all of them are */
-    status = sins_error_budget(samples, COUNT, &options, &gyro, &accel, NULL, NULL, &request, rows,
-                               sizeof rows / sizeof rows[0], &count, &budget);
+    status = sins_error_budget(samples, COUNT, &options, &gyro, &accel, NULL, NULL, &mounting, &gravity, &request,
+                               rows, sizeof rows / sizeof rows[0], &count, &budget);
     if (status != SINS_OK) {
         return status;
     }

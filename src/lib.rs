@@ -77,7 +77,7 @@
 //! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
 //! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
-//! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs` |
+//! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
 //! | hard cases are right, or told to be beyond it | `tests/hard_*.rs`, with their figures in `tests/README.md` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |

@@ -1,18 +1,20 @@
 //! Contributions of effects are their closed forms, the remainder is of second order, and what may be left out is left out.
 
+#[path = "support/budget.rs"]
+mod budget;
 #[path = "support/closed_form.rs"]
 mod closed_form;
 mod support;
 
+use budget::{HOUR_S, LATITUDE, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
 use closed_form::{AtRest, W};
-use nalgebra::{Complex, ComplexField, Vector3};
+use nalgebra::{Complex, Vector3};
 use sins::abi::{
     SINS_BUDGET_CAN_BE_LEFT_OUT, SINS_BUDGET_RANDOM, SINS_ERROR_BUFFER_TOO_SMALL, SINS_OK, sins_budget,
     sins_budget_request, sins_budget_row, sins_error_budget, sins_flight_sample, sins_gyro_params,
     sins_options, sins_status,
 };
-use sins::budget::{Budget, BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
-use sins::earth::Earth;
+use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
 use sins::errors::NavigationErrors;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::VerticalMode;
@@ -20,14 +22,7 @@ use sins::recommend::SolutionError;
 use sins::sensors::{Alignment, Grade, StreamKey, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
-use support::{DEG, DEG_PER_HOUR, G, interface_sample, options_at, resting_sample};
-
-const HOUR_S: u64 = 3600;
-const LATITUDE: f64 = 39.9 * DEG;
-
-fn at_rest(seconds: u64, rate_hz: f64) -> Vec<FlightSample> {
-    (0..=(seconds as f64 * rate_hz) as u64).map(|k| resting_sample(k as f64 / rate_hz)).collect()
-}
+use support::{DEG_PER_HOUR, G, interface_sample, options_at};
 
 /// A minute and a half of turns and climbs at 50 Hz.
 fn turning() -> Vec<FlightSample> {
@@ -44,20 +39,6 @@ fn turning() -> Vec<FlightSample> {
     (0..=(flight.duration_s() * 50.0) as u64).map(|k| flight.sample_at(k as f64 / 50.0).unwrap()).collect()
 }
 
-fn budget_of(
-    options: &Options,
-    samples: &[FlightSample],
-    parameters: &ErrorParameters,
-    request: &BudgetRequest,
-) -> Budget {
-    let sample = |k: usize| Ok(samples[k]);
-    error_budget(options, &Scene { count: samples.len(), sample: &sample }, parameters, request).unwrap()
-}
-
-fn row<'a>(budget: &'a Budget, field: &str) -> &'a BudgetRow {
-    budget.rows.iter().find(|row| row.effect.field == field).unwrap()
-}
-
 fn triad(set: impl FnOnce(&mut TriadParameters)) -> TriadParameters {
     let mut parameters = TriadParameters::default();
     set(&mut parameters);
@@ -66,27 +47,6 @@ fn triad(set: impl FnOnce(&mut TriadParameters)) -> TriadParameters {
 
 fn limits(position_m: f64, velocity_m_s: f64, attitude_rad: f64) -> BudgetRequest {
     BudgetRequest { limits: SolutionError { position_m, velocity_m_s, attitude_rad }, ..Default::default() }
-}
-
-/// The sphere of the mean radius of curvature, and the gravity there.
-fn sphere(eps: Vector3<f64>, nabla: Vector3<f64>) -> AtRest {
-    let earth = Earth::default();
-    let radii = earth.radii(LATITUDE.sin());
-    let g = earth.gravity(&earth.to_earth_fixed(&resting_sample(0.0).place)).norm();
-    let r = (radii.meridian_m * radii.transverse_m).sqrt();
-    AtRest { latitude_rad: LATITUDE, r, g, eps, nabla }
-}
-
-/// 0.5 %: the ellipsoid's radii differ by 0.2 % from the sphere's either way, the Schuler frequencies by 0.1 %, and an hour
-/// is 4.5 rad of them.
-fn assert_like(found: &SolutionError, expected: &SolutionError) {
-    for (found, expected) in [
-        (found.position_m, expected.position_m),
-        (found.velocity_m_s, expected.velocity_m_s),
-        (found.attitude_rad, expected.attitude_rad),
-    ] {
-        assert!((found / expected - 1.0).abs() < 5e-3, "{found:e} is not {expected:e}");
-    }
 }
 
 /// An hour at rest, level, heading north, with a drift of 0.01 °/h east, and apart from it 1e-5 g north: Schuler's loop.
@@ -102,23 +62,10 @@ fn biases_contribute_their_closed_forms() {
     let budget = budget_of(&options_at(10.0), &samples, &parameters, &Default::default());
     let zero = Vector3::zeros();
     for (field, alone) in [("gyro.bias_rad_s", sphere(eps, zero)), ("accel.bias_m_s2", sphere(zero, nabla))] {
-        let at = |t: f64| {
-            let closed = alone.after(t);
-            SolutionError {
-                position_m: closed.position.modulus(),
-                velocity_m_s: closed.velocity.modulus(),
-                attitude_rad: closed.phi.norm(),
-            }
-        };
-        let worst =
-            (0..=HOUR_S).map(|t| at(t as f64)).fold(SolutionError::default(), |worst, error| SolutionError {
-                position_m: worst.position_m.max(error.position_m),
-                velocity_m_s: worst.velocity_m_s.max(error.velocity_m_s),
-                attitude_rad: worst.attitude_rad.max(error.attitude_rad),
-            });
+        let worst = worst(&alone);
         assert_like(&row(&budget, field).worst, &worst);
         assert!(!row(&budget, field).effect.is_random);
-        let (found, end) = (row(&budget, field).end, at(HOUR_S as f64));
+        let (found, end) = (row(&budget, field).end, sizes(&alone, HOUR_S as f64));
         assert!((found.position_m - end.position_m).abs() < 5e-3 * worst.position_m);
         assert!((found.attitude_rad - end.attitude_rad).abs() < 5e-3 * worst.attitude_rad);
     }
@@ -413,15 +360,16 @@ fn through_the_interface(
             first.struct_size = size_of::<sins_budget_row>() as u32;
         }
         let mut written = 77;
-        let (none, no_altimeter, no_initial) = (std::ptr::null(), std::ptr::null(), std::ptr::null());
         let status = sins_error_budget(
             samples.as_ptr(),
             samples.len(),
             &options,
             gyro,
-            none,
-            no_altimeter,
-            no_initial,
+            std::ptr::null(),
+            std::ptr::null(),
+            std::ptr::null(),
+            std::ptr::null(),
+            std::ptr::null(),
             request,
             if capacity == 0 { std::ptr::null_mut() } else { rows.as_mut_ptr() },
             capacity,

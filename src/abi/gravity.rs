@@ -1,6 +1,6 @@
 //! `sins_gravity_params`.
 
-use super::failure::{SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
@@ -58,24 +58,27 @@ pub unsafe extern "C" fn sins_set_gravity_disturbance(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let params = unsafe { read(params, "params")? };
-        check_reserved("gravity.reserved", params.reserved)?;
-        simulator.set_gravity_disturbance(&GravityDisturbanceParameters {
-            deflection_north: GravityField {
-                mean: params.deflection_north_rad,
-                sigma: params.deflection_north_sigma_rad,
-                distance_m: params.deflection_north_distance_m,
-            },
-            deflection_east: GravityField {
-                mean: params.deflection_east_rad,
-                sigma: params.deflection_east_sigma_rad,
-                distance_m: params.deflection_east_distance_m,
-            },
-            anomaly: GravityField {
-                mean: params.anomaly_m_s2,
-                sigma: params.anomaly_sigma_m_s2,
-                distance_m: params.anomaly_distance_m,
-            },
-        })?;
+        simulator.set_gravity_disturbance(&params.to_parameters()?)?;
         Ok(SINS_OK)
     })
+}
+
+impl sins_gravity_params {
+    pub(super) fn to_parameters(self) -> Result<GravityDisturbanceParameters, Failure> {
+        check_reserved("gravity.reserved", self.reserved)?;
+        let field = |mean, sigma, distance_m| GravityField { mean, sigma, distance_m };
+        Ok(GravityDisturbanceParameters {
+            deflection_north: field(
+                self.deflection_north_rad,
+                self.deflection_north_sigma_rad,
+                self.deflection_north_distance_m,
+            ),
+            deflection_east: field(
+                self.deflection_east_rad,
+                self.deflection_east_sigma_rad,
+                self.deflection_east_distance_m,
+            ),
+            anomaly: field(self.anomaly_m_s2, self.anomaly_sigma_m_s2, self.anomaly_distance_m),
+        })
+    }
 }

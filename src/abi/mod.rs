@@ -17,6 +17,7 @@ mod accuracy;
 mod altimeter;
 mod boundary;
 mod budget;
+mod budget_answer;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
@@ -46,6 +47,7 @@ pub use accel::*;
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
 pub use altimeter::*;
 pub use budget::*;
+pub use budget_answer::*;
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;

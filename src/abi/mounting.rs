@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::failure::{SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
@@ -49,14 +49,20 @@ pub unsafe extern "C" fn sins_set_mounting(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let mounting = unsafe { read(mounting, "mounting")? };
-        check_reserved("mounting.reserved", mounting.reserved)?;
-        let angles = |[roll, pitch, heading]: [f64; 3]| Euler { roll, pitch, heading };
-        simulator.set_mounting(&MountingParameters {
-            lever_arm_m: Vector3::from(mounting.lever_arm_m),
-            boresight: angles(mounting.boresight_rad),
-            lever_arm_error_m: Vector3::from(mounting.lever_arm_error_m),
-            boresight_error: angles(mounting.boresight_error_rad),
-        })?;
+        simulator.set_mounting(&mounting.to_parameters()?)?;
         Ok(SINS_OK)
     })
+}
+
+impl sins_mounting {
+    pub(super) fn to_parameters(self) -> Result<MountingParameters, Failure> {
+        check_reserved("mounting.reserved", self.reserved)?;
+        let angles = |[roll, pitch, heading]: [f64; 3]| Euler { roll, pitch, heading };
+        Ok(MountingParameters {
+            lever_arm_m: Vector3::from(self.lever_arm_m),
+            boresight: angles(self.boresight_rad),
+            lever_arm_error_m: Vector3::from(self.lever_arm_error_m),
+            boresight_error: angles(self.boresight_error_rad),
+        })
+    }
 }

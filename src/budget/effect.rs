@@ -20,15 +20,15 @@ const RANDOM: bool = true;
 
 /// Name, field, kind: where it is set, then what else belongs to it.
 macro_rules! effects {
-    ($($name:literal, $field:literal, $kind:ident: $part:ident.$member:ident $(, $more:ident.$too:ident)*;)*) => {
+    ($($name:literal, $field:literal, $kind:ident: $($path:ident).+ $(, $($too:ident).+)*;)*) => {
         &[$(Effect {
             name: $name,
             field: $field,
             is_random: $kind,
-            is_set: |from| from.$part.$member != ErrorParameters::default().$part.$member,
+            is_set: |from| from.$($path).+ != ErrorParameters::default().$($path).+,
             copy: |from, to| {
-                to.$part.$member = from.$part.$member;
-                $(to.$more.$too = from.$more.$too;)*
+                to.$($path).+ = from.$($path).+;
+                $(to.$($too).+ = from.$($too).+;)*
             },
         }),*]
     };
@@ -36,6 +36,12 @@ macro_rules! effects {
 
 /// All of them, along the path of the signal.
 pub static EFFECTS: &[Effect] = effects! {
+    "deflection north", "gravity.deflection_north_rad", DETERMINISTIC: gravity.deflection_north.mean;
+    "random deflection north", "gravity.deflection_north_sigma_rad", RANDOM: gravity.deflection_north.sigma, gravity.deflection_north.distance_m;
+    "deflection east", "gravity.deflection_east_rad", DETERMINISTIC: gravity.deflection_east.mean;
+    "random deflection east", "gravity.deflection_east_sigma_rad", RANDOM: gravity.deflection_east.sigma, gravity.deflection_east.distance_m;
+    "gravity anomaly", "gravity.anomaly_m_s2", DETERMINISTIC: gravity.anomaly.mean;
+    "random gravity anomaly", "gravity.anomaly_sigma_m_s2", RANDOM: gravity.anomaly.sigma, gravity.anomaly.distance_m;
     "gyro bandwidth", "gyro.bandwidth_hz", DETERMINISTIC: gyro.bandwidth_hz;
     "gyro scale factor", "gyro.scale_factor", DETERMINISTIC: gyro.scale_factor;
     "gyro misalignment", "gyro.misalignment_rad", DETERMINISTIC: gyro.misalignment;
@@ -88,6 +94,8 @@ pub static EFFECTS: &[Effect] = effects! {
     "drawn initial position", "initial.position_sigma_enu_m", RANDOM: initial.position_sigma_n;
     "drawn initial velocity", "initial.velocity_sigma_enu_m_s", RANDOM: initial.velocity_sigma_n;
     "drawn initial misalignment", "initial.misalignment_sigma_enu_rad", RANDOM: initial.misalignment_sigma_n;
+    "believed lever arm", "mounting.lever_arm_error_m", DETERMINISTIC: mounting.lever_arm_error_m;
+    "believed boresight", "mounting.boresight_error_rad", DETERMINISTIC: mounting.boresight_error;
 };
 
 impl Effect {
@@ -120,11 +128,18 @@ mod tests {
     use nalgebra::{Matrix3, Vector3};
 
     use super::*;
-    use crate::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, TriadParameters};
+    use crate::math::Euler;
+    use crate::mounting::MountingParameters;
+    use crate::sensors::{
+        Alignment, AltimeterParameters, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
+        TriadParameters,
+    };
 
     /// Every field, spelled out: a new one does not compile until it stands here, and fails until it has its line.
     fn everything() -> ErrorParameters {
         let (ones, matrix) = (Vector3::repeat(1.0), Matrix3::repeat(1.0));
+        let angles = Euler { roll: 1.0, pitch: 1.0, heading: 1.0 };
+        let field = GravityField { mean: 1.0, sigma: 1.0, distance_m: 1.0 };
         let triad = TriadParameters {
             bias: ones,
             bias_sigma: ones,
@@ -178,6 +193,17 @@ mod tests {
                 misalignment_sigma_n: ones,
                 alignment: Alignment::LevelAndGyrocompass,
             },
+            mounting: MountingParameters {
+                lever_arm_m: ones,
+                boresight: angles,
+                lever_arm_error_m: ones,
+                boresight_error: angles,
+            },
+            gravity: GravityDisturbanceParameters {
+                deflection_north: field,
+                deflection_east: field,
+                anomaly: field,
+            },
         }
     }
 
@@ -208,12 +234,15 @@ mod tests {
         }
     }
 
-    /// A correlation time without a standard deviation is no effect.
+    /// A correlation time or distance without a standard deviation is no effect, nor is a mounting that is believed.
     #[test]
     fn what_is_off_is_no_effect() {
         let mut parameters = ErrorParameters::default();
         parameters.gyro.markov_time_s.x = 100.0;
         parameters.accel.bias.y = -0.0;
+        parameters.gravity.anomaly.distance_m = 1e4;
+        parameters.mounting.lever_arm_m.x = 5.0;
+        parameters.mounting.boresight.heading = 1.0;
         assert_eq!(Effect::set_in(&parameters).count(), 0);
     }
 }

@@ -1,10 +1,13 @@
 //! All that errs in a run, as it is set.
 
 use crate::error::Error;
-use crate::sensors::{AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
+use crate::mounting::MountingParameters;
+use crate::sensors::{
+    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor, TriadParameters,
+};
 use crate::simulator::Simulator;
 
-/// What is set of the sensors and of the start. The default is ideal.
+/// What is set of the sensors, of the start, of the mounting and of gravity. The default is ideal.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorParameters {
     /// Of the gyros.
@@ -15,6 +18,10 @@ pub struct ErrorParameters {
     pub altimeter: AltimeterParameters,
     /// Of the start.
     pub initial: InitialErrorParameters,
+    /// Of what the INS believes of its mounting, with the mounting itself.
+    pub mounting: MountingParameters,
+    /// Of the gravity that the INS computes.
+    pub gravity: GravityDisturbanceParameters,
 }
 
 impl ErrorParameters {
@@ -23,14 +30,18 @@ impl ErrorParameters {
         self.gyro.validate(Sensor::Gyro)?;
         self.accel.validate(Sensor::Accelerometer)?;
         self.altimeter.validate()?;
-        self.initial.validate()
+        self.initial.validate()?;
+        self.mounting.validate()?;
+        self.gravity.validate()
     }
 
-    /// The same with ideal sensors and a start without errors; where its misalignment comes from and which temperature is that
-    /// of reference are no effects and stay.
+    /// The same with nothing that errs; where the misalignment of the start comes from, which temperature is that of reference
+    /// and where the sensor block sits are no effects and stay.
     pub(super) fn ideal(&self) -> Self {
         let mut ideal = Self::default();
         ideal.initial.alignment = self.initial.alignment;
+        ideal.mounting.lever_arm_m = self.mounting.lever_arm_m;
+        ideal.mounting.boresight = self.mounting.boresight;
         ideal.gyro.reference_temperature_c = self.gyro.reference_temperature_c;
         ideal.accel.reference_temperature_c = self.accel.reference_temperature_c;
         ideal
@@ -41,6 +52,8 @@ impl ErrorParameters {
         simulator.set_gyro(&self.gyro)?;
         simulator.set_accel(&self.accel)?;
         simulator.set_altimeter(&self.altimeter)?;
-        simulator.set_initial_errors(&self.initial)
+        simulator.set_initial_errors(&self.initial)?;
+        simulator.set_mounting(&self.mounting)?;
+        simulator.set_gravity_disturbance(&self.gravity)
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::errors::SensorErrors;
 use crate::mounting::Block;
-use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS};
+use crate::signal::{Increment, IntervalMotion};
 use crate::snapshot::stored;
 
 /// Gauss-Legendre nodes on 0..1: with two in each increment its error is θ⁴/4320 of it, at a rotation θ [rad].
@@ -44,17 +44,16 @@ impl Disturbance {
         let part = 1.0 / increments.len() as f64;
         let half_dt = 0.5 * motion.interval_s * part;
         let change_e = at_next_e - self.at_last_e;
-        let none = [Increment::ZERO; MAX_INCREMENTS];
-        let (mut felt, count) = (none, increments.len());
-        for (m, (felt, increment)) in felt.iter_mut().zip(increments).enumerate() {
+        let felt = increments.iter_mut().enumerate().map(|(m, increment)| {
             let felt_b = NODES.iter().fold(Vector3::zeros(), |sum, node| {
                 let u = (m as f64 + node) * part;
                 sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
             });
-            felt.velocity = block.map_or(felt_b, |block| block.in_block_axes(&felt_b));
-            increment.velocity += felt.velocity;
-        }
-        self.felt = SensorErrors::between(&none[..count], &felt[..count], motion.interval_s);
+            let velocity = block.map_or(felt_b, |block| block.in_block_axes(&felt_b));
+            increment.velocity += velocity;
+            Increment { velocity, ..Increment::ZERO }
+        });
+        self.felt = SensorErrors::of_increments(felt, motion.interval_s);
         self.at_last_e = at_next_e;
     }
 

@@ -172,6 +172,7 @@ impl Simulator {
     }
 
     /// Back to before the first sample: same parameters, seed and draws, no failures.
+    #[inline(never)]
     pub fn reset(&mut self) {
         self.intake = Intake::new(self.earth, self.options.axes, self.options.intake);
         self.sensors = self.sensors.restarted(&self.options);

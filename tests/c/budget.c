@@ -8,13 +8,15 @@
 #include "sins.h"
 #include "small_stack.h"
 
-enum { COUNT = 201, ROWS = 8 };
+enum { COUNT = 201, ROWS = 10 };
 
 static sins_flight_sample piece[COUNT];
 static sins_gyro_params gyro = {.struct_size = sizeof gyro};
 static sins_accel_params accel = {.struct_size = sizeof accel};
 static sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
 static sins_initial_errors initial = {.struct_size = sizeof initial};
+static sins_mounting mounting = {.struct_size = sizeof mounting};
+static sins_gravity_params gravity = {.struct_size = sizeof gravity};
 
 static void make_scene(void)
 {
@@ -29,13 +31,18 @@ static void make_scene(void)
     accel.velocity_random_walk_m_s_sqrt_s[1] = 1e-3;
     altimeter.noise_m = 1.0;
     initial.position_enu_m[1] = 7.0;
+    mounting.lever_arm_m[0] = 3.0; /* true: no row */
+    mounting.boresight_rad[2] = 1.0;
+    mounting.boresight_error_rad[2] = 1.0 * SINS_ARCMIN;
+    gravity.deflection_north_rad = 10.0 * SINS_ARCSEC;
+    gravity.anomaly_distance_m = 1e4; /* of no field: no row */
 }
 
 static sins_status ask(const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written,
                        sins_budget *budget)
 {
-    return sins_error_budget(piece, COUNT, NULL, &gyro, &accel, &altimeter, &initial, request, rows, capacity, written,
-                             budget);
+    return sins_error_budget(piece, COUNT, NULL, &gyro, &accel, &altimeter, &initial, &mounting, &gravity, request, rows,
+                             capacity, written, budget);
 }
 
 static const sins_budget_row *row_of(const sins_budget_row *rows, const char *field)
@@ -59,9 +66,9 @@ static void answers(void)
     size_t written = 0;
 
     memset(rows, 0, sizeof rows);
-    CHECK(ask(NULL, NULL, 0, &written, NULL) == SINS_ERROR_BUFFER_TOO_SMALL && written == 5);
+    CHECK(ask(NULL, NULL, 0, &written, NULL) == SINS_ERROR_BUFFER_TOO_SMALL && written == 7);
     rows[0].struct_size = sizeof rows[0];
-    CHECK(ask(&request, rows, ROWS, &written, &budget) == SINS_OK && written == 5);
+    CHECK(ask(&request, rows, ROWS, &written, &budget) == SINS_OK && written == 7);
     CHECK(strcmp(rows[0].effect, "mechanization") == 0 && rows[0].flags == 0 && rows[0].position_m < 1e-6);
     CHECK(strcmp(rows[1].effect, "initial position") == 0 && fabs(rows[1].position_m - 7.0) < 0.01);
     CHECK(!(rows[1].flags & SINS_BUDGET_CAN_BE_LEFT_OUT) && fabs(rows[1].share - rows[1].position_m) < 1e-12);
@@ -70,8 +77,13 @@ static void answers(void)
     CHECK(row->flags & SINS_BUDGET_CAN_BE_LEFT_OUT);
     row = row_of(rows, "altimeter.noise_m");
     CHECK(row->flags & SINS_BUDGET_RANDOM && row->position_m > 0.0);
-    CHECK(rows[5].struct_size == 0);
-    CHECK(budget.runs == 8 && budget.flights == 1 + 2 + 8 * 2 + 8 + 8 && budget.ns_per_step > 0.0);
+    row = row_of(rows, "mounting.boresight_error_rad"); /* a wrong heading, and nothing else */
+    CHECK(fabs(row->attitude_rad / mounting.boresight_error_rad[2] - 1.0) < 1e-3);
+    CHECK(strcmp(row->effect, "believed boresight") == 0 && !(row->flags & SINS_BUDGET_RANDOM));
+    row = row_of(rows, "gravity.deflection_north_rad"); /* g xi t^2/2 */
+    CHECK(fabs(row->end_position_m / (9.8 * gravity.deflection_north_rad * 200.0) - 1.0) < 0.01);
+    CHECK(rows[7].struct_size == 0);
+    CHECK(budget.runs == 8 && budget.flights == 1 + 4 + 8 * 2 + 8 + 8 && budget.ns_per_step > 0.0);
     CHECK(fabs(budget.duration_s - 19.9) < 1e-9 && budget.position_m > 6.9);
     CHECK(budget.left_out_position_m > 0.0 && budget.left_out_position_m <= 1.0);
     CHECK(budget.sigma_low < 1.0 && budget.sigma_high > 1.0);
@@ -94,8 +106,8 @@ static sins_status refused(const sins_budget_request *request, size_t count, siz
     budget.struct_size = sizeof budget;
     memcpy(rows_before, rows, sizeof rows);
     budget_before = budget;
-    status = sins_error_budget(piece, count, NULL, &gyro, &accel, &altimeter, &initial, request, rows, capacity, NULL,
-                               &budget);
+    status = sins_error_budget(piece, count, NULL, &gyro, &accel, &altimeter, &initial, &mounting, &gravity, request,
+                               rows, capacity, NULL, &budget);
     CHECK(memcmp(rows, rows_before, sizeof rows) == 0 && memcmp(&budget, &budget_before, sizeof budget) == 0);
     CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
     if (strstr(text, sentence) == NULL) {
@@ -125,7 +137,7 @@ static void refusals(void)
     CHECK(refused(&good, 0, ROWS, "count = 0") == SINS_ERROR_INVALID_ARGUMENT);
     CHECK(refused(&good, 1, ROWS, "count = 1") == SINS_ERROR_INVALID_ARGUMENT);
     CHECK(refused(&good, (size_t)-1, ROWS, "count = ") == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(refused(&good, COUNT, 4, "capacity = 4: is too small; needed: 5") == SINS_ERROR_BUFFER_TOO_SMALL);
+    CHECK(refused(&good, COUNT, 4, "capacity = 4: is too small; needed: 7") == SINS_ERROR_BUFFER_TOO_SMALL);
 
     altimeter.reserved = 3;
     CHECK(refused(&good, COUNT, ROWS, "altimeter.reserved = 3") == SINS_ERROR_INVALID_ARGUMENT);
@@ -136,6 +148,18 @@ static void refusals(void)
     initial.alignment = 5;
     CHECK(refused(&good, COUNT, ROWS, "initial.alignment = 5") == SINS_ERROR_INVALID_ARGUMENT);
     initial.alignment = SINS_ALIGNMENT_GIVEN;
+    mounting.reserved = 3;
+    CHECK(refused(&good, COUNT, ROWS, "mounting.reserved = 3") == SINS_ERROR_INVALID_ARGUMENT);
+    mounting.reserved = 0;
+    mounting.boresight_error_rad[1] = 4.0;
+    CHECK(refused(&good, COUNT, ROWS, "mounting.boresight_error_rad[1] = 4") == SINS_ERROR_INVALID_ARGUMENT);
+    mounting.boresight_error_rad[1] = 0.0;
+    gravity.reserved = 3;
+    CHECK(refused(&good, COUNT, ROWS, "gravity.reserved = 3") == SINS_ERROR_INVALID_ARGUMENT);
+    gravity.reserved = 0;
+    gravity.anomaly_sigma_m_s2 = 1.0;
+    CHECK(refused(&good, COUNT, ROWS, "gravity.anomaly_sigma_m_s2 = 1") == SINS_ERROR_INVALID_ARGUMENT);
+    gravity.anomaly_sigma_m_s2 = 0.0;
 
     piece[9].flags = 0x80;
     CHECK(refused(&good, COUNT, ROWS, "(samples[9])") == SINS_ERROR_INVALID_ARGUMENT);

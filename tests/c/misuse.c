@@ -126,8 +126,8 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_recommend(piece, 2, NULL, &options, &cost) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_recommend(piece, 2, &requirement, NULL, &cost) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_recommend(piece, 2, &requirement, &options, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_error_budget(NULL, 2, NULL, NULL, NULL, NULL, NULL, NULL, row, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_error_budget(piece, 2, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_error_budget(NULL, 2, 0, 0, 0, 0, 0, 0, 0, 0, row, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_error_budget(piece, 2, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
 }
 
 int main(void)

@@ -56,10 +56,19 @@ impl SensorErrors {
     /// From the increments of an interval of length `t` [s], in parts of equal length.
     #[inline(always)] // 30 instructions less in each step
     pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
-        let (part, rate) = (1.0 / ideal.len() as f64, 1.0 / t);
+        let errors = ideal.iter().zip(measured).map(|(ideal, measured)| Increment {
+            angle: measured.angle - ideal.angle,
+            velocity: measured.velocity - ideal.velocity,
+        });
+        Self::of_increments(errors, t)
+    }
+
+    /// From the errors of these increments.
+    #[inline(always)]
+    pub fn of_increments(errors: impl ExactSizeIterator<Item = Increment>, t: f64) -> Self {
+        let (part, rate) = (1.0 / errors.len() as f64, 1.0 / t);
         let (mut sum, mut moment) = (Increment::ZERO, Increment::ZERO);
-        for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
-            let (angle, velocity) = (measured.angle - ideal.angle, measured.velocity - ideal.velocity);
+        for (i, Increment { angle, velocity }) in errors.enumerate() {
             let from_middle = (i as f64 + 0.5) * part - 0.5;
             sum.angle += angle;
             sum.velocity += velocity;

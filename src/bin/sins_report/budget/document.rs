@@ -99,8 +99,8 @@ mod tests {
     }
 
     fn made() -> Survey {
-        let row = |place: usize, position_m: f64, can_be_left_out| BudgetRow {
-            effect: &EFFECTS[place],
+        let row = |field: &str, position_m: f64, can_be_left_out| BudgetRow {
+            effect: EFFECTS.iter().find(|effect| effect.field == field).unwrap(),
             worst: error(position_m),
             end: error(position_m),
             share: position_m,
@@ -113,7 +113,7 @@ mod tests {
             budget: Budget {
                 span_s: 600.0,
                 own: (error(1e-7), error(1e-8)),
-                rows: vec![row(6, 1234.0, false), row(7, 0.5, true)],
+                rows: vec![row("gyro.bias_rad_s", 1234.0, false), row("gyro.bias_sigma_rad_s", 0.5, true)],
                 total: error(1234.1),
                 remainder: error(0.0),
                 left_out: error(0.5),

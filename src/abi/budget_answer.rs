@@ -1,0 +1,166 @@
+//! `sins_budget_row` and `sins_budget`: what a budget answers.
+
+use core::ffi::c_char;
+
+use super::memory::interface_struct;
+use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
+use crate::recommend::SolutionError;
+
+/// The row's figures are standard deviations (1 sigma) over the runs.
+pub const SINS_BUDGET_RANDOM: u32 = 1;
+/// The effect can be left out together with the others that are marked so.
+pub const SINS_BUDGET_CAN_BE_LEFT_OUT: u32 = 2;
+
+/// An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
+/// set.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_budget_row {
+    /// sizeof(sins_budget_row)
+    pub struct_size: u32,
+    /// SINS_BUDGET_... flags, or'ed.
+    pub flags: u32,
+    /// Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
+    pub effect: [c_char; 32],
+    /// The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row.
+    pub field: [c_char; 48],
+    /// Length of the contribution to the position error, the largest of the scene [m].
+    pub position_m: f64,
+    /// Velocity [m/s].
+    pub velocity_m_s: f64,
+    /// Misalignment [rad].
+    pub attitude_rad: f64,
+    /// The same at the end of the scene: position [m].
+    pub end_position_m: f64,
+    /// Velocity [m/s].
+    pub end_velocity_m_s: f64,
+    /// Misalignment [rad].
+    pub end_attitude_rad: f64,
+    /// The largest share of a limit that the contribution takes up; 0 without limits.
+    pub share: f64,
+    /// Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
+    /// nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+    pub ns_per_step: f64,
+}
+
+interface_struct!(sins_budget_row, "rows", 152);
+
+/// A budget as a whole.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_budget {
+    /// sizeof(sins_budget)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Time that was looked at: from the end of the first interval to that of the last [s].
+    pub duration_s: f64,
+    /// Runs of each random effect; 1 if there is none.
+    pub runs: u64,
+    /// Flights that were flown.
+    pub flights: u64,
+    /// A standard deviation lies with 95 % probability between its row's figure times this, ...
+    pub sigma_low: f64,
+    /// ... and times this; both are 1 if nothing is random.
+    pub sigma_high: f64,
+    /// Errors with all effects together, root mean square over the runs, the largest of the scene: position [m].
+    pub position_m: f64,
+    /// Velocity [m/s].
+    pub velocity_m_s: f64,
+    /// Misalignment [rad].
+    pub attitude_rad: f64,
+    /// What of that the sum of all rows does not explain: position [m].
+    pub remainder_position_m: f64,
+    /// Velocity [m/s].
+    pub remainder_velocity_m_s: f64,
+    /// Misalignment [rad].
+    pub remainder_attitude_rad: f64,
+    /// What the errors change by without the marked rows, flown: position [m].
+    pub left_out_position_m: f64,
+    /// Velocity [m/s].
+    pub left_out_velocity_m_s: f64,
+    /// Misalignment [rad].
+    pub left_out_attitude_rad: f64,
+    /// Measured here and now: what a step takes with all effects [ns].
+    pub ns_per_step: f64,
+}
+
+interface_struct!(sins_budget, "budget", 128);
+
+impl sins_budget_row {
+    pub(super) fn new(row: &BudgetRow, ns_per_step: f64) -> Self {
+        let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
+        Self {
+            flags: flag(row.effect.is_random, SINS_BUDGET_RANDOM)
+                | flag(row.can_be_left_out, SINS_BUDGET_CAN_BE_LEFT_OUT),
+            effect: text(row.effect.name),
+            field: text(row.effect.field),
+            share: row.share,
+            ns_per_step,
+            ..Self::of(&row.worst, &row.end)
+        }
+    }
+
+    /// The first row.
+    pub(super) fn own(budget: &Budget, request: &BudgetRequest, costs: &Costs) -> Self {
+        let (worst, end) = &budget.own;
+        Self {
+            effect: text("mechanization"),
+            share: request.share(worst),
+            ns_per_step: costs.own_ns,
+            ..Self::of(worst, end)
+        }
+    }
+
+    /// The errors alone.
+    fn of(worst: &SolutionError, end: &SolutionError) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            flags: 0,
+            effect: text(""),
+            field: text(""),
+            position_m: worst.position_m,
+            velocity_m_s: worst.velocity_m_s,
+            attitude_rad: worst.attitude_rad,
+            end_position_m: end.position_m,
+            end_velocity_m_s: end.velocity_m_s,
+            end_attitude_rad: end.attitude_rad,
+            share: 0.0,
+            ns_per_step: 0.0,
+        }
+    }
+}
+
+impl sins_budget {
+    pub(super) fn new(budget: &Budget, costs: &Costs) -> Self {
+        let Budget { total, remainder, left_out, .. } = budget;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            duration_s: budget.span_s,
+            runs: budget.runs,
+            flights: budget.flights,
+            sigma_low: budget.interval.low,
+            sigma_high: budget.interval.high,
+            position_m: total.position_m,
+            velocity_m_s: total.velocity_m_s,
+            attitude_rad: total.attitude_rad,
+            remainder_position_m: remainder.position_m,
+            remainder_velocity_m_s: remainder.velocity_m_s,
+            remainder_attitude_rad: remainder.attitude_rad,
+            left_out_position_m: left_out.position_m,
+            left_out_velocity_m_s: left_out.velocity_m_s,
+            left_out_attitude_rad: left_out.attitude_rad,
+            ns_per_step: costs.total_ns,
+        }
+    }
+}
+
+/// ASCII text that leaves room for its terminator.
+fn text<const N: usize>(text: &str) -> [c_char; N] {
+    let mut array = [0; N];
+    for (place, byte) in array[..N - 1].iter_mut().zip(text.bytes()) {
+        *place = byte as c_char;
+    }
+    array
+}
