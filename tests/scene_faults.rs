@@ -29,7 +29,11 @@ fn every_fault_is_told_with_its_line() {
         ("[gyro]\nbias_rad_s = 1", ":2: gyro.bias_rad_s: unknown key; did you mean bias_deg_h?"),
         (
             "[accelerometer]\nlever_arm_m = [1]",
-            ":2: accelerometer.lever_arm_m: unknown key; did you mean lever_arm_mm?",
+            ":2: accelerometer.lever_arm_m: unknown key; did you mean mounting.lever_arm_m?",
+        ),
+        (
+            "[accelerometer]\nlever_arm_cm = [1]",
+            ":2: accelerometer.lever_arm_cm: unknown key; did you mean lever_arm_mm?",
         ),
         ("[gyro]\nlag_s = 1", ":2: gyro.lag_s: unknown key; did you mean altimeter.lag_s?"),
         ("[giro]\nbias_deg_h = 1", ":1: [giro]: unknown section; did you mean [gyro]?"),
@@ -130,6 +134,23 @@ fn every_fault_is_told_with_its_line() {
         (
             "[start]\nposition_sigma_m = -1",
             ":2: start.position_sigma_m: initial.position_sigma_enu_m[0] = -1: must be from 0",
+        ),
+        (
+            "[mounting]\n\nlever_arm_m = [0, 0, 101]",
+            ":3: mounting.lever_arm_m: mounting.lever_arm_m[2] = 101: must be from -100 to 100",
+        ),
+        (
+            "[mounting]\nboresight_error_arcsec = [0, 648001, 0]",
+            ":2: mounting.boresight_error_arcsec: mounting.boresight_error_rad[1] = 3.14159",
+        ),
+        ("[mounting]\nlever_arm_m = 1", ":2: mounting.lever_arm_m = 1: expected three numbers"),
+        (
+            "[gravity]\nanomaly_mgal = 10001",
+            ":2: gravity.anomaly_mgal: gravity.anomaly_m_s2 = 0.10001: must be from -0.1 to 0.1",
+        ),
+        (
+            "[gravity]\ndeflection_east_sigma_arcsec = 5",
+            ":1: gravity.deflection_east_distance_km: gravity.deflection_east_distance_m = 0: must be from 1 to 1e9",
         ),
         // What does not go together.
         (

@@ -125,6 +125,8 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
         ("sins_accel_params", "accel"),
         ("sins_altimeter_params", "altimeter"),
         ("sins_initial_errors", "initial"),
+        ("sins_mounting", "mounting"),
+        ("sins_gravity_params", "gravity"),
         ("sins_flight_start", "start"),
         ("sins_manoeuvre", "manoeuvre"),
     ] {

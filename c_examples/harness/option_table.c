@@ -11,10 +11,13 @@ const struct option_section option_sections[OPTION_GROUPS] = {
     { "accelerometer", 0, "accelerometer errors: likewise" },
     { "altimeter", 0, "altimeter errors, with the damped vertical channel" },
     { "start", 0, "errors at the start: computed less true" },
+    { "mounting", 0, "where the sensor block sits, and what the INS wrongly believes of it: believed less true" },
+    { "gravity", 0, "true gravity less normal gravity: constant, and random over the distance flown" },
     { "output", 0, "output" }
 };
 
 #define AT(member) #member, offsetof(struct settings, member)
+#define MILLIGAL 1e-5
 #define GRADES "ideal|strategic|navigation|tactical|industrial|consumer|paper2"
 
 /* Section, name on the command line, key in a file, what it is, where it goes; then SI per unit and the unit. */
@@ -197,6 +200,33 @@ const struct option option_table[] = {
          SINS_ARCMIN, "arcmin"),
     WORD(GROUP_START, OPTION_CHOICE, "--alignment", "alignment", "given|gyrocompass",
          "given, or with what levelling and gyrocompassing leave", initial.alignment),
+
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "lever_arm_m", "lever arm from the reference point",
+            mounting.lever_arm_m, 1, "m"),
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "boresight_deg", "boresight roll, pitch, heading",
+            mounting.boresight_rad, SINS_DEG, "deg"),
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "lever_arm_error_mm", "lever arm error",
+            mounting.lever_arm_error_m, 1e-3, "mm"),
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "boresight_error_arcsec", "boresight error",
+            mounting.boresight_error_rad, SINS_ARCSEC, "arcsec"),
+
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_north_arcsec", "meridian deflection (xi)",
+           gravity.deflection_north_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_north_sigma_arcsec", "meridian deflection sigma",
+           gravity.deflection_north_sigma_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_north_distance_km", "meridian correlation distance",
+           gravity.deflection_north_distance_m, 1e3, "km"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_east_arcsec", "prime vertical deflection (eta)",
+           gravity.deflection_east_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_east_sigma_arcsec", "prime vertical deflection sigma",
+           gravity.deflection_east_sigma_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_east_distance_km", "prime vertical correlation distance",
+           gravity.deflection_east_distance_m, 1e3, "km"),
+    NUMBER(GROUP_GRAVITY, NULL, "anomaly_mgal", "anomaly", gravity.anomaly_m_s2, MILLIGAL, "mGal"),
+    NUMBER(GROUP_GRAVITY, NULL, "anomaly_sigma_mgal", "anomaly sigma", gravity.anomaly_sigma_m_s2,
+           MILLIGAL, "mGal"),
+    NUMBER(GROUP_GRAVITY, NULL, "anomaly_distance_km", "anomaly correlation distance", gravity.anomaly_distance_m, 1e3,
+           "km"),
 
     WORD(GROUP_OUTPUT, OPTION_TEXT, "--out", "folder", "DIR", "folder of the output files; default sins_out", out),
     WORD(GROUP_OUTPUT, OPTION_TEXT, "--name", "name", "NAME", "base name of the output files; default from the scene",

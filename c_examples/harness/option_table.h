@@ -31,6 +31,8 @@ enum option_group {
     GROUP_ACCEL,
     GROUP_ALTIMETER,
     GROUP_START,
+    GROUP_MOUNTING,
+    GROUP_GRAVITY,
     GROUP_OUTPUT,
     OPTION_GROUPS
 };

@@ -17,6 +17,8 @@ int settings_begin(struct settings *set, const int32_t *grades)
     SINS_INIT(set->accel);
     SINS_INIT(set->altimeter);
     SINS_INIT(set->initial);
+    SINS_INIT(set->mounting);
+    SINS_INIT(set->gravity);
     SINS_INIT(set->start);
     set->options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
     set->options.error_model = SINS_ERROR_MODEL_RK4;
@@ -134,7 +136,9 @@ int settings_create(const struct settings *set, sins_sim **sim)
     if (refused_setting(set, *sim, sins_set_gyro(*sim, &set->gyro))
         || refused_setting(set, *sim, sins_set_accel(*sim, &set->accel))
         || refused_setting(set, *sim, sins_set_altimeter(*sim, &set->altimeter))
-        || refused_setting(set, *sim, sins_set_initial_errors(*sim, &set->initial))) {
+        || refused_setting(set, *sim, sins_set_initial_errors(*sim, &set->initial))
+        || refused_setting(set, *sim, sins_set_mounting(*sim, &set->mounting))
+        || refused_setting(set, *sim, sins_set_gravity_disturbance(*sim, &set->gravity))) {
         sins_destroy(*sim);
         *sim = NULL;
         return BAD_INPUT;

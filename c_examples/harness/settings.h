@@ -12,7 +12,7 @@ enum scene_kind { SCENE_SIMULATION1, SCENE_SIMULATION2, SCENE_FLIGHT, SCENE_EMBE
 enum { MOTION_NONE = -1, MOTION_REST = 0, MOTION_PATROL = 1 };
 
 /* At least as many as there are options, sections of a scene file, and keys of a manoeuvre. */
-enum { SETTINGS_OPTIONS = 160, SETTINGS_SECTIONS = 16, MANOEUVRE_KEYS = 8 };
+enum { SETTINGS_OPTIONS = 192, SETTINGS_SECTIONS = 16, MANOEUVRE_KEYS = 8 };
 
 /* Where an option was set: a line of the scene file from 1, or one of these. */
 enum { SET_NOWHERE = 0, SET_BY_COMMAND = -1 };
@@ -56,6 +56,8 @@ struct settings {
     sins_accel_params accel;
     sins_altimeter_params altimeter;
     sins_initial_errors initial;
+    sins_mounting mounting;
+    sins_gravity_params gravity;
     sins_flight_start start;  /* of SCENE_MANOEUVRES */
     sins_manoeuvre manoeuvre; /* the one that is being read */
     struct sinusoid sinusoid; /* likewise */

@@ -56,6 +56,8 @@ int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *se
     options_describe(set, GROUP_ACCEL, sum->accel, sizeof sum->accel);
     options_describe(set, GROUP_ALTIMETER, sum->altimeter, sizeof sum->altimeter);
     options_describe(set, GROUP_START, sum->start, sizeof sum->start);
+    options_describe(set, GROUP_MOUNTING, sum->mounting, sizeof sum->mounting);
+    options_describe(set, GROUP_GRAVITY, sum->gravity_disturbance, sizeof sum->gravity_disturbance);
     return DONE;
 }
 
@@ -127,6 +129,8 @@ static void rows_of_setting(const struct summary *sum, struct whole_file *file)
     text_row(file, "accel_text", sum->accel, "accelerometer errors");
     text_row(file, "altimeter_text", sum->altimeter, "altimeter errors");
     text_row(file, "start_text", sum->start, "initial errors");
+    text_row(file, "mounting_text", sum->mounting, "mounting of the sensor block");
+    text_row(file, "gravity_text", sum->gravity_disturbance, "gravity disturbance");
 }
 
 static void rows_of_flight(const struct summary *sum, struct whole_file *file)

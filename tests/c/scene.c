@@ -117,6 +117,19 @@ static const struct in_si keys_in_si[] = {
     { GROUP_START, "position_sigma_m", set.initial.position_sigma_enu_m, 3, 1 },
     { GROUP_START, "velocity_sigma_m_s", set.initial.velocity_sigma_enu_m_s, 3, 1 },
     { GROUP_START, "misalignment_sigma_arcmin", set.initial.misalignment_sigma_enu_rad, 3, PI / 10800 },
+    { GROUP_MOUNTING, "lever_arm_m", set.mounting.lever_arm_m, 3, 1 },
+    { GROUP_MOUNTING, "boresight_deg", set.mounting.boresight_rad, 3, PI / 180 },
+    { GROUP_MOUNTING, "lever_arm_error_mm", set.mounting.lever_arm_error_m, 3, 1e-3 },
+    { GROUP_MOUNTING, "boresight_error_arcsec", set.mounting.boresight_error_rad, 3, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_north_arcsec", &set.gravity.deflection_north_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_north_sigma_arcsec", &set.gravity.deflection_north_sigma_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_north_distance_km", &set.gravity.deflection_north_distance_m, 1, 1e3 },
+    { GROUP_GRAVITY, "deflection_east_arcsec", &set.gravity.deflection_east_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_east_sigma_arcsec", &set.gravity.deflection_east_sigma_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_east_distance_km", &set.gravity.deflection_east_distance_m, 1, 1e3 },
+    { GROUP_GRAVITY, "anomaly_mgal", &set.gravity.anomaly_m_s2, 1, 1e-5 },
+    { GROUP_GRAVITY, "anomaly_sigma_mgal", &set.gravity.anomaly_sigma_m_s2, 1, 1e-5 },
+    { GROUP_GRAVITY, "anomaly_distance_km", &set.gravity.anomaly_distance_m, 1, 1e3 },
     { GROUP_OUTPUT, "every_s", &set.every_s, 1, 1 }
 };
 
