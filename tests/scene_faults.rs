@@ -157,6 +157,14 @@ fn every_fault_is_told_with_its_line() {
             "[altimeter]\nbias_m = 1",
             ":2: altimeter.bias_m: altimeter errors act with the vertical channel damped alone",
         ),
+        (
+            "[flight]\nbuiltin = 'rest'\ntemperature_change_c_h = 1",
+            ":3: flight.temperature_change_c_h: only with temperature_c",
+        ),
+        (
+            "[flight]\nbuiltin = 'rest'\ntemperature_c = -274",
+            ":3: flight.temperature_c = -274: expected a number, from -273.15 to 1000 [deg C]",
+        ),
         ("[output]\nname = 'a/b'", ":2: output.name: \"a/b\" has a folder"),
         ("[options]\nsample_period_s = 0.01", ":2: options.sample_period_s: only for a log"),
         (

@@ -36,6 +36,20 @@ static int make_plan(struct flight_plan *plan, const struct settings *set, doubl
     return DONE;
 }
 
+static void take_temperature(struct scene *scene, const struct settings *set)
+{
+    scene->has_temperature = settings_has(set, "temperature_c");
+    scene->temperature_c = set->temperature_c;
+    scene->temperature_change_c_s = set->temperature_change_c_h / 3600;
+}
+
+static void give_temperature(const struct scene *scene, sins_flight_sample *sample)
+{
+    sample->flags |= SINS_SAMPLE_TEMPERATURE;
+    sample->temperature_c =
+        scene->temperature_c + scene->temperature_change_c_s * (sample->time_s - scene->first_time_s);
+}
+
 static int open_flight(struct scene *scene, const struct settings *set)
 {
     static struct flight_plan plan;
@@ -108,10 +122,15 @@ int scene_open(struct scene *scene, const struct settings *set)
     int code;
 
     memset(scene, 0, sizeof *scene);
+    take_temperature(scene, set);
     if (set->kind != SCENE_FLIGHT) {
         return open_flight(scene, set);
     }
     if ((set->scene_file[0] != '\0' && check_log(set) != 0) || flight_csv_open(&scene->log, set->log) != 0) {
+        return BAD_INPUT;
+    }
+    if (scene->has_temperature && (scene->log.flags & SINS_SAMPLE_TEMPERATURE) != 0) {
+        complain(set, "temperature_c", "the log has a column of that name");
         return BAD_INPUT;
     }
     code = measure_log(scene, set);
@@ -138,6 +157,9 @@ int scene_next(struct scene *scene, sins_flight_sample *samples, size_t count, s
             if (refused(NULL, sins_flight_sample_at(scene->flight, time_s, sample))) {
                 return FAILED;
             }
+        }
+        if (scene->has_temperature) {
+            give_temperature(scene, sample);
         }
     }
     return DONE;

@@ -17,6 +17,9 @@ struct scene {
     uint64_t samples; /* in all */
     uint64_t given;   /* so far */
     double first_time_s;
+    int has_temperature; /* from the settings, linear in time */
+    double temperature_c;
+    double temperature_change_c_s;
     long line[SCENE_CHUNK]; /* of each sample of the last chunk of a log */
 };
 

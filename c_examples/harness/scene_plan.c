@@ -18,11 +18,6 @@ static void forget_lines(struct settings *set, enum option_group group)
     }
 }
 
-static int is_set(const struct settings *set, const char *field)
-{
-    return set->line[option_of_field(field) - option_table] != SET_NOWHERE;
-}
-
 void manoeuvre_begin(struct settings *set)
 {
     forget_lines(set, GROUP_MANOEUVRE);
@@ -36,7 +31,7 @@ int manoeuvre_take(struct settings *set)
     struct manoeuvre_lines *lines;
     int i;
 
-    if (!is_set(set, "manoeuvre.kind")) {
+    if (!settings_has(set, "manoeuvre.kind")) {
         complain_at(set, header, "[[manoeuvre]]: expected its kind");
         return -1;
     }
@@ -66,11 +61,11 @@ int sinusoid_take(struct settings *set)
     int is_speed = sinusoid->channel == SINS_CHANNEL_SPEED;
     int32_t i = set->manoeuvre.sinusoid_count;
 
-    if (!is_set(set, "sinusoid.channel")) {
+    if (!settings_has(set, "sinusoid.channel")) {
         complain_at(set, header, "[[manoeuvre.sinusoid]]: expected its channel");
         return -1;
     }
-    if (is_set(set, is_speed ? "sinusoid.amplitude_rad" : "sinusoid.amplitude_m_s")) {
+    if (settings_has(set, is_speed ? "sinusoid.amplitude_rad" : "sinusoid.amplitude_m_s")) {
         complain(set, is_speed ? "sinusoid.amplitude_rad" : "sinusoid.amplitude_m_s",
                  "not of this channel; expected %s", is_speed ? "amplitude_m_s" : "amplitude_deg");
         return -1;

@@ -42,6 +42,18 @@ static const char *field_set(const struct settings *set, enum option_group group
     return NULL;
 }
 
+int settings_has(const struct settings *set, const char *field)
+{
+    size_t i;
+
+    for (i = 0; i < option_table_length; i++) {
+        if (set->line[i] != SET_NOWHERE && strcmp(option_table[i].field, field) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static int check_together(const struct settings *set)
 {
     const char *altimeter = field_set(set, GROUP_ALTIMETER, ""), *start = field_set(set, GROUP_FLIGHT, "start.");
@@ -54,6 +66,8 @@ static int check_together(const struct settings *set)
         complain(set, "options.sample_period_s", "only for a log; this flight is sampled at rate_hz");
     } else if (start != NULL && set->kind != SCENE_MANOEUVRES) {
         complain(set, start, "only for [[manoeuvre]]s; this flight has its own start");
+    } else if (settings_has(set, "temperature_change_c_h") && !settings_has(set, "temperature_c")) {
+        complain(set, "temperature_change_c_h", "only with temperature_c, from which it goes on");
     } else if (altimeter != NULL && set->options.vertical != SINS_VERTICAL_DAMPED) {
         complain(set, altimeter, "altimeter errors act with the vertical channel damped alone");
     } else if (strpbrk(set->name, "/\\") != NULL) {

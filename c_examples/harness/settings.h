@@ -46,6 +46,8 @@ struct settings {
     char imu[VALUE_TEXT_SIZE];  /* file of the measured increments; empty: none */
     double hours;   /* 0: the scene's own */
     double rate_hz; /* 0: a log's own time stamps */
+    double temperature_c; /* at the begin; where no option sets it, samples have none but those of a log */
+    double temperature_change_c_h;
     double every_s; /* 0: such that about 2000 records result */
     int32_t quiet;
     int32_t help;
@@ -73,6 +75,9 @@ int settings_begin(struct settings *set, const int32_t *grades);
 /* Completes what was left open, and checks what single options cannot tell: whether they go together. 0, or -1
  * reported. */
 int settings_complete(struct settings *set);
+
+/* Whether an option has set the field. */
+int settings_has(const struct settings *set, const char *field);
 
 /* Whether neither gyros nor accelerometers have errors. */
 int settings_has_ideal_sensors(const struct settings *set);

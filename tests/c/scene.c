@@ -47,6 +47,8 @@ struct in_si {
 static const struct in_si keys_in_si[] = {
     { GROUP_FLIGHT, "hours", &set.hours, 1, 1 },
     { GROUP_FLIGHT, "rate_hz", &set.rate_hz, 1, 1 },
+    { GROUP_FLIGHT, "temperature_c", &set.temperature_c, 1, 1 },
+    { GROUP_FLIGHT, "temperature_change_c_h", &set.temperature_change_c_h, 1, 1 },
     { GROUP_FLIGHT, "latitude_deg", &set.start.latitude_rad, 1, PI / 180 },
     { GROUP_FLIGHT, "longitude_deg", &set.start.longitude_rad, 1, PI / 180 },
     { GROUP_FLIGHT, "height_m", &set.start.height_m, 1, 1 },

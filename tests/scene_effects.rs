@@ -1,0 +1,95 @@
+//! Scenes from a file, in the C harness: what temperature and failures make of a flight.
+
+#[path = "support/c_side.rs"]
+mod c_side;
+#[path = "support/scenes.rs"]
+mod scenes;
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use scenes::{folder, run};
+
+const DEG_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
+
+/// Two minutes at rest, a sample each second, nothing drawn; the increments are wanted.
+const REST: &str =
+    "[output]\nimu = 'imu.csv'\n[flight]\nbuiltin = 'rest'\nhours = 0.03333333333333333\nrate_hz = 1\n";
+
+/// Flies a scene; the text of its increments.
+fn fly(folder: &Path, text: &str) -> String {
+    std::fs::write(folder.join("scene.toml"), text).unwrap();
+    let (code, errors) = run(folder, &["scene.toml", "--quiet"]);
+    assert_eq!((code, errors.as_str()), (0, ""), "{text}");
+    std::fs::read_to_string(folder.join("imu.csv")).unwrap()
+}
+
+/// A column of a table.
+fn column(table: &str, name: &str) -> Vec<f64> {
+    let mut lines = table.lines();
+    let at = lines.next().unwrap().split(',').position(|found| found == name).unwrap();
+    lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
+}
+
+/// What the second flight measures more than the first, each second.
+fn more(sound: &str, other: &str, name: &str) -> Vec<f64> {
+    let pairs = column(sound, name).into_iter().zip(column(other, name));
+    pairs.map(|(sound, other)| other - sound).collect()
+}
+
+#[test]
+fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
+    let folder = folder("temperature");
+    let gyro = "[gyro]\nreference_temperature_c = 15\nbias_temperature_deg_h_per_k = [1, 0, 0]\n";
+    let sound = fly(&folder, REST);
+    let warming = format!("{REST}temperature_c = 20\ntemperature_change_c_h = 3600\n{gyro}");
+    let warm = fly(&folder, &warming);
+    let errors = more(&sound, &warm, "angle_increment_x_rad");
+    assert_eq!(errors.len(), 120);
+    for (second, error) in errors.iter().enumerate() {
+        // 5 K at the begin and 1 K/s, in the middle of the second; the difference of two numbers below 1e-3.
+        let expected = (5.0 + second as f64 + 0.5) * DEG_PER_HOUR;
+        assert!((error - expected).abs() < 4.0 * f64::EPSILON * 1e-3, "{second}: {error:e} {expected:e}");
+    }
+    assert!(more(&sound, &warm, "angle_increment_y_rad").iter().all(|&error| error == 0.0));
+
+    let mut log =
+        String::from("time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,");
+    log += "velocity_up_m_s,roll_deg,pitch_deg,heading_deg,temperature_c\n";
+    for second in 0..=120 {
+        writeln!(log, "{second},39.9,116.4,50,0,0,0,0,0,0,{}", 20 + second).unwrap();
+    }
+    std::fs::write(folder.join("log.csv"), &log).unwrap();
+    let flight = "[output]\nimu = 'imu.csv'\n[options]\nsample_period_s = 1\n[flight]\nfile = 'log.csv'\n";
+    let by_column = fly(&folder, &format!("{flight}{gyro}"));
+
+    // A log without the column takes the keys, from its own first time stamp on.
+    let late = |line: &str| {
+        let (time, rest) = line.split_once(',').unwrap();
+        let (rest, _) = rest.rsplit_once(',').unwrap();
+        let time = time.parse::<f64>().map_or(time.to_owned(), |time| (time + 50.0).to_string());
+        format!("{time},{rest}\n")
+    };
+    std::fs::write(folder.join("log.csv"), log.lines().map(late).collect::<String>()).unwrap();
+    let keys = "temperature_c = 20\ntemperature_change_c_h = 3600\n";
+    let shifted = fly(&folder, &format!("{flight}{keys}{gyro}"));
+    assert_eq!(column(&shifted, "angle_increment_x_rad"), column(&by_column, "angle_increment_x_rad"));
+    let cold = fly(&folder, flight);
+    let errors = more(&cold, &by_column, "angle_increment_x_rad");
+    assert!((errors[119] - 124.5 * DEG_PER_HOUR).abs() < 4.0 * f64::EPSILON * 1e-3, "{:e}", errors[119]);
+
+    // Coefficients without a temperature, and two temperatures, are refused.
+    for (text, log, expected) in [
+        (format!("{REST}{gyro}"), String::new(), "sins_harness: at 0 s: "),
+        (
+            format!("{flight}{keys}"),
+            log,
+            "scene.toml:7: flight.temperature_c: the log has a column of that name",
+        ),
+    ] {
+        std::fs::write(folder.join("log.csv"), log).unwrap();
+        std::fs::write(folder.join("scene.toml"), text).unwrap();
+        let (code, errors) = run(&folder, &["scene.toml", "--quiet"]);
+        assert!(code == 2 && errors.starts_with(expected), "{expected}\n{errors}");
+    }
+}
