@@ -180,6 +180,9 @@ fn every_fault_is_told_with_its_line() {
             "{expected}\n{errors}"
         );
     }
+    let dead = "[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'dead'\n";
+    let step = dead.replace("dead", "bias_step");
+    let crowd = (0..65).map(|i| format!("{dead}from_s = {i}\nuntil_s = {}\n", i + 1)).collect::<String>();
     for (text, expected) in [
         ("", "bad.toml: [flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
         (
@@ -218,6 +221,51 @@ fn every_fault_is_told_with_its_line() {
             &format!("{sinusoid}channel = 'roll'{}", "\n[[manoeuvre.sinusoid]]\nchannel = 'roll'".repeat(6)),
             "bad.toml:16: [[manoeuvre.sinusoid]]: more than 6",
         ),
+        ("[[failure]]\naxis = 'x'", "bad.toml:1: [[failure]]: expected its sensor"),
+        ("[[failure]]\nsensor = 'gyro'", "bad.toml:1: [[failure]]: expected its kind"),
+        ("[[failure]]\nsensor = 'gyro'\nkind = 'dead'", "bad.toml:1: [[failure]]: expected its axis"),
+        (
+            "[[failure]]\nsensor = 'altimeter'\naxis = 'x'\nkind = 'dead'",
+            "bad.toml:3: failure.axis: the altimeter has one output alone",
+        ),
+        (
+            &format!("{dead}from_s = 5\nuntil_s = 5"),
+            "bad.toml:6: failure.until_s: 5: expected more than from_s, 5",
+        ),
+        (
+            &format!("{dead}from_s = -1"),
+            "bad.toml:5: failure.from_s = -1: expected a number, from 0 to 1e+09 [s]",
+        ),
+        (
+            &format!("{step}size_micro_g = 5"),
+            "bad.toml:5: failure.size_micro_g: not of this sensor; expected size_deg_h",
+        ),
+        (
+            &format!("{step}size_deg_h = 5\ndensity_m_sqrt_hz = 5"),
+            "bad.toml:6: failure.density_m_sqrt_hz: not of this sensor; expected density_deg_sqrt_h",
+        ),
+        // The library's sentence: at the key, or where the failure begins.
+        (
+            &format!("{step}#\nsize_deg_h = 1e9"),
+            "bad.toml:6: failure.size_deg_h: failure.size = 4848.13681109536: must be from -100 to 100",
+        ),
+        (
+            &format!("{dead}probability = 1"),
+            "bad.toml:5: failure.probability: failure.probability = 1: must be 0",
+        ),
+        (
+            "\n[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'spikes'\nsize_deg_h = 1",
+            "bad.toml:2: failure.interval_s: failure.interval_s = 0: must be from 0.0001 to 1e9",
+        ),
+        (
+            &format!("{dead}until_s = 9\n{dead}from_s = 8.5"),
+            "bad.toml:6: [[failure]]: overlaps in time with that of line 1, of the same output",
+        ),
+        (
+            "[flight]\nbuiltin = 'rest'\n[[failure]]\nsensor = 'altimeter'\nkind = 'dead'",
+            "bad.toml:3: [[failure]]: the altimeter acts with the vertical channel damped alone",
+        ),
+        (&crowd, "bad.toml:385: [[failure]]: more than 64"),
         // The second manoeuvre is at fault: its key, or where it begins.
         (
             "[[manoeuvre]]\nkind = 'rest'\nduration_s = 9\n[[manoeuvre]]\nkind = 'rest'\n#\nbank_deg = 9\nduration_s = 1",

@@ -127,6 +127,7 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
         ("sins_initial_errors", "initial"),
         ("sins_mounting", "mounting"),
         ("sins_gravity_params", "gravity"),
+        ("sins_failure", "failure"),
         ("sins_flight_start", "start"),
         ("sins_manoeuvre", "manoeuvre"),
     ] {
@@ -150,9 +151,20 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
     }
     assert!(count > 80, "{count}");
     let table = std::fs::read_to_string(project_file("c_examples/harness/option_table.c")).unwrap();
-    for key in
-        ["channel", "amplitude_deg", "amplitude_m_s", "frequency_hz", "phase_deg", "file", "builtin", "imu"]
-    {
+    for key in [
+        "channel",
+        "amplitude_deg",
+        "amplitude_m_s",
+        "frequency_hz",
+        "phase_deg",
+        "file",
+        "builtin",
+        "imu",
+        "sensor",
+        "axis",
+        "from_s",
+        "until_s",
+    ] {
         assert!(told.contains(key) && table.contains(&format!("\"{key}\"")), "{key}");
     }
 }

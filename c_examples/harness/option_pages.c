@@ -95,7 +95,8 @@ static const char *shape_of(const struct option *option)
 
 static void print_key(const struct option *option)
 {
-    int is_librarys = strchr(option->field, '.') != NULL && option->group != GROUP_SINUSOID;
+    int is_librarys = strchr(option->field, '.') != NULL && option->group != GROUP_SINUSOID
+                   && strncmp(option->field, "failing.", 8) != 0;
 
     printf("  %-40s %-15s %s", option->key, shape_of(option), option->noun);
     if (option->unit_text[0] != '\0') {

@@ -8,9 +8,6 @@
 #include "flight_plan.h"
 #include "report.h"
 
-/* What rounding may leave of a sample interval. */
-static const double ROUNDING = 1e-6;
-
 /* The manoeuvres of the flight. DONE, or BAD_INPUT reported. */
 static int make_plan(struct flight_plan *plan, const struct settings *set, double wanted_s)
 {
@@ -65,12 +62,12 @@ static int open_flight(struct scene *scene, const struct settings *set)
     if (refused(NULL, sins_flight_duration(scene->flight, &scene->flight_s))) {
         return FAILED;
     }
-    if (wanted_s > scene->flight_s * (1 + ROUNDING)) {
+    if (wanted_s > scene->flight_s * (1 + SCENE_ROUNDING)) {
         complain(set, "hours", "%g: the flight lasts %.4g h", set->hours, scene->flight_s / 3600);
         return BAD_INPUT;
     }
     scene->period_s = 1 / set->rate_hz;
-    scene->samples = (uint64_t)floor((wanted_s > 0 ? wanted_s : scene->flight_s) / scene->period_s + ROUNDING) + 1;
+    scene->samples = (uint64_t)floor((wanted_s > 0 ? wanted_s : scene->flight_s) / scene->period_s + SCENE_ROUNDING) + 1;
     scene->duration_s = (double)(scene->samples - 1) * scene->period_s;
     return DONE;
 }
@@ -86,7 +83,7 @@ static int measure_log(struct scene *scene, const struct settings *set)
         if (scene->samples == 0) {
             scene->first_time_s = sample.time_s;
         }
-        if (set->hours > 0 && sample.time_s - scene->first_time_s > set->hours * 3600 * (1 + ROUNDING)) {
+        if (set->hours > 0 && sample.time_s - scene->first_time_s > set->hours * 3600 * (1 + SCENE_ROUNDING)) {
             break;
         }
         last_time_s = sample.time_s;

@@ -8,6 +8,9 @@
 
 enum { SCENE_CHUNK = 6000 }; /* a minute at 100 Hz */
 
+/* What rounding may leave of a sample interval. */
+#define SCENE_ROUNDING 1e-6
+
 struct scene {
     sins_flight *flight; /* NULL: the log */
     struct flight_csv log;

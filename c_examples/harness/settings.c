@@ -19,6 +19,7 @@ int settings_begin(struct settings *set, const int32_t *grades)
     SINS_INIT(set->initial);
     SINS_INIT(set->mounting);
     SINS_INIT(set->gravity);
+    SINS_INIT(set->failure);
     SINS_INIT(set->start);
     set->options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
     set->options.error_model = SINS_ERROR_MODEL_RK4;
@@ -54,6 +55,19 @@ int settings_has(const struct settings *set, const char *field)
     return 0;
 }
 
+/* The line of a planned failure of the altimeter; 0: none. */
+static long altimeter_failure(const struct settings *set)
+{
+    size_t i;
+
+    for (i = 0; i < set->failures.count; i++) {
+        if (set->failures.failures[i].sensor == SINS_SENSOR_ALTIMETER) {
+            return set->failures.failures[i].line;
+        }
+    }
+    return 0;
+}
+
 static int check_together(const struct settings *set)
 {
     const char *altimeter = field_set(set, GROUP_ALTIMETER, ""), *start = field_set(set, GROUP_FLIGHT, "start.");
@@ -70,6 +84,8 @@ static int check_together(const struct settings *set)
         complain(set, "temperature_change_c_h", "only with temperature_c, from which it goes on");
     } else if (altimeter != NULL && set->options.vertical != SINS_VERTICAL_DAMPED) {
         complain(set, altimeter, "altimeter errors act with the vertical channel damped alone");
+    } else if (altimeter_failure(set) != 0 && set->options.vertical != SINS_VERTICAL_DAMPED) {
+        complain_at(set, altimeter_failure(set), "[[failure]]: the altimeter acts with the vertical channel damped alone");
     } else if (strpbrk(set->name, "/\\") != NULL) {
         complain(set, "name", "\"%s\" has a folder; expected a name without, the folder by itself", set->name);
     } else {

@@ -3,6 +3,7 @@
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
+#include "failure_plan.h"
 #include "flight_plan.h"
 #include "sins.h"
 #include "value.h"
@@ -60,6 +61,9 @@ struct settings {
     sins_initial_errors initial;
     sins_mounting mounting;
     sins_gravity_params gravity;
+    sins_failure failure;           /* the one that is being read */
+    struct planned_failure failing; /* likewise; its own failure is taken at the end of its section */
+    struct failure_plan failures;
     sins_flight_start start;  /* of SCENE_MANOEUVRES */
     sins_manoeuvre manoeuvre; /* the one that is being read */
     struct sinusoid sinusoid; /* likewise */

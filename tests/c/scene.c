@@ -162,8 +162,7 @@ static void every_number_arrives_in_si(void)
     for (i = 0; i < option_table_length; i++) {
         const struct option *option = &option_table[i];
 
-        numbers += option->key != NULL && option_shape(option).count > 0 && option->group != GROUP_MANOEUVRE
-                && option->group != GROUP_SINUSOID;
+        numbers += option->key != NULL && option_shape(option).count > 0 && !option_sections[option->group].is_array;
     }
     CHECK(numbers == KEYS_IN_SI);
 }
@@ -273,6 +272,46 @@ static void manoeuvres_arrive_in_turn(void)
         snprintf(text, sizeof text, "[[manoeuvre]]\nkind = \"%s\"\n", kinds[i]);
         CHECK(read(text) == 0 && set.plan.manoeuvres[0].kind == i);
     }
+}
+
+static void failures_arrive_in_turn(void)
+{
+    static const char *const kinds[] = { "none", "stuck", "dead", "bias_step", "spikes", "noise", "drop_outs" };
+    static const char *const bodies[] = { "", "", "", "size_m = 1", "size_m = 1\ninterval_s = 2\nduration_s = 1",
+                                          "density_m_sqrt_hz = 1", "probability = 0.5" };
+    static const int32_t constants[] = { SINS_FAILURE_NONE,   SINS_FAILURE_STUCK, SINS_FAILURE_DEAD,
+                                         SINS_FAILURE_BIAS_STEP, SINS_FAILURE_SPIKES, SINS_FAILURE_NOISE,
+                                         SINS_FAILURE_DROP_OUTS };
+    const struct planned_failure *planned = set.failures.failures;
+    int i;
+
+    CHECK(read(REST "[[failure]]\nsensor = 'gyro'\naxis = 'z'\nkind = 'spikes'\nsize_deg_h = 180\ninterval_s = 2\n"
+               "duration_s = 0.25\nfrom_s = 3\nuntil_s = 4.5\n"
+               "[[failure]]\nsensor = 'accelerometer'\naxis = 'y'\nkind = 'noise'\ndensity_micro_g_sqrt_hz = 2\n"
+               "[[failure]]\nsensor = 'altimeter'\nkind = 'bias_step'\nsize_m = 30\n"
+               "[[failure]]\nsensor = 'accelerometer'\naxis = 'x'\nkind = 'bias_step'\nsize_micro_g = 3\n"
+               "[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'noise'\ndensity_deg_sqrt_h = 60\n"
+               "[[failure]]\nsensor = 'altimeter'\nkind = 'none'\n[options]\n") == 0);
+    CHECK(set.failures.count == 5);
+    CHECK(planned[0].sensor == SINS_SENSOR_GYRO && planned[0].axis == 2 && planned[0].line == 4);
+    CHECK(planned[0].from_s == 3 && planned[0].until_s == 4.5 && is_near(planned[0].failure.size, PI / 3600));
+    CHECK(planned[0].failure.interval_s == 2 && planned[0].failure.duration_s == 0.25);
+    CHECK(planned[1].sensor == SINS_SENSOR_ACCEL && planned[1].axis == 1 && planned[1].from_s == 0);
+    CHECK(planned[1].until_s > 1e300 && is_near(planned[1].failure.density, 2e-6 * G) && planned[1].failure.size == 0);
+    CHECK(planned[2].sensor == SINS_SENSOR_ALTIMETER && planned[2].axis == 0 && planned[2].failure.size == 30);
+    CHECK(planned[3].axis == 0 && is_near(planned[3].failure.size, 3e-6 * G));
+    CHECK(is_near(planned[4].failure.density, PI / 180));
+    for (i = 0; i < 7; i++) {
+        char text[128];
+
+        snprintf(text, sizeof text, "[[failure]]\nsensor = 'altimeter'\nkind = '%s'\n%s\n", kinds[i], bodies[i]);
+        take(text);
+        CHECK(set.failure.kind == constants[i] && set.failures.count == (i > 0));
+    }
+    take("[[failure]]\nsensor = 'altimeter'\nkind = 'noise'\ndensity_m_sqrt_hz = 0.5\n");
+    CHECK(planned[0].failure.density == 0.5 && set.failures.count == 1);
+    take("[[failure]]\nsensor = 'altimeter'\nkind = 'drop_outs'\nprobability = 0.125\n");
+    CHECK(planned[0].failure.probability == 0.125);
 }
 
 /* What of the library's constants and of the struct the harness counts on. */
@@ -401,6 +440,7 @@ int main(void)
     a_single_number_stands_for_all();
     every_word_is_its_constant();
     manoeuvres_arrive_in_turn();
+    failures_arrive_in_turn();
     as_many_manoeuvres_and_keys_as_there_is_room();
     presets_come_first_and_the_command_line_last();
     values_are_what_toml_says();
