@@ -344,7 +344,7 @@ fn spoiled_scenes_do_no_harm_and_what_is_taken_is_toml() {
         b"[[manoeuvre]]\nkind=\"sinusoids\"\nduration_s=9\n[[ manoeuvre . sinusoid ]]\nchannel=\"r\\u006fll\"\n[output]\nquiet=true\n"
             .to_vec(),
     ];
-    for name in ["patrol", "fighter", "drone"] {
+    for name in ["patrol", "fighter", "drone", "trainer"] {
         seeds.push(std::fs::read(project_file(&format!("c_examples/scenes/{name}.toml"))).unwrap());
     }
     const PIECES: [&[u8]; 24] = [

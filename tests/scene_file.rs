@@ -79,13 +79,13 @@ fn the_example_scenes_and_the_readmes_fly() {
     let folder = folder("examples");
     let scenes = std::fs::read_dir(project_file("c_examples/scenes")).unwrap();
     let mut paths: Vec<PathBuf> = scenes.map(|entry| entry.unwrap().path()).collect();
-    assert_eq!(paths.len(), 3);
+    assert_eq!(paths.len(), 4);
 
     let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
     let (text, _) = readme.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
     let flights = project_file("c_examples/flights").to_str().unwrap().to_owned();
     paths.push(folder.join("readme.toml"));
-    std::fs::write(&paths[3], text.replace("../flights", &flights)).unwrap();
+    std::fs::write(&paths[4], text.replace("../flights", &flights)).unwrap();
 
     for path in paths {
         let text = std::fs::read_to_string(&path).unwrap();
