@@ -29,7 +29,11 @@ fn every_fault_is_told_with_its_line() {
         ("[gyro]\nbias_rad_s = 1", ":2: gyro.bias_rad_s: unknown key; did you mean bias_deg_h?"),
         (
             "[accelerometer]\nlever_arm_m = [1]",
-            ":2: accelerometer.lever_arm_m: unknown key; did you mean lever_arm_mm?",
+            ":2: accelerometer.lever_arm_m: unknown key; did you mean mounting.lever_arm_m?",
+        ),
+        (
+            "[accelerometer]\nlever_arm_cm = [1]",
+            ":2: accelerometer.lever_arm_cm: unknown key; did you mean lever_arm_mm?",
         ),
         ("[gyro]\nlag_s = 1", ":2: gyro.lag_s: unknown key; did you mean altimeter.lag_s?"),
         ("[giro]\nbias_deg_h = 1", ":1: [giro]: unknown section; did you mean [gyro]?"),
@@ -131,10 +135,35 @@ fn every_fault_is_told_with_its_line() {
             "[start]\nposition_sigma_m = -1",
             ":2: start.position_sigma_m: initial.position_sigma_enu_m[0] = -1: must be from 0",
         ),
+        (
+            "[mounting]\n\nlever_arm_m = [0, 0, 101]",
+            ":3: mounting.lever_arm_m: mounting.lever_arm_m[2] = 101: must be from -100 to 100",
+        ),
+        (
+            "[mounting]\nboresight_error_arcsec = [0, 648001, 0]",
+            ":2: mounting.boresight_error_arcsec: mounting.boresight_error_rad[1] = 3.14159",
+        ),
+        ("[mounting]\nlever_arm_m = 1", ":2: mounting.lever_arm_m = 1: expected three numbers"),
+        (
+            "[gravity]\nanomaly_mgal = 10001",
+            ":2: gravity.anomaly_mgal: gravity.anomaly_m_s2 = 0.10001: must be from -0.1 to 0.1",
+        ),
+        (
+            "[gravity]\ndeflection_east_sigma_arcsec = 5",
+            ":1: gravity.deflection_east_distance_km: gravity.deflection_east_distance_m = 0: must be from 1 to 1e9",
+        ),
         // What does not go together.
         (
             "[altimeter]\nbias_m = 1",
             ":2: altimeter.bias_m: altimeter errors act with the vertical channel damped alone",
+        ),
+        (
+            "[flight]\nbuiltin = 'rest'\ntemperature_change_c_h = 1",
+            ":3: flight.temperature_change_c_h: only with temperature_c",
+        ),
+        (
+            "[flight]\nbuiltin = 'rest'\ntemperature_c = -274",
+            ":3: flight.temperature_c = -274: expected a number, from -273.15 to 1000 [deg C]",
         ),
         ("[output]\nname = 'a/b'", ":2: output.name: \"a/b\" has a folder"),
         ("[options]\nsample_period_s = 0.01", ":2: options.sample_period_s: only for a log"),
@@ -151,6 +180,9 @@ fn every_fault_is_told_with_its_line() {
             "{expected}\n{errors}"
         );
     }
+    let dead = "[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'dead'\n";
+    let step = dead.replace("dead", "bias_step");
+    let crowd = (0..65).map(|i| format!("{dead}from_s = {i}\nuntil_s = {}\n", i + 1)).collect::<String>();
     for (text, expected) in [
         ("", "bad.toml: [flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
         (
@@ -189,6 +221,51 @@ fn every_fault_is_told_with_its_line() {
             &format!("{sinusoid}channel = 'roll'{}", "\n[[manoeuvre.sinusoid]]\nchannel = 'roll'".repeat(6)),
             "bad.toml:16: [[manoeuvre.sinusoid]]: more than 6",
         ),
+        ("[[failure]]\naxis = 'x'", "bad.toml:1: [[failure]]: expected its sensor"),
+        ("[[failure]]\nsensor = 'gyro'", "bad.toml:1: [[failure]]: expected its kind"),
+        ("[[failure]]\nsensor = 'gyro'\nkind = 'dead'", "bad.toml:1: [[failure]]: expected its axis"),
+        (
+            "[[failure]]\nsensor = 'altimeter'\naxis = 'x'\nkind = 'dead'",
+            "bad.toml:3: failure.axis: the altimeter has one output alone",
+        ),
+        (
+            &format!("{dead}from_s = 5\nuntil_s = 5"),
+            "bad.toml:6: failure.until_s: 5: expected more than from_s, 5",
+        ),
+        (
+            &format!("{dead}from_s = -1"),
+            "bad.toml:5: failure.from_s = -1: expected a number, from 0 to 1e+09 [s]",
+        ),
+        (
+            &format!("{step}size_micro_g = 5"),
+            "bad.toml:5: failure.size_micro_g: not of this sensor; expected size_deg_h",
+        ),
+        (
+            &format!("{step}size_deg_h = 5\ndensity_m_sqrt_hz = 5"),
+            "bad.toml:6: failure.density_m_sqrt_hz: not of this sensor; expected density_deg_sqrt_h",
+        ),
+        // The library's sentence: at the key, or where the failure begins.
+        (
+            &format!("{step}#\nsize_deg_h = 1e9"),
+            "bad.toml:6: failure.size_deg_h: failure.size = 4848.13681109536: must be from -100 to 100",
+        ),
+        (
+            &format!("{dead}probability = 1"),
+            "bad.toml:5: failure.probability: failure.probability = 1: must be 0",
+        ),
+        (
+            "\n[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'spikes'\nsize_deg_h = 1",
+            "bad.toml:2: failure.interval_s: failure.interval_s = 0: must be from 0.0001 to 1e9",
+        ),
+        (
+            &format!("{dead}until_s = 9\n{dead}from_s = 8.5"),
+            "bad.toml:6: [[failure]]: overlaps in time with that of line 1, of the same output",
+        ),
+        (
+            "[flight]\nbuiltin = 'rest'\n[[failure]]\nsensor = 'altimeter'\nkind = 'dead'",
+            "bad.toml:3: [[failure]]: the altimeter acts with the vertical channel damped alone",
+        ),
+        (&crowd, "bad.toml:385: [[failure]]: more than 64"),
         // The second manoeuvre is at fault: its key, or where it begins.
         (
             "[[manoeuvre]]\nkind = 'rest'\nduration_s = 9\n[[manoeuvre]]\nkind = 'rest'\n#\nbank_deg = 9\nduration_s = 1",
@@ -267,7 +344,7 @@ fn spoiled_scenes_do_no_harm_and_what_is_taken_is_toml() {
         b"[[manoeuvre]]\nkind=\"sinusoids\"\nduration_s=9\n[[ manoeuvre . sinusoid ]]\nchannel=\"r\\u006fll\"\n[output]\nquiet=true\n"
             .to_vec(),
     ];
-    for name in ["patrol", "fighter", "drone"] {
+    for name in ["patrol", "fighter", "drone", "trainer"] {
         seeds.push(std::fs::read(project_file(&format!("c_examples/scenes/{name}.toml"))).unwrap());
     }
     const PIECES: [&[u8]; 24] = [

@@ -79,13 +79,13 @@ fn the_example_scenes_and_the_readmes_fly() {
     let folder = folder("examples");
     let scenes = std::fs::read_dir(project_file("c_examples/scenes")).unwrap();
     let mut paths: Vec<PathBuf> = scenes.map(|entry| entry.unwrap().path()).collect();
-    assert_eq!(paths.len(), 3);
+    assert_eq!(paths.len(), 4);
 
     let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
     let (text, _) = readme.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
     let flights = project_file("c_examples/flights").to_str().unwrap().to_owned();
     paths.push(folder.join("readme.toml"));
-    std::fs::write(&paths[3], text.replace("../flights", &flights)).unwrap();
+    std::fs::write(&paths[4], text.replace("../flights", &flights)).unwrap();
 
     for path in paths {
         let text = std::fs::read_to_string(&path).unwrap();
@@ -125,6 +125,9 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
         ("sins_accel_params", "accel"),
         ("sins_altimeter_params", "altimeter"),
         ("sins_initial_errors", "initial"),
+        ("sins_mounting", "mounting"),
+        ("sins_gravity_params", "gravity"),
+        ("sins_failure", "failure"),
         ("sins_flight_start", "start"),
         ("sins_manoeuvre", "manoeuvre"),
     ] {
@@ -148,9 +151,20 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
     }
     assert!(count > 80, "{count}");
     let table = std::fs::read_to_string(project_file("c_examples/harness/option_table.c")).unwrap();
-    for key in
-        ["channel", "amplitude_deg", "amplitude_m_s", "frequency_hz", "phase_deg", "file", "builtin", "imu"]
-    {
+    for key in [
+        "channel",
+        "amplitude_deg",
+        "amplitude_m_s",
+        "frequency_hz",
+        "phase_deg",
+        "file",
+        "builtin",
+        "imu",
+        "sensor",
+        "axis",
+        "from_s",
+        "until_s",
+    ] {
         assert!(told.contains(key) && table.contains(&format!("\"{key}\"")), "{key}");
     }
 }

@@ -31,11 +31,12 @@ static const struct quantity quantities[FLIGHT_CSV_QUANTITIES] = {
     { "rate_z_rad_s", NULL, SAMPLE(angular_rate_rad_s) + 2 * sizeof(double) },
     { "force_x_m_s2", NULL, SAMPLE(specific_force_m_s2) },
     { "force_y_m_s2", NULL, SAMPLE(specific_force_m_s2) + sizeof(double) },
-    { "force_z_m_s2", NULL, SAMPLE(specific_force_m_s2) + 2 * sizeof(double) }
+    { "force_z_m_s2", NULL, SAMPLE(specific_force_m_s2) + 2 * sizeof(double) },
+    { "temperature_c", NULL, SAMPLE(temperature_c) }
 };
 
-/* First index of the triples that a log may leave out. */
-enum { VELOCITY = 4, RATE = 10, FORCE = 13 };
+/* First index of the triples that a log may leave out, and the one that it may leave out by itself. */
+enum { VELOCITY = 4, RATE = 10, FORCE = 13, TEMPERATURE = 16 };
 
 static int bad(const struct flight_csv *csv, int column, const char *found, const char *expected, const char *name)
 {
@@ -134,7 +135,7 @@ static int report_missing_columns(const struct flight_csv *csv)
 {
     int missing = 0, i;
 
-    for (i = 0; i < FLIGHT_CSV_QUANTITIES; i++) {
+    for (i = 0; i < TEMPERATURE; i++) {
         int is_in_triple = (i >= VELOCITY && i < VELOCITY + 3) || i >= RATE;
         int first = i < RATE ? VELOCITY : i < FORCE ? RATE : FORCE;
 
@@ -180,7 +181,8 @@ static int read_header(struct flight_csv *csv)
     }
     csv->flags = (has_triple(csv, VELOCITY) ? 0U : (uint32_t)SINS_SAMPLE_NO_VELOCITY)
                | (has_triple(csv, RATE) ? (uint32_t)SINS_SAMPLE_ANGULAR_RATE : 0U)
-               | (has_triple(csv, FORCE) ? (uint32_t)SINS_SAMPLE_SPECIFIC_FORCE : 0U);
+               | (has_triple(csv, FORCE) ? (uint32_t)SINS_SAMPLE_SPECIFIC_FORCE : 0U)
+               | (csv->column[TEMPERATURE] ? (uint32_t)SINS_SAMPLE_TEMPERATURE : 0U);
     return report_missing_columns(csv);
 }
 

@@ -7,8 +7,9 @@
 
 #include "sins.h"
 
-/* time, latitude, longitude, height, 3 of velocity, roll, pitch, heading, 3 of angular rate, 3 of specific force */
-enum { FLIGHT_CSV_QUANTITIES = 16, FLIGHT_CSV_LINE = 65536, FLIGHT_CSV_TITLE = 160 };
+/* time, latitude, longitude, height, 3 of velocity, roll, pitch, heading, 3 of angular rate, 3 of specific force,
+ * temperature */
+enum { FLIGHT_CSV_QUANTITIES = 17, FLIGHT_CSV_LINE = 65536, FLIGHT_CSV_TITLE = 160 };
 
 struct flight_csv {
     FILE *stream;

@@ -29,7 +29,10 @@ struct run {
     struct flown *result;
     struct progress progress;
     struct sensor_sum sum;
-    int by_sample; /* the increments of each sample are wanted: for their errors or for their file */
+    const struct failure_plan *failures;
+    struct failure_progress failure_progress;
+    double time_s;  /* to which the flight has come */
+    int by_sample; /* the increments of each sample are wanted, for their errors or their file, or failures come and go */
     int is_at_end;
 };
 
@@ -98,6 +101,13 @@ static void keep_record(struct run *run, const sins_record *record, const struct
     }
 }
 
+/* Failures that begin or end with the next step. */
+static sins_status advance_failures(struct run *run)
+{
+    return failure_plan_advance(run->failures, &run->failure_progress, run->sim,
+                                run->time_s - run->scene->first_time_s, SCENE_ROUNDING * run->scene->period_s);
+}
+
 /* Flies the chunk: in one call, or sample by sample where the increments are wanted. *made: records. */
 static sins_status fly_samples(struct run *run, size_t count, size_t *made)
 {
@@ -108,9 +118,13 @@ static sins_status fly_samples(struct run *run, size_t count, size_t *made)
     *made = 0;
     for (i = 0; i < count; i += piece) {
         size_t written = 0;
-        sins_status status = sins_run(run->sim, &samples[i], piece, (size_t)run->result->every, &records[*made],
-                                      SCENE_CHUNK - *made, &written);
+        sins_status status = advance_failures(run);
 
+        if (status >= 0) {
+            status = sins_run(run->sim, &samples[i], piece, (size_t)run->result->every, &records[*made],
+                              SCENE_CHUNK - *made, &written);
+        }
+        run->time_s = samples[i + piece - 1].time_s;
         if (status >= 0 && run->by_sample) {
             status = sins_get_imu(run->sim, &imu);
         }
@@ -199,6 +213,7 @@ static int begin(struct run *run)
     if (refused(run->sim, sins_get_record(run->sim, &records[0]))) {
         return FAILED;
     }
+    run->time_s = samples[0].time_s;
     memset(&none, 0, sizeof none);
     record_file_header(&run->files->records);
     if (run->files->imu.stream != NULL) {
@@ -251,7 +266,8 @@ int fly(sins_sim *sim, struct scene *scene, const struct settings *set, struct f
     run.scene = scene;
     run.files = files;
     run.result = result;
-    run.by_sample = files->imu.stream != NULL || !settings_has_ideal_sensors(set);
+    run.failures = &set->failures;
+    run.by_sample = files->imu.stream != NULL || !settings_has_ideal_sensors(set) || set->failures.count > 0;
     result->every = spacing(scene, set);
     if (result->every == 0) {
         return BAD_INPUT;

@@ -39,7 +39,8 @@ void options_print_help(void)
          "  flight FILE.csv    a flight log with the columns time_s, latitude_rad, longitude_rad, height_m,\n"
          "                     velocity_east_m_s, velocity_north_m_s, velocity_up_m_s (all three or none),\n"
          "                     roll_rad, pitch_rad, heading_rad; angles also as latitude_deg and so on;\n"
-         "                     as well, if there, rate_x_rad_s, .._y_.., .._z_.. and force_x_m_s2, ..\n"
+         "                     as well, if there, rate_x_rad_s, .._y_.., .._z_.. and force_x_m_s2, ..,\n"
+         "                     temperature_c of the sensors\n"
          "  embedded NAME      a built-in flight; \"embedded list\" names them\n"
          "  SCENE.toml         a scene from a file, flight, sensors, options and output; --keys lists what it\n"
          "                     may hold, more than the options here. Options override what the file says.");
@@ -94,7 +95,8 @@ static const char *shape_of(const struct option *option)
 
 static void print_key(const struct option *option)
 {
-    int is_librarys = strchr(option->field, '.') != NULL && option->group != GROUP_SINUSOID;
+    int is_librarys = strchr(option->field, '.') != NULL && option->group != GROUP_SINUSOID
+                   && strncmp(option->field, "failing.", 8) != 0;
 
     printf("  %-40s %-15s %s", option->key, shape_of(option), option->noun);
     if (option->unit_text[0] != '\0') {

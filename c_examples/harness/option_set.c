@@ -4,6 +4,29 @@
 #include <stdio.h>
 #include <string.h>
 
+struct option_shape option_shape(const struct option *option)
+{
+    static const struct option_shape none = { 0, 0 }, number = { 1, 0x1 }, vector = { 3, 0x0 }, axes = { 3, 0x7 },
+                                     cross = { 9, 0xEE }, diagonal = { 9, 0x111 }, matrix = { 9, 0x0 };
+
+    switch (option->kind) {
+    case OPTION_NUMBER:
+        return number;
+    case OPTION_VECTOR:
+        return vector;
+    case OPTION_AXES:
+        return axes;
+    case OPTION_CROSS:
+        return cross;
+    case OPTION_DIAGONAL:
+        return diagonal;
+    case OPTION_MATRIX:
+        return matrix;
+    default:
+        return none;
+    }
+}
+
 static void *place(struct settings *set, const struct option *option)
 {
     return (char *)set + option->at;

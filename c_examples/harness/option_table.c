@@ -11,10 +11,14 @@ const struct option_section option_sections[OPTION_GROUPS] = {
     { "accelerometer", 0, "accelerometer errors: likewise" },
     { "altimeter", 0, "altimeter errors, with the damped vertical channel" },
     { "start", 0, "errors at the start: computed less true" },
+    { "mounting", 0, "where the sensor block sits, and what the INS wrongly believes of it: believed less true" },
+    { "gravity", 0, "true gravity less normal gravity: constant, and random over the distance flown" },
+    { "failure", 1, "of one output of a sensor, for a time; those of one output one after the other" },
     { "output", 0, "output" }
 };
 
 #define AT(member) #member, offsetof(struct settings, member)
+#define MILLIGAL 1e-5
 #define GRADES "ideal|strategic|navigation|tactical|industrial|consumer|paper2"
 
 /* Section, name on the command line, key in a file, what it is, where it goes; then SI per unit and the unit. */
@@ -41,6 +45,10 @@ const struct option option_table[] = {
            0.4, 1e4),
     WORD(GROUP_FLIGHT, OPTION_CHOICE, "--motion", NULL, "rest|patrol", "motion of a simulation; default patrol",
          motion),
+    WITHIN(GROUP_FLIGHT, NULL, "temperature_c", "temperature of the sensors at the begin", temperature_c, "deg C",
+           -273.15, 1000),
+    WITHIN(GROUP_FLIGHT, NULL, "temperature_change_c_h", "its change, steady", temperature_change_c_h, "deg C/h", -1e6,
+           1e6),
     NUMBER(GROUP_FLIGHT, NULL, "latitude_deg", "latitude", start.latitude_rad, SINS_DEG, "deg"),
     NUMBER(GROUP_FLIGHT, NULL, "longitude_deg", "longitude, east positive", start.longitude_rad, SINS_DEG, "deg"),
     NUMBER(GROUP_FLIGHT, NULL, "height_m", "height above the ellipsoid", start.height_m, 1, "m"),
@@ -198,6 +206,53 @@ const struct option option_table[] = {
     WORD(GROUP_START, OPTION_CHOICE, "--alignment", "alignment", "given|gyrocompass",
          "given, or with what levelling and gyrocompassing leave", initial.alignment),
 
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "lever_arm_m", "lever arm from the reference point",
+            mounting.lever_arm_m, 1, "m"),
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "boresight_deg", "boresight roll, pitch, heading",
+            mounting.boresight_rad, SINS_DEG, "deg"),
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "lever_arm_error_mm", "lever arm error",
+            mounting.lever_arm_error_m, 1e-3, "mm"),
+    NUMBERS(GROUP_MOUNTING, OPTION_VECTOR, NULL, "boresight_error_arcsec", "boresight error",
+            mounting.boresight_error_rad, SINS_ARCSEC, "arcsec"),
+
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_north_arcsec", "meridian deflection (xi)",
+           gravity.deflection_north_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_north_sigma_arcsec", "meridian deflection sigma",
+           gravity.deflection_north_sigma_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_north_distance_km", "meridian correlation distance",
+           gravity.deflection_north_distance_m, 1e3, "km"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_east_arcsec", "prime vertical deflection (eta)",
+           gravity.deflection_east_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_east_sigma_arcsec", "prime vertical deflection sigma",
+           gravity.deflection_east_sigma_rad, SINS_ARCSEC, "arcsec"),
+    NUMBER(GROUP_GRAVITY, NULL, "deflection_east_distance_km", "prime vertical correlation distance",
+           gravity.deflection_east_distance_m, 1e3, "km"),
+    NUMBER(GROUP_GRAVITY, NULL, "anomaly_mgal", "anomaly", gravity.anomaly_m_s2, MILLIGAL, "mGal"),
+    NUMBER(GROUP_GRAVITY, NULL, "anomaly_sigma_mgal", "anomaly sigma", gravity.anomaly_sigma_m_s2,
+           MILLIGAL, "mGal"),
+    NUMBER(GROUP_GRAVITY, NULL, "anomaly_distance_km", "anomaly correlation distance", gravity.anomaly_distance_m, 1e3,
+           "km"),
+
+    WORD(GROUP_FAILURE, OPTION_CHOICE, NULL, "sensor", "gyro|accelerometer|altimeter", "what fails", failing.sensor),
+    WORD(GROUP_FAILURE, OPTION_CHOICE, NULL, "axis", "x|y|z", "of a gyro or an accelerometer", failing.axis),
+    WORD(GROUP_FAILURE, OPTION_CHOICE, NULL, "kind", "none|stuck|dead|bias_step|spikes|noise|drop_outs",
+         "none: switched off", failure.kind),
+    WITHIN(GROUP_FAILURE, NULL, "from_s", "time since the begin of the flight, default 0", failing.from_s, "s", 0, 1e9),
+    WITHIN(GROUP_FAILURE, NULL, "until_s", "likewise, default the end", failing.until_s, "s", 0, 1e9),
+    /* The keys of one field in the order of SINS_SENSOR_... */
+    NUMBER(GROUP_FAILURE, NULL, "size_deg_h", "bias step, spikes of a gyro", failure.size, SINS_DEG_PER_HOUR, "deg/h"),
+    NUMBER(GROUP_FAILURE, NULL, "size_micro_g", "likewise of an accelerometer", failure.size, SINS_MICRO_G, "micro-g"),
+    NUMBER(GROUP_FAILURE, NULL, "size_m", "likewise of the altimeter", failure.size, 1, "m"),
+    NUMBER(GROUP_FAILURE, NULL, "density_deg_sqrt_h", "noise of a gyro", failure.density, SINS_DEG_PER_SQRT_HOUR,
+           "deg/sqrt(h)"),
+    NUMBER(GROUP_FAILURE, NULL, "density_micro_g_sqrt_hz", "likewise of an accelerometer", failure.density,
+           SINS_MICRO_G_PER_SQRT_HZ, "micro-g/sqrt(Hz)"),
+    NUMBER(GROUP_FAILURE, NULL, "density_m_sqrt_hz", "likewise of the altimeter", failure.density, 1, "m/sqrt(Hz)"),
+    NUMBER(GROUP_FAILURE, NULL, "interval_s", "spikes, drop-outs: from one to the next", failure.interval_s, 1, "s"),
+    NUMBER(GROUP_FAILURE, NULL, "duration_s", "spikes: length of one", failure.duration_s, 1, "s"),
+    NUMBER(GROUP_FAILURE, NULL, "probability", "drop-outs without interval_s: that a sample interval is lost",
+           failure.probability, 1, ""),
+
     WORD(GROUP_OUTPUT, OPTION_TEXT, "--out", "folder", "DIR", "folder of the output files; default sins_out", out),
     WORD(GROUP_OUTPUT, OPTION_TEXT, "--name", "name", "NAME", "base name of the output files; default from the scene",
          name),
@@ -226,27 +281,4 @@ const struct option *option_of_field(const char *field)
         }
     }
     return NULL;
-}
-
-struct option_shape option_shape(const struct option *option)
-{
-    static const struct option_shape none = { 0, 0 }, number = { 1, 0x1 }, vector = { 3, 0x0 }, axes = { 3, 0x7 },
-                                     cross = { 9, 0xEE }, diagonal = { 9, 0x111 }, matrix = { 9, 0x0 };
-
-    switch (option->kind) {
-    case OPTION_NUMBER:
-        return number;
-    case OPTION_VECTOR:
-        return vector;
-    case OPTION_AXES:
-        return axes;
-    case OPTION_CROSS:
-        return cross;
-    case OPTION_DIAGONAL:
-        return diagonal;
-    case OPTION_MATRIX:
-        return matrix;
-    default:
-        return none;
-    }
 }

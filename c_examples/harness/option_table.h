@@ -31,6 +31,9 @@ enum option_group {
     GROUP_ACCEL,
     GROUP_ALTIMETER,
     GROUP_START,
+    GROUP_MOUNTING,
+    GROUP_GRAVITY,
+    GROUP_FAILURE,
     GROUP_OUTPUT,
     OPTION_GROUPS
 };
@@ -81,6 +84,9 @@ int option_set(struct settings *set, const struct option *option, const struct v
 
 /* The word for what the choice at a field is set to. */
 void option_word(const struct settings *set, const char *field, char *word, size_t capacity);
+
+/* Likewise for the constant `index`. */
+void option_word_of(const char *field, int32_t index, char *word, size_t capacity);
 
 /* The errors of a group that are set, as a sentence in the units of data sheets; "none" if all are 0. */
 void options_describe(const struct settings *set, enum option_group group, char *text, size_t capacity);

@@ -54,16 +54,19 @@ static void describe(const struct settings *set, const struct option *option, ch
     append(text, capacity, option->unit_text);
 }
 
-void option_word(const struct settings *set, const char *field, char *word, size_t capacity)
+void option_word_of(const char *field, int32_t index, char *word, size_t capacity)
 {
-    const struct option *option = option_of_field(field);
-    const char *words = option->operand;
-    int32_t index;
+    const char *words = option_of_field(field)->operand;
 
-    for (index = *(const int32_t *)place(set, option); index > 0; index--) {
+    for (; index > 0; index--) {
         words = strchr(words, '|') + 1;
     }
     snprintf(word, capacity, "%.*s", (int)strcspn(words, "|"), words);
+}
+
+void option_word(const struct settings *set, const char *field, char *word, size_t capacity)
+{
+    option_word_of(field, *(const int32_t *)place(set, option_of_field(field)), word, capacity);
 }
 
 void options_describe(const struct settings *set, enum option_group group, char *text, size_t capacity)

@@ -8,9 +8,6 @@
 #include "flight_plan.h"
 #include "report.h"
 
-/* What rounding may leave of a sample interval. */
-static const double ROUNDING = 1e-6;
-
 /* The manoeuvres of the flight. DONE, or BAD_INPUT reported. */
 static int make_plan(struct flight_plan *plan, const struct settings *set, double wanted_s)
 {
@@ -36,6 +33,20 @@ static int make_plan(struct flight_plan *plan, const struct settings *set, doubl
     return DONE;
 }
 
+static void take_temperature(struct scene *scene, const struct settings *set)
+{
+    scene->has_temperature = settings_has(set, "temperature_c");
+    scene->temperature_c = set->temperature_c;
+    scene->temperature_change_c_s = set->temperature_change_c_h / 3600;
+}
+
+static void give_temperature(const struct scene *scene, sins_flight_sample *sample)
+{
+    sample->flags |= SINS_SAMPLE_TEMPERATURE;
+    sample->temperature_c =
+        scene->temperature_c + scene->temperature_change_c_s * (sample->time_s - scene->first_time_s);
+}
+
 static int open_flight(struct scene *scene, const struct settings *set)
 {
     static struct flight_plan plan;
@@ -51,12 +62,12 @@ static int open_flight(struct scene *scene, const struct settings *set)
     if (refused(NULL, sins_flight_duration(scene->flight, &scene->flight_s))) {
         return FAILED;
     }
-    if (wanted_s > scene->flight_s * (1 + ROUNDING)) {
+    if (wanted_s > scene->flight_s * (1 + SCENE_ROUNDING)) {
         complain(set, "hours", "%g: the flight lasts %.4g h", set->hours, scene->flight_s / 3600);
         return BAD_INPUT;
     }
     scene->period_s = 1 / set->rate_hz;
-    scene->samples = (uint64_t)floor((wanted_s > 0 ? wanted_s : scene->flight_s) / scene->period_s + ROUNDING) + 1;
+    scene->samples = (uint64_t)floor((wanted_s > 0 ? wanted_s : scene->flight_s) / scene->period_s + SCENE_ROUNDING) + 1;
     scene->duration_s = (double)(scene->samples - 1) * scene->period_s;
     return DONE;
 }
@@ -72,7 +83,7 @@ static int measure_log(struct scene *scene, const struct settings *set)
         if (scene->samples == 0) {
             scene->first_time_s = sample.time_s;
         }
-        if (set->hours > 0 && sample.time_s - scene->first_time_s > set->hours * 3600 * (1 + ROUNDING)) {
+        if (set->hours > 0 && sample.time_s - scene->first_time_s > set->hours * 3600 * (1 + SCENE_ROUNDING)) {
             break;
         }
         last_time_s = sample.time_s;
@@ -108,10 +119,15 @@ int scene_open(struct scene *scene, const struct settings *set)
     int code;
 
     memset(scene, 0, sizeof *scene);
+    take_temperature(scene, set);
     if (set->kind != SCENE_FLIGHT) {
         return open_flight(scene, set);
     }
     if ((set->scene_file[0] != '\0' && check_log(set) != 0) || flight_csv_open(&scene->log, set->log) != 0) {
+        return BAD_INPUT;
+    }
+    if (scene->has_temperature && (scene->log.flags & SINS_SAMPLE_TEMPERATURE) != 0) {
+        complain(set, "temperature_c", "the log has a column of that name");
         return BAD_INPUT;
     }
     code = measure_log(scene, set);
@@ -138,6 +154,9 @@ int scene_next(struct scene *scene, sins_flight_sample *samples, size_t count, s
             if (refused(NULL, sins_flight_sample_at(scene->flight, time_s, sample))) {
                 return FAILED;
             }
+        }
+        if (scene->has_temperature) {
+            give_temperature(scene, sample);
         }
     }
     return DONE;

@@ -8,6 +8,9 @@
 
 enum { SCENE_CHUNK = 6000 }; /* a minute at 100 Hz */
 
+/* What rounding may leave of a sample interval. */
+#define SCENE_ROUNDING 1e-6
+
 struct scene {
     sins_flight *flight; /* NULL: the log */
     struct flight_csv log;
@@ -17,6 +20,9 @@ struct scene {
     uint64_t samples; /* in all */
     uint64_t given;   /* so far */
     double first_time_s;
+    int has_temperature; /* from the settings, linear in time */
+    double temperature_c;
+    double temperature_change_c_s;
     long line[SCENE_CHUNK]; /* of each sample of the last chunk of a log */
 };
 

@@ -146,6 +146,9 @@ static void leave_section(struct reading *reading, enum option_group next)
     if (reading->group == GROUP_SINUSOID) {
         reading->faults += sinusoid_take(reading->set) != 0;
     }
+    if (reading->group == GROUP_FAILURE) {
+        reading->faults += failure_take(reading->set) != 0;
+    }
     if (reading->is_in_manoeuvre && next != GROUP_SINUSOID) {
         reading->faults += manoeuvre_take(reading->set) != 0;
         reading->is_in_manoeuvre = 0;
@@ -195,6 +198,8 @@ static void take_section(struct reading *reading)
         manoeuvre_begin(reading->set);
     } else if (group == GROUP_SINUSOID) {
         sinusoid_begin(reading->set);
+    } else if (group == GROUP_FAILURE) {
+        failure_begin(reading->set);
     }
 }
 

@@ -1,4 +1,4 @@
-/* The manoeuvres of a scene file, one after the other into the plan of the flight. */
+/* The manoeuvres and failures of a scene file, one after the other into the plans of the flight. */
 
 #ifndef SCENE_PLAN_H
 #define SCENE_PLAN_H
@@ -14,5 +14,9 @@ int manoeuvre_take(struct settings *set);
 /* Likewise a [[manoeuvre.sinusoid]]. */
 void sinusoid_begin(struct settings *set);
 int sinusoid_take(struct settings *set);
+
+/* Likewise a [[failure]]. */
+void failure_begin(struct settings *set);
+int failure_take(struct settings *set);
 
 #endif

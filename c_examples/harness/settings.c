@@ -17,6 +17,9 @@ int settings_begin(struct settings *set, const int32_t *grades)
     SINS_INIT(set->accel);
     SINS_INIT(set->altimeter);
     SINS_INIT(set->initial);
+    SINS_INIT(set->mounting);
+    SINS_INIT(set->gravity);
+    SINS_INIT(set->failure);
     SINS_INIT(set->start);
     set->options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
     set->options.error_model = SINS_ERROR_MODEL_RK4;
@@ -40,6 +43,31 @@ static const char *field_set(const struct settings *set, enum option_group group
     return NULL;
 }
 
+int settings_has(const struct settings *set, const char *field)
+{
+    size_t i;
+
+    for (i = 0; i < option_table_length; i++) {
+        if (set->line[i] != SET_NOWHERE && strcmp(option_table[i].field, field) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The line of a planned failure of the altimeter; 0: none. */
+static long altimeter_failure(const struct settings *set)
+{
+    size_t i;
+
+    for (i = 0; i < set->failures.count; i++) {
+        if (set->failures.failures[i].sensor == SINS_SENSOR_ALTIMETER) {
+            return set->failures.failures[i].line;
+        }
+    }
+    return 0;
+}
+
 static int check_together(const struct settings *set)
 {
     const char *altimeter = field_set(set, GROUP_ALTIMETER, ""), *start = field_set(set, GROUP_FLIGHT, "start.");
@@ -52,8 +80,12 @@ static int check_together(const struct settings *set)
         complain(set, "options.sample_period_s", "only for a log; this flight is sampled at rate_hz");
     } else if (start != NULL && set->kind != SCENE_MANOEUVRES) {
         complain(set, start, "only for [[manoeuvre]]s; this flight has its own start");
+    } else if (settings_has(set, "temperature_change_c_h") && !settings_has(set, "temperature_c")) {
+        complain(set, "temperature_change_c_h", "only with temperature_c, from which it goes on");
     } else if (altimeter != NULL && set->options.vertical != SINS_VERTICAL_DAMPED) {
         complain(set, altimeter, "altimeter errors act with the vertical channel damped alone");
+    } else if (altimeter_failure(set) != 0 && set->options.vertical != SINS_VERTICAL_DAMPED) {
+        complain_at(set, altimeter_failure(set), "[[failure]]: the altimeter acts with the vertical channel damped alone");
     } else if (strpbrk(set->name, "/\\") != NULL) {
         complain(set, "name", "\"%s\" has a folder; expected a name without, the folder by itself", set->name);
     } else {
@@ -134,7 +166,9 @@ int settings_create(const struct settings *set, sins_sim **sim)
     if (refused_setting(set, *sim, sins_set_gyro(*sim, &set->gyro))
         || refused_setting(set, *sim, sins_set_accel(*sim, &set->accel))
         || refused_setting(set, *sim, sins_set_altimeter(*sim, &set->altimeter))
-        || refused_setting(set, *sim, sins_set_initial_errors(*sim, &set->initial))) {
+        || refused_setting(set, *sim, sins_set_initial_errors(*sim, &set->initial))
+        || refused_setting(set, *sim, sins_set_mounting(*sim, &set->mounting))
+        || refused_setting(set, *sim, sins_set_gravity_disturbance(*sim, &set->gravity))) {
         sins_destroy(*sim);
         *sim = NULL;
         return BAD_INPUT;

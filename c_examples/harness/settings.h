@@ -3,6 +3,7 @@
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
+#include "failure_plan.h"
 #include "flight_plan.h"
 #include "sins.h"
 #include "value.h"
@@ -12,7 +13,7 @@ enum scene_kind { SCENE_SIMULATION1, SCENE_SIMULATION2, SCENE_FLIGHT, SCENE_EMBE
 enum { MOTION_NONE = -1, MOTION_REST = 0, MOTION_PATROL = 1 };
 
 /* At least as many as there are options, sections of a scene file, and keys of a manoeuvre. */
-enum { SETTINGS_OPTIONS = 160, SETTINGS_SECTIONS = 16, MANOEUVRE_KEYS = 8 };
+enum { SETTINGS_OPTIONS = 192, SETTINGS_SECTIONS = 16, MANOEUVRE_KEYS = 8 };
 
 /* Where an option was set: a line of the scene file from 1, or one of these. */
 enum { SET_NOWHERE = 0, SET_BY_COMMAND = -1 };
@@ -46,6 +47,8 @@ struct settings {
     char imu[VALUE_TEXT_SIZE];  /* file of the measured increments; empty: none */
     double hours;   /* 0: the scene's own */
     double rate_hz; /* 0: a log's own time stamps */
+    double temperature_c; /* at the begin; where no option sets it, samples have none but those of a log */
+    double temperature_change_c_h;
     double every_s; /* 0: such that about 2000 records result */
     int32_t quiet;
     int32_t help;
@@ -56,6 +59,11 @@ struct settings {
     sins_accel_params accel;
     sins_altimeter_params altimeter;
     sins_initial_errors initial;
+    sins_mounting mounting;
+    sins_gravity_params gravity;
+    sins_failure failure;           /* the one that is being read */
+    struct planned_failure failing; /* likewise; its own failure is taken at the end of its section */
+    struct failure_plan failures;
     sins_flight_start start;  /* of SCENE_MANOEUVRES */
     sins_manoeuvre manoeuvre; /* the one that is being read */
     struct sinusoid sinusoid; /* likewise */
@@ -71,6 +79,9 @@ int settings_begin(struct settings *set, const int32_t *grades);
 /* Completes what was left open, and checks what single options cannot tell: whether they go together. 0, or -1
  * reported. */
 int settings_complete(struct settings *set);
+
+/* Whether an option has set the field. */
+int settings_has(const struct settings *set, const char *field);
 
 /* Whether neither gyros nor accelerometers have errors. */
 int settings_has_ideal_sensors(const struct settings *set);

@@ -1,5 +1,6 @@
 #include "summary.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "flight_plan.h"
@@ -25,6 +26,28 @@ static void describe_scene(struct summary *sum)
     } else {
         snprintf(text, capacity, "Simulation %d of the paper: %s", set->kind == SCENE_SIMULATION1 ? 1 : 2,
                  flight_plan_line(set->motion_name));
+    }
+}
+
+/* Each failure with its time, "none" without. */
+static void describe_failures(const struct failure_plan *plan, char *text, size_t capacity)
+{
+    size_t i, length = 0;
+
+    snprintf(text, capacity, "none");
+    for (i = 0; i < plan->count; i++) {
+        const struct planned_failure *planned = &plan->failures[i];
+        char sensor[16], axis[4], kind[16], until[24] = "the end";
+
+        option_word_of("failing.sensor", planned->sensor, sensor, sizeof sensor);
+        option_word_of("failing.axis", planned->axis, axis, sizeof axis);
+        option_word_of("failure.kind", planned->failure.kind, kind, sizeof kind);
+        if (planned->until_s < HUGE_VAL) {
+            snprintf(until, sizeof until, "%.6g s", planned->until_s);
+        }
+        length += (size_t)snprintf(text + length, capacity - length, "%s%s %s%s%s %.6g s to %s", i > 0 ? ", " : "",
+                                   sensor, planned->sensor == SINS_SENSOR_ALTIMETER ? "" : axis,
+                                   planned->sensor == SINS_SENSOR_ALTIMETER ? "" : " ", kind, planned->from_s, until);
     }
 }
 
@@ -56,6 +79,9 @@ int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *se
     options_describe(set, GROUP_ACCEL, sum->accel, sizeof sum->accel);
     options_describe(set, GROUP_ALTIMETER, sum->altimeter, sizeof sum->altimeter);
     options_describe(set, GROUP_START, sum->start, sizeof sum->start);
+    options_describe(set, GROUP_MOUNTING, sum->mounting, sizeof sum->mounting);
+    options_describe(set, GROUP_GRAVITY, sum->gravity_disturbance, sizeof sum->gravity_disturbance);
+    describe_failures(&set->failures, sum->failures, sizeof sum->failures);
     return DONE;
 }
 
@@ -127,6 +153,9 @@ static void rows_of_setting(const struct summary *sum, struct whole_file *file)
     text_row(file, "accel_text", sum->accel, "accelerometer errors");
     text_row(file, "altimeter_text", sum->altimeter, "altimeter errors");
     text_row(file, "start_text", sum->start, "initial errors");
+    text_row(file, "mounting_text", sum->mounting, "mounting of the sensor block");
+    text_row(file, "gravity_text", sum->gravity_disturbance, "gravity disturbance");
+    text_row(file, "failures_text", sum->failures, "failures");
 }
 
 static void rows_of_flight(const struct summary *sum, struct whole_file *file)

@@ -44,6 +44,9 @@ static void print_setting(const struct summary *sum, const char *records_path)
     printf("  accelerometers  %s\n", sum->accel);
     printf("  altimeter       %s\n", sum->altimeter);
     printf("  start errors    %s\n", sum->start);
+    printf("  mounting        %s\n", sum->mounting);
+    printf("  disturbance     %s\n", sum->gravity_disturbance);
+    printf("  failures        %s\n", sum->failures);
     printf("  mechanization   %s scheme, %s frame, vertical %s, subsamples %d, updates %d\n", sum->scheme, sum->frame,
            sum->vertical, sum->subsamples, sum->updates);
     printf("  world           earth %s, gravity %s, sensor axes %s, seed %llu, run %llu\n", sum->earth, sum->gravity,

@@ -47,6 +47,8 @@ struct in_si {
 static const struct in_si keys_in_si[] = {
     { GROUP_FLIGHT, "hours", &set.hours, 1, 1 },
     { GROUP_FLIGHT, "rate_hz", &set.rate_hz, 1, 1 },
+    { GROUP_FLIGHT, "temperature_c", &set.temperature_c, 1, 1 },
+    { GROUP_FLIGHT, "temperature_change_c_h", &set.temperature_change_c_h, 1, 1 },
     { GROUP_FLIGHT, "latitude_deg", &set.start.latitude_rad, 1, PI / 180 },
     { GROUP_FLIGHT, "longitude_deg", &set.start.longitude_rad, 1, PI / 180 },
     { GROUP_FLIGHT, "height_m", &set.start.height_m, 1, 1 },
@@ -117,6 +119,19 @@ static const struct in_si keys_in_si[] = {
     { GROUP_START, "position_sigma_m", set.initial.position_sigma_enu_m, 3, 1 },
     { GROUP_START, "velocity_sigma_m_s", set.initial.velocity_sigma_enu_m_s, 3, 1 },
     { GROUP_START, "misalignment_sigma_arcmin", set.initial.misalignment_sigma_enu_rad, 3, PI / 10800 },
+    { GROUP_MOUNTING, "lever_arm_m", set.mounting.lever_arm_m, 3, 1 },
+    { GROUP_MOUNTING, "boresight_deg", set.mounting.boresight_rad, 3, PI / 180 },
+    { GROUP_MOUNTING, "lever_arm_error_mm", set.mounting.lever_arm_error_m, 3, 1e-3 },
+    { GROUP_MOUNTING, "boresight_error_arcsec", set.mounting.boresight_error_rad, 3, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_north_arcsec", &set.gravity.deflection_north_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_north_sigma_arcsec", &set.gravity.deflection_north_sigma_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_north_distance_km", &set.gravity.deflection_north_distance_m, 1, 1e3 },
+    { GROUP_GRAVITY, "deflection_east_arcsec", &set.gravity.deflection_east_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_east_sigma_arcsec", &set.gravity.deflection_east_sigma_rad, 1, PI / 648000 },
+    { GROUP_GRAVITY, "deflection_east_distance_km", &set.gravity.deflection_east_distance_m, 1, 1e3 },
+    { GROUP_GRAVITY, "anomaly_mgal", &set.gravity.anomaly_m_s2, 1, 1e-5 },
+    { GROUP_GRAVITY, "anomaly_sigma_mgal", &set.gravity.anomaly_sigma_m_s2, 1, 1e-5 },
+    { GROUP_GRAVITY, "anomaly_distance_km", &set.gravity.anomaly_distance_m, 1, 1e3 },
     { GROUP_OUTPUT, "every_s", &set.every_s, 1, 1 }
 };
 
@@ -147,8 +162,7 @@ static void every_number_arrives_in_si(void)
     for (i = 0; i < option_table_length; i++) {
         const struct option *option = &option_table[i];
 
-        numbers += option->key != NULL && option_shape(option).count > 0 && option->group != GROUP_MANOEUVRE
-                && option->group != GROUP_SINUSOID;
+        numbers += option->key != NULL && option_shape(option).count > 0 && !option_sections[option->group].is_array;
     }
     CHECK(numbers == KEYS_IN_SI);
 }
@@ -258,6 +272,46 @@ static void manoeuvres_arrive_in_turn(void)
         snprintf(text, sizeof text, "[[manoeuvre]]\nkind = \"%s\"\n", kinds[i]);
         CHECK(read(text) == 0 && set.plan.manoeuvres[0].kind == i);
     }
+}
+
+static void failures_arrive_in_turn(void)
+{
+    static const char *const kinds[] = { "none", "stuck", "dead", "bias_step", "spikes", "noise", "drop_outs" };
+    static const char *const bodies[] = { "", "", "", "size_m = 1", "size_m = 1\ninterval_s = 2\nduration_s = 1",
+                                          "density_m_sqrt_hz = 1", "probability = 0.5" };
+    static const int32_t constants[] = { SINS_FAILURE_NONE,   SINS_FAILURE_STUCK, SINS_FAILURE_DEAD,
+                                         SINS_FAILURE_BIAS_STEP, SINS_FAILURE_SPIKES, SINS_FAILURE_NOISE,
+                                         SINS_FAILURE_DROP_OUTS };
+    const struct planned_failure *planned = set.failures.failures;
+    int i;
+
+    CHECK(read(REST "[[failure]]\nsensor = 'gyro'\naxis = 'z'\nkind = 'spikes'\nsize_deg_h = 180\ninterval_s = 2\n"
+               "duration_s = 0.25\nfrom_s = 3\nuntil_s = 4.5\n"
+               "[[failure]]\nsensor = 'accelerometer'\naxis = 'y'\nkind = 'noise'\ndensity_micro_g_sqrt_hz = 2\n"
+               "[[failure]]\nsensor = 'altimeter'\nkind = 'bias_step'\nsize_m = 30\n"
+               "[[failure]]\nsensor = 'accelerometer'\naxis = 'x'\nkind = 'bias_step'\nsize_micro_g = 3\n"
+               "[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'noise'\ndensity_deg_sqrt_h = 60\n"
+               "[[failure]]\nsensor = 'altimeter'\nkind = 'none'\n[options]\n") == 0);
+    CHECK(set.failures.count == 5);
+    CHECK(planned[0].sensor == SINS_SENSOR_GYRO && planned[0].axis == 2 && planned[0].line == 4);
+    CHECK(planned[0].from_s == 3 && planned[0].until_s == 4.5 && is_near(planned[0].failure.size, PI / 3600));
+    CHECK(planned[0].failure.interval_s == 2 && planned[0].failure.duration_s == 0.25);
+    CHECK(planned[1].sensor == SINS_SENSOR_ACCEL && planned[1].axis == 1 && planned[1].from_s == 0);
+    CHECK(planned[1].until_s > 1e300 && is_near(planned[1].failure.density, 2e-6 * G) && planned[1].failure.size == 0);
+    CHECK(planned[2].sensor == SINS_SENSOR_ALTIMETER && planned[2].axis == 0 && planned[2].failure.size == 30);
+    CHECK(planned[3].axis == 0 && is_near(planned[3].failure.size, 3e-6 * G));
+    CHECK(is_near(planned[4].failure.density, PI / 180));
+    for (i = 0; i < 7; i++) {
+        char text[128];
+
+        snprintf(text, sizeof text, "[[failure]]\nsensor = 'altimeter'\nkind = '%s'\n%s\n", kinds[i], bodies[i]);
+        take(text);
+        CHECK(set.failure.kind == constants[i] && set.failures.count == (i > 0));
+    }
+    take("[[failure]]\nsensor = 'altimeter'\nkind = 'noise'\ndensity_m_sqrt_hz = 0.5\n");
+    CHECK(planned[0].failure.density == 0.5 && set.failures.count == 1);
+    take("[[failure]]\nsensor = 'altimeter'\nkind = 'drop_outs'\nprobability = 0.125\n");
+    CHECK(planned[0].failure.probability == 0.125);
 }
 
 /* What of the library's constants and of the struct the harness counts on. */
@@ -386,6 +440,7 @@ int main(void)
     a_single_number_stands_for_all();
     every_word_is_its_constant();
     manoeuvres_arrive_in_turn();
+    failures_arrive_in_turn();
     as_many_manoeuvres_and_keys_as_there_is_room();
     presets_come_first_and_the_command_line_last();
     values_are_what_toml_says();

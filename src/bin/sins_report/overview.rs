@@ -95,10 +95,13 @@ fn model_difference(run: &Run) -> Option<String> {
     text(run, "max_model_difference_position_m")
 }
 
-/// Horizontal closure less the part of the flight data, where neither sensors nor start have errors.
+/// Horizontal closure less the part of the flight data, where nothing else errs.
 fn own_error(run: &Run) -> Option<String> {
     let is_none = |key: &str| run.summary.value(key) == Some("none");
-    if !["gyro_text", "accel_text", "start_text"].into_iter().all(is_none) {
+    let may_lack = |key: &str| run.summary.value(key).is_none() || is_none(key);
+    if !["gyro_text", "accel_text", "start_text"].into_iter().all(is_none)
+        || !["mounting_text", "gravity_text", "failures_text"].into_iter().all(may_lack)
+    {
         return None;
     }
     let own = |axis: &str| {
@@ -138,6 +141,8 @@ mod tests {
         ];
         assert_eq!(own_error(&with(&ideal)).as_deref(), Some("5.000 mm"));
         assert_eq!(own_error(&with(&ideal[1..])), None);
+        let disturbed = [&ideal[..], &[("gravity_text", "anomaly 5 mGal", "")]].concat();
+        assert_eq!(own_error(&with(&disturbed)), None);
         assert_eq!(sensors(&with(&ideal)).as_deref(), Some("none"));
     }
 
