@@ -3,12 +3,12 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, last_failure};
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status};
+use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status};
 use super::memory::{put, put_text, read};
 use super::options::sins_options;
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
-use crate::simulator::{Options, Simulator, Step};
+use crate::simulator::{Options, Simulator, Step, heap_simulator};
 
 /// A simulator. A handle is a checked key, never an address: a null, made-up or destroyed one is answered
 /// SINS_ERROR_BAD_HANDLE. Any function may be called from any thread; calls on one handle wait for each other, calls on
@@ -18,7 +18,8 @@ pub struct sins_sim {
     _opaque: [u8; 0],
 }
 
-static SIMULATORS: Registry<Simulator> = Registry::new(1);
+/// Each in a slice of one, which unlike a `Box` can be made without aborting.
+static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
 
 /// Runs `body` on the simulator of a handle, as the inside of an exported function.
 #[inline(always)]
@@ -26,7 +27,12 @@ pub(super) fn with_simulator(
     sim: *const sins_sim,
     body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| SIMULATORS.with(sim.addr(), body))
+    enter(|| {
+        SIMULATORS.with(sim.addr(), |place| match &mut **place {
+            [simulator] => body(simulator),
+            _ => Ok(SINS_ERROR_INTERNAL),
+        })
+    })
 }
 
 /// Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
@@ -45,7 +51,7 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
             // SAFETY: the host's promise.
             unsafe { read(options, "options")? }.to_options()?
         };
-        let key = SIMULATORS.insert(Simulator::new(&options)?)?;
+        let key = SIMULATORS.insert(heap_simulator(&options)?)?;
         // SAFETY: the host's promise.
         unsafe { put(sim, core::ptr::without_provenance_mut(key), "sim")? };
         Ok(SINS_OK)
