@@ -135,7 +135,8 @@ fn stages(criterion: &mut Criterion) {
             SensorErrors { gyro_b: small, accel_b: small, gyro_change_b: small, accel_change_b: small };
         let motion = SignalGenerator::new(earth.rate_rad_s).advance(&recent(&points, 3));
         group.bench_function(name, |bencher| {
-            let mut model = ErrorModel::new(earth, frame, &points[2].vertical(), &points[2].state.v_e, &start);
+            let mut model =
+                ErrorModel::new(earth, frame, &points[2].vertical(), &points[2].state.v_e, &start);
             bencher.iter(|| {
                 for _ in 0..STEPS {
                     model.advance(

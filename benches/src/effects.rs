@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use nalgebra::{Matrix3, Vector3};
-use sins::sensors::{AltimeterParameters, TriadParameters};
+use sins::sensors::{AltimeterParameters, Axis, Failure, SensorOutput, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 
@@ -23,13 +23,14 @@ const TIMED_STEPS: usize = 500;
 /// What is set of a triad, for a size of the laboratory.
 type Setting = fn(&mut TriadParameters);
 
-const TRIAD_EFFECTS: [(&str, Setting); 15] = [
+const TRIAD_EFFECTS: [(&str, Setting); 16] = [
     ("size effect", |p| p.lever_arm_m = Matrix3::repeat(0.02)),
     ("bandwidth", |p| p.bandwidth_hz = each(50.0)),
     ("scale factor, misalignment", |p| p.scale_factor = each(1e-4)),
     ("asymmetry", |p| p.scale_factor_asymmetry = each(1e-5)),
     ("nonlinearity, rectification", |p| p.scale_factor_nonlinearity = each(1e-6)),
     ("g-sensitivity", |p| p.g_sensitivity = Matrix3::repeat(1e-8)),
+    ("temperature", |p| p.bias_temperature = each(1e-8)),
     ("bias", |p| p.bias = each(1e-6)),
     ("Gauss-Markov bias", |p| (p.markov_sigma, p.markov_time_s) = (each(1e-6), each(100.0))),
     ("flicker", |p| p.flicker = each(1e-7)),
@@ -49,6 +50,13 @@ const ALTIMETER_EFFECTS: [(&str, AltimeterParameters); 4] = [
         AltimeterParameters { markov_sigma_m: 3.0, markov_time_s: 60.0, ..NO_ERRORS },
     ),
     ("altimeter: noise", AltimeterParameters { noise_m: 1.0, ..NO_ERRORS }),
+];
+
+/// Of the x gyro.
+const FAILURES: [(&str, Failure); 3] = [
+    ("failure: bias step", Failure::BiasStep { size: 1e-6 }),
+    ("failure: noise", Failure::Noise { density: 1e-6 }),
+    ("failure: stuck", Failure::Stuck),
 ];
 
 const NO_ERRORS: AltimeterParameters = AltimeterParameters {
@@ -71,6 +79,8 @@ fn each(value: f64) -> Vector3<f64> {
 struct Scene {
     name: String,
     simulator: Simulator,
+    /// Set anew after each reset, which clears it.
+    failure: Option<Failure>,
 }
 
 fn scene(name: String, set: impl FnOnce(&mut Simulator) -> Result<(), sins::Error>) -> Option<Scene> {
@@ -78,7 +88,7 @@ fn scene(name: String, set: impl FnOnce(&mut Simulator) -> Result<(), sins::Erro
     let mut simulator = Simulator::new(&Options { intake, ..Default::default() }).ok()?;
     // An effect that this kind of sensor does not have is refused.
     set(&mut simulator).ok()?;
-    Some(Scene { name, simulator })
+    Some(Scene { name, simulator, failure: None })
 }
 
 fn scenes() -> Vec<Scene> {
@@ -96,16 +106,21 @@ fn scenes() -> Vec<Scene> {
     let altimeter = |&(name, parameters): &(&str, AltimeterParameters)| {
         scene(name.to_owned(), |simulator| simulator.set_altimeter(&parameters))
     };
+    let failing = |&(name, failure): &(&str, Failure)| {
+        scene(name.to_owned(), |simulator| simulator.set_failure(SensorOutput::Gyro(Axis::X), Some(failure)))
+    };
     let none = scene(NONE.to_owned(), |_| Ok(()));
     none.into_iter()
         .chain(TRIAD_EFFECTS.iter().flat_map(|effect| gyro(effect).into_iter().chain(accel(effect))))
         .chain(ALTIMETER_EFFECTS.iter().filter_map(altimeter))
+        .chain(FAILURES.iter().filter_map(failing))
         .collect()
 }
 
 /// Flies `samples` from the start, and the time of that.
-fn fly(simulator: &mut Simulator, samples: &[FlightSample]) -> Option<Duration> {
+fn fly(Scene { simulator, failure, .. }: &mut Scene, samples: &[FlightSample]) -> Option<Duration> {
     simulator.reset();
+    simulator.set_failure(SensorOutput::Gyro(Axis::X), *failure).ok()?;
     let start = Instant::now();
     for sample in samples {
         simulator.push_sample(sample).ok()?;
@@ -114,18 +129,24 @@ fn fly(simulator: &mut Simulator, samples: &[FlightSample]) -> Option<Duration> 
     Some(start.elapsed())
 }
 
+/// Samples with a temperature.
+fn warm(count: usize) -> Vec<FlightSample> {
+    let patrol = scene::patrol(count).into_iter();
+    patrol.map(|sample| FlightSample { temperature_c: Some(20.0), ..sample }).collect()
+}
+
 /// The table of the instructions `counted` and of the times.
 fn table(counted: &BTreeMap<&str, i64>) -> Option<()> {
-    let samples = scene::patrol(TIMED_STEPS);
+    let samples = warm(TIMED_STEPS);
     let mut plain = scene(NONE.to_owned(), |_| Ok(()))?;
     let mut shortest = Duration::MAX;
     let mut ratios: BTreeMap<String, Vec<f64>> = BTreeMap::new();
     for _ in 0..TURNS {
-        for Scene { name, simulator } in &mut scenes() {
-            let before = fly(&mut plain.simulator, &samples)?;
-            let time = fly(simulator, &samples)?;
+        for scene in &mut scenes() {
+            let before = fly(&mut plain, &samples)?;
+            let time = fly(scene, &samples)?;
             shortest = shortest.min(before);
-            ratios.entry(name.clone()).or_default().push(time.as_secs_f64() / before.as_secs_f64());
+            ratios.entry(scene.name.clone()).or_default().push(time.as_secs_f64() / before.as_secs_f64());
         }
     }
     ratios.values_mut().for_each(|ratios| ratios.sort_by(f64::total_cmp));
@@ -145,7 +166,8 @@ fn table(counted: &BTreeMap<&str, i64>) -> Option<()> {
             or_blank(&format!("accel {name}"))
         );
     }
-    for (name, _) in ALTIMETER_EFFECTS {
+    let others = ALTIMETER_EFFECTS.map(|(name, _)| name).into_iter().chain(FAILURES.map(|(name, _)| name));
+    for name in others {
         println!("| {name} | {} | | |", cell(name)?);
     }
     println!("\nA step without errors: {} instructions, {:.0} ns.", counted.get(NONE)?, plain_ns);
@@ -156,10 +178,10 @@ fn run(arguments: &[&str]) -> Option<()> {
     match arguments {
         ["names"] => scenes().iter().for_each(|scene| println!("{}", scene.name)),
         ["fly", name, count] => {
-            let samples = scene::patrol(SAMPLES);
+            let samples = warm(SAMPLES);
             let count: usize = count.parse().ok()?;
             let mut scene = scenes().into_iter().find(|scene| scene.name == *name)?;
-            fly(&mut scene.simulator, samples.get(..count)?)?;
+            fly(&mut scene, samples.get(..count)?)?;
         }
         ["table", file] => {
             let text = std::fs::read_to_string(file).ok()?;
