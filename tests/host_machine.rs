@@ -67,7 +67,7 @@ fn threads_are_serialised_by_handle() {
 
 /// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
 #[test]
-fn digests_of_four_flights_are_the_pinned_ones() {
+fn digests_of_five_flights_are_the_pinned_ones() {
     run_test_program("digests");
 }
 

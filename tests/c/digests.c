@@ -1,5 +1,5 @@
 /* The same bits on every operating system, processor and word size, in debug and release builds: digests of all that is recorded
- * of four flights. They may change with the algorithms, then by a commit that says so; never with the machine. */
+ * of five flights. They may change with the algorithms, then by a commit that says so; never with the machine. */
 
 #include <inttypes.h>
 #include <string.h>
@@ -22,20 +22,31 @@ static uint64_t digest(uint64_t hash, const void *bytes, size_t count)
     return hash;
 }
 
-/* Flies `count` samples and digests records and figures. The times are exact in binary: a host's compiler may round otherwise. */
-static uint64_t fly(uint64_t hash, sins_sim *sim, int count)
+/* Flies `count` samples from number `first` on and digests the records. */
+static uint64_t run(uint64_t hash, sins_sim *sim, int first, int count)
+{
+    size_t written = 0;
+    records[0].struct_size = sizeof records[0];
+    CHECK(sins_run(sim, samples + first, (size_t)count, EVERY, records, MOST, &written) == SINS_OK);
+    CHECK(written == (size_t)(count - (first == 0)) / EVERY);
+    return digest(hash, records, written * sizeof records[0]);
+}
+
+/* Likewise, and the figures at the end. The times are exact in binary: a host's compiler may round otherwise. */
+static uint64_t fly_on(uint64_t hash, sins_sim *sim, int first, int count)
 {
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
     sins_imu imu = {.struct_size = sizeof imu};
-    size_t written = 0;
-    records[0].struct_size = sizeof records[0];
-    CHECK(sins_run(sim, samples, (size_t)count, EVERY, records, MOST, &written) == SINS_OK);
-    CHECK(written == (size_t)(count - 1) / EVERY);
+    hash = run(hash, sim, first, count);
     CHECK(sins_get_accuracy(sim, &accuracy) == SINS_OK && sins_get_imu(sim, &imu) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK);
-    hash = digest(hash, records, written * sizeof records[0]);
     hash = digest(hash, &accuracy, sizeof accuracy);
     return digest(hash, &imu, sizeof imu);
+}
+
+static uint64_t fly(uint64_t hash, sins_sim *sim, int count)
+{
+    return fly_on(hash, sim, 0, count);
 }
 
 static void take_samples(sins_flight *flight, int count, double (*time_s)(int k))
@@ -50,7 +61,7 @@ static void take_samples(sins_flight *flight, int count, double (*time_s)(int k)
 }
 
 /* A minute of the paper's simulation 2: patrol, its sensors, both error data. */
-static uint64_t simulation2(uint64_t hash)
+static sins_sim *simulation2_simulator(void)
 {
     static const double amplitudes[6] = {2.404825557695773, 0.02, 5.0, 0.004, 0.002, 0.002};
     static const double frequencies[6] = {0.0018, 0.0046, 0.007, 0.32, 0.43, 0.21};
@@ -75,13 +86,31 @@ static uint64_t simulation2(uint64_t hash)
         patrol.frequency_hz[i] = frequencies[i];
     }
     CHECK(sins_flight_create(&start, &patrol, 1, &flight) == SINS_OK);
-    take_samples(flight, 128 * 60 + 1, scene_time);
+    take_samples(flight, MOST, scene_time);
     options.error_model = SINS_ERROR_MODEL_RK4;
     options.seed = 20140601;
     CHECK(sins_create(&options, &sim) == SINS_OK);
     CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &gyro) == SINS_OK && sins_set_gyro(sim, &gyro) == SINS_OK);
     CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &accel) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
-    return fly(hash, sim, 128 * 60 + 1);
+    return sim;
+}
+
+static uint64_t simulation2(uint64_t hash)
+{
+    return fly(hash, simulation2_simulator(), MOST);
+}
+
+/* The same, frozen half way and thawed in a handle of other options: so the digest is the same too. */
+static uint64_t snapshot_replay(uint64_t hash)
+{
+    enum { HALF = (MOST - 1) / 2 };
+    static unsigned char frozen[SINS_SNAPSHOT_MAX_SIZE];
+    sins_sim *sim = simulation2_simulator(), *thawed = NULL;
+    size_t size = 0;
+    hash = run(hash, sim, 0, HALF + 1);
+    CHECK(sins_snapshot_save(sim, frozen, sizeof frozen, &size) == SINS_OK && sins_destroy(sim) == SINS_OK);
+    CHECK(sins_create(NULL, &thawed) == SINS_OK && sins_snapshot_load(thawed, frozen, size) == SINS_OK);
+    return fly_on(hash, thawed, HALF + 1, HALF);
 }
 
 /* A roll, a steep turn and a loop with every effect on, in every frame, scheme, number of subsamples and vertical channel. */
@@ -153,6 +182,7 @@ int main(void)
         uint64_t expected;
     } flights[] = {
         {"simulation 2", simulation2, UINT64_C(0x6cfa1c65aa99d49f)},
+        {"snapshot replay", snapshot_replay, UINT64_C(0x6cfa1c65aa99d49f)},
         {"aerobatics, every effect", aerobatics, UINT64_C(0xac0dfc69a95b1399)},
         {"pole", pole, UINT64_C(0xfb8864a39c56ce79)},
         {"jitter", jitter, UINT64_C(0xe981ca2acd857edf)},
