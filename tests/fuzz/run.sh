@@ -11,7 +11,7 @@ cd "$(dirname "$0")/../.."
 
 seconds=${1:-20}
 shift || true
-targets=${*:-flight_csv calls}
+targets=${*:-flight_csv scene calls snapshots}
 triple=x86_64-unknown-linux-gnu
 folder=$PWD/target/fuzz
 mkdir -p "$folder"
@@ -21,7 +21,7 @@ fuzz() {
     local kept=tests/fuzz/corpus/$1 new=$folder/corpus/$1
     mkdir -p "$new" "$folder/findings"
     echo "== fuzzing $1, $seconds s"
-    "$2" -max_total_time="$seconds" -timeout=60 -max_len=2048 -len_control=0 -print_final_stats=1 -verbosity=0 "${@:3}" \
+    "$2" -max_total_time="$seconds" -timeout=60 -max_len=8192 -len_control=0 -print_final_stats=1 -verbosity=0 "${@:3}" \
         -artifact_prefix="$folder/findings/$1-" "$new" "$kept"
     if [ -n "${KEEP:-}" ]; then
         "$2" -merge=1 -verbosity=0 "$kept" "$new"
@@ -35,10 +35,15 @@ fuzz_c() {
         install clang libclang-rt-dev
     fi
     case $1 in
-        flight_csv) sources="flight_csv number" ;;
+        flight_csv) sources="flight_csv number" libraries= ;;
+        scene)
+            sources=$(cd c_examples/harness && echo *.c | sed 's/\.c//g')
+            cargo rustc --quiet --release --lib --crate-type staticlib
+            libraries="target/release/libsins.a -lpthread -ldl"
+            ;;
     esac
-    clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I include \
-        "tests/fuzz/$1/$1_fuzz.c" $(printf 'c_examples/harness/%s.c ' $sources) -lm -o "$folder/$1"
+    clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DSINS_STATIC -I include \
+        "tests/fuzz/$1/$1_fuzz.c" $(printf 'c_examples/harness/%s.c ' $sources) $libraries -lm -o "$folder/$1"
     fuzz "$1" "$folder/$1" -close_fd_mask=3 # the harness tells what is wrong
 }
 
