@@ -23,6 +23,6 @@ else
         echo "$what: $(per_step 10000 20000 target/release/steps $what) instructions a step"
     done
     for what in save load; do
-        echo "$what: $(per_step 100 1100 $what) instructions a snapshot of simulation 2"
+        echo "$what: $(per_step 100 1100 target/release/steps $what) instructions a snapshot of simulation 2"
     done
 fi
