@@ -452,8 +452,8 @@ typedef struct sins_flight_sample {
 
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units. Densities do not depend
- * on the sample rate.
+ * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units.
+ * Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
  * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
@@ -518,8 +518,8 @@ typedef struct sins_gyro_params {
 
 /*
  * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units. Densities do not depend
- * on the sample rate.
+ * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units.
+ * Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
  * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
@@ -1244,8 +1244,8 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
- * Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that the same
- * samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
+ * Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that
+ * the same samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
  * flight, see sins_snapshot_save().
  */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
@@ -1280,9 +1280,9 @@ SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct si
  * until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
  * once.
  *
- * sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone, range and
- * quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is there
- * again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
+ * sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+ * range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
+ * there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
  * sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
  * set again at the same intervals give the same bits.
  *
@@ -1385,7 +1385,8 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record
  * flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
- * started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature. SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+ * started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
+ * SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
  */
 SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
 

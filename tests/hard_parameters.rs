@@ -151,8 +151,8 @@ fn readings(simulator: &Simulator) -> Vec<f64> {
     all
 }
 
-/// Whatever the parameters: all that is read is a number, until the solution leaves its range; that is told, and the step that would
-/// have led there has changed nothing at all, down to the last field inside.
+/// Whatever the parameters: all that is read is a number, until the solution leaves its range; that is told, and the step that
+/// would have led there has changed nothing at all, down to the last field inside.
 #[test]
 fn any_parameters_are_bounded_or_refused() {
     let mut random = Random(88_172_645_463_325_252);
@@ -215,8 +215,8 @@ const FIELDS: [(Set, bool); 19] = [
     (|p| p.vibration_rectification_s2_m.as_mut_slice(), true),
 ];
 
-/// Each field: not a number, infinite, beyond its range or of the wrong sign is refused by name; subnormal numbers pass or are refused as
-/// too small, and where they pass they change nothing visible.
+/// Each field: not a number, infinite, beyond its range or of the wrong sign is refused by name; subnormal numbers pass or are
+/// refused as too small, and where they pass they change nothing visible.
 #[test]
 fn each_field_of_a_triad_at_its_ends() {
     for (index, (field, signed)) in FIELDS.into_iter().enumerate() {

@@ -166,8 +166,8 @@ fn errors_in_metres_pass_over_the_pole() {
     assert!(flagged > 0);
 }
 
-/// The geographic axes: right to 2e-6 of the distance at which they pass a pole, and refused where an update moves by 1 % of the distance to the pole,
-/// or within 6.4 km.
+/// The geographic axes: right to 2e-6 of the distance at which they pass a pole, and refused where an update moves by 1 % of the
+/// distance to the pole, or within 6.4 km.
 #[test]
 fn geographic_axes_give_up_before_they_lose_accuracy() {
     for (speed_m_s, rate_hz, updates) in [

@@ -9,8 +9,8 @@ use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 use support::{DEG, options_at, patrol, resting_sample};
 
-/// Velocities of a standing host that moves, and the other way round: flown, flagged in each sample, and the closure is told to be the
-/// host's.
+/// Velocities of a standing host that moves, and the other way round: flown, flagged in each sample, and the closure is told to
+/// be the host's.
 #[test]
 fn velocity_that_contradicts_position_is_the_hosts_own() {
     for (position_m_s, velocity_m_s) in [(5.0, 0.0), (0.0, 5.0), (5.0, -5.0)] {
@@ -42,8 +42,8 @@ fn velocity_that_contradicts_position_is_the_hosts_own() {
     }
 }
 
-/// A log rounded to 1e-7° and 1 cm: with velocities its positions cost what they are off themselves, without them the velocity is made
-/// of them.
+/// A log rounded to 1e-7° and 1 cm: with velocities its positions cost what they are off themselves, without them the velocity
+/// is made of them.
 #[test]
 fn a_log_of_seven_decimals_and_centimetres() {
     let flight = patrol(1200.0);

@@ -83,8 +83,8 @@ fn stamps_since_1970_cost_nothing() {
     }
 }
 
-/// 30 days: the last is as the first. The algorithm's own acceleration, of the third order of the Earth's turn in an interval and so
-/// of 3e-11 m/s² at 1 Hz, holds a Schuler oscillation up that does not grow.
+/// 30 days: the last is as the first. The algorithm's own acceleration, of the third order of the Earth's turn in an interval
+/// and so of 3e-11 m/s² at 1 Hz, holds a Schuler oscillation up that does not grow.
 #[test]
 fn a_month() {
     let rate_hz = if LONG { 10.0 } else { 1.0 };

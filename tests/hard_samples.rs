@@ -47,8 +47,8 @@ fn rates_from_1_to_1000_hz() {
     }
 }
 
-/// Half an interval of jitter at 100 Hz, so that samples come 0.2 to 20 ms apart, and each tenth lost: the physics is the same, at the
-/// accuracy of the longest intervals.
+/// Half an interval of jitter at 100 Hz, so that samples come 0.2 to 20 ms apart, and each tenth lost: the physics is the same,
+/// at the accuracy of the longest intervals.
 #[test]
 fn jitter_of_half_an_interval_and_losses() {
     let flight = patrol(1200.0);
@@ -66,8 +66,8 @@ fn jitter_of_half_an_interval_and_losses() {
             "jitter of ±50 %, one of ten lost {lost}: {:.1e} m, {:.1e} m/s; 50 Hz steadily {:.1e} m",
             worst.position_m, worst.velocity_m_s, steady.position_m
         );
-        // Uneven stencils lose an order at their ends: 20 ms apart at the most, or 30 with a loss, 2 to 3⁴/2⁴ of 50 Hz, times an ulp of
-        // the attitude, 2e-16 rad, over 0.2 ms for each sample.
+        // Uneven stencils lose an order at their ends: 20 ms apart at the most, or 30 with a loss, 2 to 3⁴/2⁴ of 50 Hz, times an
+        // ulp of the attitude, 2e-16 rad, over 0.2 ms for each sample.
         let longest: f64 = if lost { 1.5 } else { 1.0 };
         assert!(worst.position_m < 10.0 * steady.position_m * longest.powi(4) + 1e-7, "{worst:?}");
     }

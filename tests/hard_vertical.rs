@@ -60,8 +60,8 @@ fn until_refused(simulator: &mut Simulator, from: u32) -> (u32, Error) {
     unreachable!()
 }
 
-/// A microgram of bias ends it within hours, upward or downward: refused before anything overflows, the last good solution stays, to
-/// the bit, and both ways back lead to a run like any other.
+/// A microgram of bias ends it within hours, upward or downward: refused before anything overflows, the last good solution
+/// stays, to the bit, and both ways back lead to a run like any other.
 #[test]
 fn the_end_is_told_and_both_ways_back_are_open() {
     for frame in [Frame::EarthFixed, Frame::Geographic] {

@@ -298,8 +298,9 @@ fn the_same_piece_has_the_same_answer() {
     assert_eq!(recommend(&other, &samples, &requirement), Ok(first));
 }
 
-/// Two minutes against the hour that follows from them. An algorithm's errors at rest and straight on are steady, so each is counted
-/// at most twice (see `Growth`) where it stands above the reference's uncertainty; on the move they turn with the vehicle.
+/// Two minutes against the hour that follows from them. An algorithm's errors at rest and straight on are steady, so each is
+/// counted at most twice (see `Growth`) where it stands above the reference's uncertainty; on the move they turn with the
+/// vehicle.
 #[test]
 fn two_minutes_predict_an_hour() {
     let rocking = [

@@ -4,7 +4,7 @@
 mod moments;
 mod support;
 
-use moments::{Call, Run, largest, reads, runs, snapshot};
+use moments::{Call, Run, everything_at_once, largest, reads, runs, snapshot};
 use sins::{Options, Simulator};
 
 /// What a host hears after each call.
@@ -57,18 +57,34 @@ fn a_reset_after_a_load_is_the_start_of_that_run() {
     assert_eq!(play(&mut loaded, &calls), expected);
 }
 
-/// 4 KiB hold any run while each sample is flown as it comes; what waits is extra.
+/// Bytes of a run's snapshot while its last samples wait.
+fn size_of(run: &Run, waiting: usize) -> usize {
+    let mut simulator = Simulator::new(&run.options).unwrap();
+    let flown = run.calls.len() - 2 * waiting;
+    play(&mut simulator, &run.calls[..flown]);
+    let pushes = run.calls[flown..].iter().filter(|call| matches!(call, Call::Push(_)));
+    pushes.for_each(|call| assert!(call.make(&mut simulator).starts_with("Ok")));
+    assert_eq!(simulator.waiting_samples(), waiting);
+    simulator.snapshot_size()
+}
+
+/// Whatever is set, with a full queue.
+#[test]
+fn the_buffer_of_the_interface_holds_everything_at_once() {
+    let run = everything_at_once();
+    let mut simulator = Simulator::new(&run.options).unwrap();
+    assert!(run.calls.iter().all(|call| call.make(&mut simulator).starts_with("Ok")));
+    for waiting in [0, 16] {
+        let size = size_of(&run, waiting);
+        println!("everything at once, {waiting} samples wait: {size} bytes");
+        assert!(size <= sins::abi::SINS_SNAPSHOT_MAX_SIZE, "{size}");
+    }
+}
+
+/// 4 KiB hold a run with every parameter of gyros, accelerometers and altimeter while each sample is flown as it comes; what waits
+/// is extra, and so are mounting, gravity, temperature and failures together.
 #[test]
 fn a_snapshot_is_small() {
-    let size_of = |run: &Run, waiting: usize| {
-        let mut simulator = Simulator::new(&run.options).unwrap();
-        let flown = run.calls.len() - 2 * waiting;
-        play(&mut simulator, &run.calls[..flown]);
-        let pushes = run.calls[flown..].iter().filter(|call| matches!(call, Call::Push(_)));
-        pushes.for_each(|call| assert!(call.make(&mut simulator).starts_with("Ok")));
-        assert_eq!(simulator.waiting_samples(), waiting);
-        simulator.snapshot_size()
-    };
     for run in runs() {
         let size = size_of(&run, 0);
         println!("{}: {size} bytes", run.name);

@@ -10,8 +10,8 @@ use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::TriadParameters;
 
 /// Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units. Densities do not depend
-/// on the sample rate.
+/// Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units.
+/// Densities do not depend on the sample rate.
 ///
 /// Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
 /// nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead

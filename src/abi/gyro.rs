@@ -9,8 +9,8 @@ use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::TriadParameters;
 
 /// Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
-/// Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units. Densities do not depend
-/// on the sample rate.
+/// Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units.
+/// Densities do not depend on the sample rate.
 ///
 /// Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
 /// signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,

@@ -42,7 +42,8 @@ interface_struct!(sins_imu_increment, "imu", 264);
 /// flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
-/// started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature. SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+/// started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
+/// SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_start_navigation(
     sim: *mut sins_sim,

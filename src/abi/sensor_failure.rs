@@ -132,9 +132,9 @@ fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
 /// until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
 /// once.
 ///
-/// sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone, range and
-/// quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is there
-/// again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
+/// sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+/// range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
+/// there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
 /// sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
 /// set again at the same intervals give the same bits.
 ///

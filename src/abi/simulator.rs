@@ -149,8 +149,8 @@ pub unsafe extern "C" fn sins_reposition(
     })
 }
 
-/// Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that the same
-/// samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
+/// Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that
+/// the same samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
 /// flight, see sins_snapshot_save().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {

@@ -293,14 +293,14 @@ pub fn runs() -> Vec<Run> {
     runs
 }
 
-/// A block off the reference point in disturbed gravity, its temperature on the way, and failures that come and go.
-fn troubled_block() -> Vec<Call> {
+/// Coefficients of the temperature, a block off the reference point and disturbed gravity.
+fn troubles(triad: TriadParameters) -> (TriadParameters, Vec<Call>) {
     let three = |scale: f64| Vector3::new(1.0, -0.7, 0.4) * scale;
     let triad = TriadParameters {
         reference_temperature_c: 20.0,
         bias_temperature: three(1e-6),
         scale_factor_temperature2: three(1e-7),
-        ..Default::default()
+        ..triad
     };
     let mounting = MountingParameters {
         lever_arm_m: three(2.0),
@@ -314,6 +314,34 @@ fn troubled_block() -> Vec<Call> {
         deflection_east: GravityField { sigma: 0.0, ..field },
         anomaly: field,
     };
+    (triad, vec![Call::Mounting(mounting), Call::Gravity(gravity)])
+}
+
+/// At each sample it gets warmer.
+fn warming(samples: impl Iterator<Item = FlightSample>) -> impl Iterator<Item = FlightSample> {
+    samples
+        .enumerate()
+        .map(|(k, sample)| FlightSample { temperature_c: Some(15.0 + 0.1 * k as f64), ..sample })
+}
+
+/// All that can be set at once, each output failing at random, in the options that take most.
+pub fn everything_at_once() -> Run {
+    let mut calls = setting();
+    let (gyro, accel) = every_effect();
+    let (gyro, beside) = troubles(gyro);
+    calls.extend([Call::Gyro(gyro), Call::Accel(troubles(accel).0)]);
+    calls.extend(beside);
+    let axes = [Axis::X, Axis::Y, Axis::Z];
+    let outputs = axes.map(SensorOutput::Gyro).into_iter().chain(axes.map(SensorOutput::Accelerometer));
+    let failure = Some(Failure::Noise { density: 1e-5 });
+    calls.extend(outputs.chain([SensorOutput::Altimeter]).map(|output| Call::Failure(output, failure)));
+    calls.extend(flown(warming(loops(30, true))));
+    Run { name: "everything at once", options: unusual_options(), calls, every: 1 }
+}
+
+/// A block off the reference point in disturbed gravity, its temperature on the way, and failures that come and go.
+fn troubled_block() -> Vec<Call> {
+    let (triad, first) = troubles(TriadParameters::default());
     let warming = samples(70, 0.01)
         .enumerate()
         .map(|(k, sample)| FlightSample { temperature_c: Some(15.0 + 0.1 * k as f64), ..sample });
@@ -337,6 +365,5 @@ fn troubled_block() -> Vec<Call> {
         calls.insert(25 + 12 * k, Call::Failure(outputs[(k + 1) % 4], None));
         calls.insert(32 + 12 * k, Call::Failure(outputs[k % 4], Some(failure)));
     }
-    let first = [Call::Gyro(triad), Call::Accel(triad), Call::Mounting(mounting), Call::Gravity(gravity)];
-    first.into_iter().chain(calls).collect()
+    first.into_iter().chain([Call::Gyro(triad), Call::Accel(triad)]).chain(calls).collect()
 }

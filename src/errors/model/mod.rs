@@ -236,7 +236,8 @@ impl ErrorModel {
         }
     }
 
-    /// The errors at the truth `point`, which is `truth` in geographic terms; of the reference point, where the sensors are those of `block`.
+    /// The errors at the truth `point`, which is `truth` in geographic terms; of the reference point, where the sensors are
+    /// those of `block`.
     pub fn errors(
         &self,
         point: &TruthPoint,
