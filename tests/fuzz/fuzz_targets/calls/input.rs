@@ -127,9 +127,9 @@ impl Block {
         self.bytes.as_mut_ptr().cast()
     }
 
-    /// The floating-point numbers from `first` to `last`, words of the struct.
-    pub fn numbers(&self, first: usize, last: usize) -> impl Iterator<Item = f64> {
-        let words = self.bytes.chunks_exact(8).take(last).skip(first);
-        words.map(|word| f64::from_le_bytes(std::array::from_fn(|i| word[i])))
+    /// Whether no number is infinite or none; integers below 2^52 and pairs of small ones look like small numbers.
+    pub fn is_finite(&self) -> bool {
+        let mut words = self.bytes.chunks_exact(8);
+        words.all(|word| f64::from_le_bytes(std::array::from_fn(|i| word[i])).is_finite())
     }
 }
