@@ -435,6 +435,32 @@ fn geographic_axes_have_answers_but_at_the_pole() {
     assert!(refusal.error.kind == ErrorKind::Singular && refusal.sample.is_some(), "{refusal}");
 }
 
+/// 250 m/s a second past 20 km off the pole turn the axes too far for one update, and not for two.
+#[test]
+fn geographic_axes_near_a_pole_are_given_the_updates_that_they_need() {
+    let away_m = 20e3;
+    let start = FlightStart {
+        latitude_rad: core::f64::consts::FRAC_PI_2 - away_m / 6.4e6,
+        heading_rad: core::f64::consts::FRAC_PI_2,
+        speed_m_s: 250.0,
+        ..CRUISE
+    };
+    let flight = Flight::new(&start, &[Manoeuvre::Straight { duration_s: 20.0 }]).unwrap();
+    let samples = samples(&flight, 1.0, 20.0);
+    let options = Options { frame: Frame::Geographic, ..options_at(1.0) };
+    let one = Rung { scheme: Scheme::Exact, subsamples: 2, updates_per_sample: 1 };
+    let mut simulator = Simulator::new(&one.applied_to(&options)).unwrap();
+    let refused = samples.iter().find_map(|sample| {
+        simulator.push_sample(sample).unwrap();
+        simulator.step().err()
+    });
+    assert_eq!(refused.map(|error| error.kind), Some(ErrorKind::Singular));
+
+    let requirement = Requirement { position_m: 100.0, ..Default::default() };
+    let answer = recommend(&options, &samples, &requirement).unwrap();
+    assert!(answer.met && answer.rung.updates_per_sample > 1, "{answer:?}");
+}
+
 /// Nothing to do with a margin of noise: sixteen times the updates take longer.
 #[test]
 fn more_work_takes_more_time() {

@@ -2,8 +2,7 @@
 
 use super::{Growth, Piece, Reference, Refusal, Requirement, Rung, SolutionError, ladder};
 use crate::error::{Error, ErrorKind};
-use crate::simulator::Options;
-use crate::simulator::room;
+use crate::simulator::{Options, room};
 use crate::truth::FlightSample;
 
 /// An algorithm and what it gives.
@@ -59,8 +58,8 @@ pub fn recommend(
         let error = reference.error_of(&rung.applied_to(options), samples, |error| share(error) >= bound);
         let error = match error {
             Ok(error) => error,
-            // A coarse algorithm may lose itself where a finer one does not.
-            Err(refusal) if refusal.error.kind == ErrorKind::Diverged => {
+            // A coarse algorithm may lose itself, or turn too far in an update near a pole, where a finer one does not.
+            Err(refusal) if matches!(refusal.error.kind, ErrorKind::Diverged | ErrorKind::Singular) => {
                 refused = refusal;
                 continue;
             }
