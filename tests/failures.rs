@@ -462,18 +462,31 @@ fn an_altimeter_sticks_at_its_last_height_and_spikes_by_their_mean() {
     let mut altimeter = Altimeter::new(StreamKey::default(), 100.0);
     altimeter.set(&AltimeterParameters { noise_m: 1.0, ..Default::default() });
     let last = altimeter.sense(101.0, 0.1);
-    altimeter.set_failure(Some(Failure::Stuck), true);
+    altimeter.set_failure(Some(Failure::Stuck));
     assert_eq!([altimeter.sense(102.0, 0.1), altimeter.sense(103.0, 0.1)], [last, last]);
-    altimeter.set_failure(None, true);
+    altimeter.set_failure(None);
     let mut sound = Altimeter::new(StreamKey::default(), 100.0);
     sound.set(&AltimeterParameters { noise_m: 1.0, ..Default::default() });
     let expected = [101.0, 102.0, 103.0, 104.0].map(|height_m| sound.sense(height_m, 0.1))[3];
     assert_eq!(altimeter.sense(104.0, 0.1), expected);
 
     let mut altimeter = Altimeter::new(StreamKey::default(), 0.0);
-    altimeter.set_failure(Some(Failure::Spikes { size: 8.0, interval_s: 1.0, duration_s: 0.25 }), false);
+    altimeter.set_failure(Some(Failure::Spikes { size: 8.0, interval_s: 1.0, duration_s: 0.25 }));
     let shown = [0.5; 4].map(|dt| altimeter.sense(0.0, dt));
     assert_eq!(shown, [Some(4.0), Some(0.0), Some(4.0), Some(0.0)]);
+}
+
+/// The true height of the start was never shown.
+#[test]
+fn an_altimeter_that_showed_nothing_sticks_at_the_first_value_it_shows() {
+    let mut altimeter = Altimeter::new(StreamKey::default(), 100.0);
+    altimeter.set_failure(Some(Failure::Dead));
+    assert_eq!(altimeter.sense(110.0, 0.1), None);
+    altimeter.set_failure(Some(Failure::Stuck));
+    assert_eq!([120.0, 130.0].map(|height_m| altimeter.sense(height_m, 0.1)), [Some(120.0); 2]);
+    altimeter.reposition(500.0);
+    altimeter.set_failure(Some(Failure::Stuck));
+    assert_eq!([510.0, 520.0].map(|height_m| altimeter.sense(height_m, 0.1)), [Some(510.0); 2]);
 }
 
 #[test]

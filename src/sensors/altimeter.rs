@@ -3,7 +3,6 @@
 use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::gauss_markov::MarkovStep;
-
 use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
@@ -64,8 +63,8 @@ pub struct Altimeter {
     /// True height of the last sample and height behind the lag [m].
     height_m: f64,
     lagged_m: f64,
-    /// The last indication; before one, the true height [m].
-    indicated_m: f64,
+    /// The last indication since the start or a jump of the truth [m].
+    indicated_m: Option<f64>,
     failing: FailingOutput,
 }
 
@@ -102,7 +101,7 @@ impl Altimeter {
             noise,
             height_m,
             lagged_m: height_m,
-            indicated_m: height_m,
+            indicated_m: None,
             failing: FailingOutput::new(key, Source::Altimeter, 0),
         }
     }
@@ -140,9 +139,9 @@ impl Altimeter {
         }
     }
 
-    /// Takes a failure, or clears it; `has_shown` tells whether there is an indication to be stuck at.
-    pub fn set_failure(&mut self, failure: Option<Failure>, has_shown: bool) {
-        self.failing.set(failure, has_shown.then_some(self.indicated_m));
+    /// Takes a failure, or clears it.
+    pub fn set_failure(&mut self, failure: Option<Failure>) {
+        self.failing.set(failure, self.indicated_m);
         self.decide();
     }
 
@@ -151,16 +150,15 @@ impl Altimeter {
         self.failing.has_failed()
     }
 
-    /// Whether a step has nothing to fear of the failure.
-    pub fn fails_tamely(&self) -> bool {
-        self.failing.is_tame()
+    /// The truth jumped to `height_m`: the lag settles there at once, and nothing has been shown.
+    pub fn reposition(&mut self, height_m: f64) {
+        self.settle(height_m);
+        self.indicated_m = None;
     }
 
-    /// The truth jumped to `height_m`: lag and indication settle there at once.
-    pub fn reposition(&mut self, height_m: f64) {
+    fn settle(&mut self, height_m: f64) {
         self.height_m = height_m;
         self.lagged_m = height_m;
-        self.indicated_m = height_m;
     }
 
     /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal.
@@ -169,8 +167,9 @@ impl Altimeter {
         if !self.is_ideal && !cfg!(sins_without = "altimeter") {
             return self.indicated(height_m, dt);
         }
-        self.reposition(height_m);
-        Some(height_m)
+        self.settle(height_m);
+        self.indicated_m = Some(height_m);
+        self.indicated_m
     }
 
     #[inline(never)]
@@ -199,8 +198,8 @@ impl Altimeter {
         if self.failing.has_failed() {
             return self.failed(indicated, dt);
         }
-        self.indicated_m = indicated;
-        Some(indicated)
+        self.indicated_m = Some(indicated);
+        self.indicated_m
     }
 
     /// What the failure makes of `indicated_m` [m] over the `dt` [s] before: of spikes and noise their mean.
@@ -209,7 +208,7 @@ impl Altimeter {
         self.failing.begin_interval(dt);
         let disturbed = indicated_m + self.failing.added(dt) / dt;
         let shown = (!self.failing.is_silent()).then(|| self.failing.replaced(1.0, disturbed));
-        self.indicated_m = shown.unwrap_or(self.indicated_m);
+        self.indicated_m = shown.or(self.indicated_m);
         shown
     }
 }
