@@ -15,8 +15,9 @@ const RING: usize = 32;
 #[derive(Debug, Clone)]
 pub(super) struct Ring {
     points: [Option<TruthPoint>; RING],
-    pushed: usize,
-    taken: usize,
+    /// Counted without a wrap, which 32 bits would meet in a long run.
+    pushed: u64,
+    taken: u64,
 }
 
 /// The point that ends an interval and the ones before it.
@@ -35,22 +36,22 @@ impl Ring {
 
     /// Points that wait.
     pub fn waiting(&self) -> usize {
-        self.pushed - self.taken
+        (self.pushed - self.taken) as usize
     }
 
     pub fn push(&mut self, point: TruthPoint) {
-        self.points[self.pushed % RING] = Some(point);
+        self.points[place(self.pushed)] = Some(point);
         self.pushed += 1;
     }
 
     /// The points taken last that a stencil still looks back to, then those that wait, oldest first.
     pub fn kept(&self) -> impl Iterator<Item = &TruthPoint> {
-        (self.taken - self.behind()..self.pushed).filter_map(|index| self.at(index))
+        (self.taken - self.behind() as u64..self.pushed).filter_map(|index| self.at(index))
     }
 
     /// How many of the kept points have been taken.
     pub fn behind(&self) -> usize {
-        self.taken.min(LOOK_BACK)
+        self.taken.min(LOOK_BACK as u64) as usize
     }
 
     /// The oldest point that waits is now the current one.
@@ -62,12 +63,12 @@ impl Ring {
 
     /// The point pushed `back` before the last.
     pub fn pushed(&self, back: usize) -> Option<&TruthPoint> {
-        self.at(self.pushed.checked_sub(back + 1)?)
+        self.at(self.pushed.checked_sub(back as u64 + 1)?)
     }
 
     /// The point pushed last, to be completed.
     pub fn pushed_mut(&mut self) -> Option<&mut TruthPoint> {
-        self.points[self.pushed.checked_sub(1)? % RING].as_mut()
+        self.points[place(self.pushed.checked_sub(1)?)].as_mut()
     }
 
     /// The oldest point that waits.
@@ -82,10 +83,15 @@ impl Ring {
 
     /// The point taken `back` before the last.
     pub fn taken(&self, back: usize) -> Option<&TruthPoint> {
-        self.at(self.taken.checked_sub(back + 1)?)
+        self.at(self.taken.checked_sub(back as u64 + 1)?)
     }
 
-    fn at(&self, index: usize) -> Option<&TruthPoint> {
-        self.points[index % RING].as_ref()
+    fn at(&self, index: u64) -> Option<&TruthPoint> {
+        self.points[place(index)].as_ref()
     }
+}
+
+/// Where the point of a number is.
+fn place(index: u64) -> usize {
+    (index % RING as u64) as usize
 }
