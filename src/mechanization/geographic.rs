@@ -34,7 +34,7 @@ struct Moving {
     rate_of_place: Vector3<f64>,
 }
 
-stored!(Geographic { place: 1e9, v_n: 1e9, q_nb: 2.0, a_n: 1e9, turn2: 1e30 } then |state, from| check_rotation(&state.q_nb, from));
+stored!(Geographic { place: 1e9, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1e30 } then |state, from| check_rotation(&state.q_nb, from));
 
 /// What the navigation axes and the Earth do at a place.
 #[derive(Clone, Copy)]

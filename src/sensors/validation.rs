@@ -139,18 +139,25 @@ impl TriadParameters {
 
     /// Terms that the other kind of sensor has.
     fn check_belongs(&self, sensor: Sensor, names: &Names) -> Result<(), Error> {
-        let rule = Rule::Words("must be 0: of the other kind of sensor");
-        let foreign = match sensor {
-            Sensor::Gyro => [
-                (names.lever_arm, self.lever_arm_m.amax()),
-                (names.vibration_rectification, self.vibration_rectification_s2_m.amax()),
-            ],
-            Sensor::Accelerometer => [(names.g_sensitivity, self.g_sensitivity.amax()); 2],
-        };
-        match foreign.iter().find(|(_, value)| *value != 0.0) {
-            Some(&(field, value)) => Err(Error::invalid(field, value, rule)),
-            None => Ok(()),
+        match sensor {
+            Sensor::Gyro => {
+                check_foreign(names.lever_arm, self.lever_arm_m.transpose().as_slice())?;
+                check_foreign(names.vibration_rectification, self.vibration_rectification_s2_m.as_slice())
+            }
+            Sensor::Accelerometer => {
+                check_foreign(names.g_sensitivity, self.g_sensitivity.transpose().as_slice())
+            }
         }
+    }
+}
+
+fn check_foreign(field: &'static str, values: &[f64]) -> Result<(), Error> {
+    match values.iter().position(|value| *value != 0.0) {
+        Some(index) => {
+            let rule = Rule::Words("must be 0: of the other kind of sensor");
+            Err(Error::invalid(field, values[index], rule).at(index))
+        }
+        None => Ok(()),
     }
 }
 
@@ -190,11 +197,12 @@ mod tests {
 
     #[test]
     fn a_term_of_the_other_kind_of_sensor_is_refused() {
-        let arm = TriadParameters { lever_arm_m: Matrix3::identity(), ..Default::default() };
+        let mut arm = TriadParameters::default();
+        arm.lever_arm_m[(1, 2)] = -0.5;
         assert!(arm.validate(Sensor::Accelerometer).is_ok());
         assert_eq!(
             arm.validate(Sensor::Gyro).unwrap_err().to_string(),
-            "gyro.lever_arm_m = 1: must be 0: of the other kind of sensor"
+            "gyro.lever_arm_m[5] = -0.5: must be 0: of the other kind of sensor"
         );
         let unbalance = TriadParameters { g_sensitivity: Matrix3::identity(), ..Default::default() };
         assert!(

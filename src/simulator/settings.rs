@@ -94,9 +94,11 @@ impl Simulator {
 
     /// Refuses temperature coefficients that what is to be flown has no temperature for.
     fn check_temperatures_for(&self, parameters: &TriadParameters) -> Result<(), Error> {
-        if !parameters.depend_on_temperature() {
-            return Ok(());
-        }
+        if parameters.depend_on_temperature() { self.check_temperatures() } else { Ok(()) }
+    }
+
+    /// Refuses a state in which an effect would have no temperature.
+    pub(super) fn check_temperatures(&self) -> Result<(), Error> {
         if let Mode::Navigating(_) = self.mode {
             return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));
         }

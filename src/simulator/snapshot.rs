@@ -105,6 +105,42 @@ impl Simulator {
             }
             _ => {}
         }
+        if self.sensors.depend_on_temperature() {
+            self.check_temperatures()?;
+        }
         from.finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sensors::TriadParameters;
+    use crate::truth::FlightSample;
+
+    /// States that the simulator refuses to come to.
+    #[test]
+    fn a_forged_effect_without_its_temperature_is_refused() {
+        let upright = Navigation::new(
+            Geodetic::default(),
+            Vector3::zeros(),
+            Quaternion::identity(),
+            Default::default(),
+        );
+        let mut waiting = Simulator::new(&Options::default()).unwrap();
+        waiting.push_sample(&FlightSample::default()).unwrap();
+        let mut navigating = Simulator::new(&Options::default()).unwrap();
+        navigating.start_navigation(0.0, &upright).unwrap();
+        for mut simulator in [waiting, navigating] {
+            let mut buffer = [0; 8192];
+            let length = simulator.save_snapshot(&mut buffer).unwrap();
+            assert!(simulator.load_snapshot(&buffer[..length]).is_ok());
+
+            let warm = Vector3::repeat(1e-6);
+            simulator.sensors.set_gyro(&TriadParameters { bias_temperature: warm, ..Default::default() });
+            let length = simulator.save_snapshot(&mut buffer).unwrap();
+            let refused = simulator.load_snapshot(&buffer[..length]).unwrap_err();
+            assert!(refused.kind == ErrorKind::Snapshot && refused.to_string().contains("temperature"));
+        }
     }
 }
