@@ -14,11 +14,11 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use nalgebra::Vector3;
 use sins::abi::*;
 use sins::earth::Earth;
-use sins::errors::{ErrorModel, SensorErrors, StartErrors};
+use sins::errors::{ErrorModel, SensorErrors};
 use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid};
 use sins::sensors::{Sensor, StreamKey, Triad, paper_simulation2};
 use sins::signal::{Increment, SignalGenerator};
-use sins::state::BodyAxes;
+use sins::state::{BodyAxes, StateErrors};
 use sins::truth::{FlightSample, Intake, IntakeLimits, Recent, TruthPoint};
 
 const STEPS: usize = 1000;
@@ -129,7 +129,7 @@ fn stages(criterion: &mut Criterion) {
         [("error model, Earth-fixed", Frame::EarthFixed), ("error model, geographic", Frame::Geographic)]
     {
         let zero = Vector3::zeros();
-        let start = StartErrors { position_n: zero, velocity_n: zero, misalignment_n: zero };
+        let start = StateErrors { position_n: zero, velocity_n: zero, misalignment_n: zero };
         let small = Vector3::repeat(1e-8);
         let errors =
             SensorErrors { gyro_b: small, accel_b: small, gyro_change_b: small, accel_change_b: small };

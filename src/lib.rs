@@ -142,6 +142,7 @@ pub mod flight;
 pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
+mod memory;
 #[forbid(unsafe_code)]
 pub mod mounting;
 #[forbid(unsafe_code)]

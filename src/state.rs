@@ -68,6 +68,26 @@ pub struct Navigation {
     pub euler: Euler,
 }
 
+/// Errors of a state, computed less true, in the local axes of the truth, east-north-up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StateErrors {
+    /// Position [m].
+    pub position_n: Vector3<f64>,
+    /// Velocity [m/s].
+    pub velocity_n: Vector3<f64>,
+    /// Misalignment φ [rad].
+    pub misalignment_n: Vector3<f64>,
+}
+
+impl StateErrors {
+    /// None.
+    pub const NONE: Self = Self {
+        position_n: Vector3::new(0.0, 0.0, 0.0),
+        velocity_n: Vector3::new(0.0, 0.0, 0.0),
+        misalignment_n: Vector3::new(0.0, 0.0, 0.0),
+    };
+}
+
 impl EarthFixedState {
     /// The geographic view.
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {

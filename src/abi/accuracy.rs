@@ -4,7 +4,7 @@ use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::write_or_need;
-use crate::errors::{AccuracyFigures, RADIAL_95, RADIAL_CEP};
+use crate::errors::AccuracyFigures;
 use crate::simulator::{ClosureFigures, TrimFigures};
 
 /// Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
@@ -71,7 +71,6 @@ impl sins_accuracy {
         intervals: u64,
         trim: &TrimFigures,
     ) -> Self {
-        let rate = figures.radial_error_rate_rms_m_s;
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -79,9 +78,9 @@ impl sins_accuracy {
             duration_s: figures.duration_s,
             window_start_s: figures.window_start_s,
             window_samples: figures.window_samples,
-            radial_error_rate_rms_m_s: rate,
-            cep_rate_m_s: RADIAL_CEP * rate,
-            radial_95_rate_m_s: RADIAL_95 * rate,
+            radial_error_rate_rms_m_s: figures.radial_error_rate_rms_m_s,
+            cep_rate_m_s: figures.cep_rate_m_s(),
+            radial_95_rate_m_s: figures.radial_95_rate_m_s(),
             radial_error_slope_m_s: figures.radial_error_slope_m_s,
             velocity_rms_enu_m_s: figures.velocity_rms_n.into(),
             closure_position_enu_m: closure.position_n.into(),

@@ -71,8 +71,8 @@ impl Failure {
         Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of the other kind")
     }
 
-    pub fn out_of_memory() -> Self {
-        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "out of memory, or of handles")
+    pub fn no_handle() -> Self {
+        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: 4096 of a kind can live at once")
     }
 
     pub fn internal() -> Self {

@@ -9,6 +9,7 @@ use super::registry::Registry;
 use super::sample::sins_flight_sample;
 use crate::error::check_range;
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES};
+use crate::memory::room;
 
 /// An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -89,8 +90,7 @@ pub unsafe extern "C" fn sins_flight_create(
         check_range("count", count as f64, 1.0, MAX_MANOEUVRES as f64)?;
         // SAFETY: the host's promise; manoeuvres are only read.
         let manoeuvres = unsafe { Array::new(manoeuvres.cast_mut(), count, "manoeuvres")? };
-        let mut list = Vec::new();
-        list.try_reserve_exact(count).map_err(|_| Failure::out_of_memory())?;
+        let mut list = room(count)?;
         for index in 0..count {
             list.push(manoeuvres.read(index)?.to_manoeuvre().map_err(|failure| failure.of_element(index))?);
         }

@@ -6,6 +6,7 @@ use super::memory::{Array, Output, interface_struct, read};
 use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
 use crate::error::check_range;
+use crate::memory::room;
 use crate::recommend::{
     MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, recommend, step_time_ns,
 };
@@ -151,8 +152,7 @@ pub unsafe extern "C" fn sins_recommend(
 }
 
 fn read_samples(samples: &Array<sins_flight_sample>) -> Result<Vec<FlightSample>, Failure> {
-    let mut list = Vec::new();
-    list.try_reserve_exact(samples.count()).map_err(|_| Failure::out_of_memory())?;
+    let mut list = room(samples.count())?;
     for index in 0..samples.count() {
         let sample = samples.read(index).and_then(sins_flight_sample::to_sample);
         list.push(sample.map_err(|failure| failure.of_sample(index))?);

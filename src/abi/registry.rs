@@ -6,6 +6,8 @@ use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
+use crate::math::SPLIT_MIX_STEP;
+use crate::memory::room;
 
 /// Handles of a kind that can live at once.
 const SLOTS: usize = 4096;
@@ -86,8 +88,7 @@ impl<T> Registry<T> {
 
     /// Puts `value` in and gives its key.
     pub fn insert(&self, value: T) -> Result<usize, Failure> {
-        let mut memory = Vec::new();
-        memory.try_reserve_exact(1).map_err(|_| Failure::out_of_memory())?;
+        let mut memory = room(1)?;
         memory.push(Content { value, last_failure: None, broken: false });
         let content = memory.into_boxed_slice();
         let first_generation = *self.first_generation.get_or_init(|| self.draw_first_generation());
@@ -108,7 +109,7 @@ impl<T> Registry<T> {
                 return Ok(key);
             }
         }
-        Err(Failure::out_of_memory())
+        Err(Failure::no_handle())
     }
 
     /// Runs `body` on the object of `key`, or gives `SINS_ERROR_BAD_HANDLE`; remembers a failure.
@@ -174,7 +175,7 @@ impl<T> Registry<T> {
         let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let mark = (since.as_nanos() as u64) ^ (core::ptr::from_ref(self).addr() as u64).rotate_left(32);
         // Multiplicative hashing: the golden ratio of 2^64, the highest bits.
-        let mixed = mark.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (u64::BITS - BITS);
+        let mixed = mark.wrapping_mul(SPLIT_MIX_STEP) >> (u64::BITS - BITS);
         LOWEST_GENERATION + mixed as usize
     }
 }
@@ -210,7 +211,7 @@ mod tests {
         // The same slot again, at the end of a round through all of them: the old key stays dead.
         let keys: Vec<usize> = (0..SLOTS).map(|_| NUMBERS.insert(6).unwrap()).collect();
         assert_eq!(read(key), Err(SINS_ERROR_BAD_HANDLE));
-        assert_eq!(NUMBERS.insert(7).unwrap_err(), Failure::out_of_memory());
+        assert_eq!(NUMBERS.insert(7).unwrap_err(), Failure::no_handle());
         for key in keys {
             assert_eq!(NUMBERS.remove(key), SINS_OK);
         }
@@ -235,7 +236,7 @@ mod tests {
                 let _ = told.send((TABLE.with(dead, |_| Ok(SINS_OK)), TABLE.remove(dead), full));
             });
             let answers = hear.recv_timeout(std::time::Duration::from_secs(60));
-            assert_eq!(answers, Ok((SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_HANDLE, Failure::out_of_memory())));
+            assert_eq!(answers, Ok((SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_HANDLE, Failure::no_handle())));
             Ok(SINS_OK)
         });
         assert_eq!(status, SINS_OK);

@@ -2,8 +2,8 @@
 
 use super::flight::Deviation;
 use crate::error::Error;
+use crate::memory::room;
 use crate::recommend::SolutionError;
-use crate::simulator::room;
 
 /// Sums of squares of the lengths of position, velocity and misalignment at each instant.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,10 +7,11 @@ use nalgebra::{SVector, Vector3};
 use super::ErrorParameters;
 use crate::error::{Error, check_range};
 use crate::math::{relative_rotation, rotation_quaternion, rotation_vector};
+use crate::memory::room;
 use crate::recommend::{Refusal, fly_looking};
 use crate::sensors::StreamKey;
+use crate::simulator::heap_simulator;
 use crate::simulator::{ErrorSource, Options};
-use crate::simulator::{heap_simulator, room};
 use crate::truth::FlightSample;
 
 /// Samples of a scene at the least: an interval.

@@ -7,9 +7,9 @@ use super::flight::{Deviation, Track, difference, fly};
 use super::selection::left_out;
 use super::{BudgetRequest, Effect, ErrorParameters, Interval, Scene};
 use crate::error::Error;
+use crate::memory::room;
 use crate::recommend::{Refusal, SolutionError};
 use crate::simulator::Options;
-use crate::simulator::room;
 
 /// What an effect contributes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,13 +6,10 @@ use super::NavigationErrors;
 use crate::snapshot::{ANY, COUNT, stored};
 
 /// R50 = 0.8326 √(mean RER²): half of the radial errors, circular normal distribution (√ln 2).
-pub const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
+const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
 
 /// R95 = 1.7308 √(mean RER²): 95 % of the radial errors, circular normal distribution (√ln 20).
-pub const RADIAL_95: f64 = 1.730_818_382_602_285;
-
-/// One nautical mile an hour [m/s].
-const NMI_PER_HOUR: f64 = 1852.0 / 3600.0;
+const RADIAL_95: f64 = 1.730_818_382_602_285;
 
 /// Time since the start before which the radial error rate is not taken [s]: as t → 0 it is initial error over nothing.
 const WINDOW_START_S: f64 = 300.0;
@@ -117,20 +114,23 @@ impl Accuracy {
 }
 
 impl AccuracyFigures {
-    /// R50 = 0.8326 √(mean RER²) [nmi/h], circular normal distribution.
-    pub fn cep_rate_nmi_h(&self) -> f64 {
-        RADIAL_CEP * self.radial_error_rate_rms_m_s / NMI_PER_HOUR
+    /// R50 = 0.8326 √(mean RER²) [m/s], circular normal distribution.
+    pub fn cep_rate_m_s(&self) -> f64 {
+        RADIAL_CEP * self.radial_error_rate_rms_m_s
     }
 
-    /// R95 = 1.7308 √(mean RER²) [nmi/h], circular normal distribution.
-    pub fn radial_95_rate_nmi_h(&self) -> f64 {
-        RADIAL_95 * self.radial_error_rate_rms_m_s / NMI_PER_HOUR
+    /// R95 = 1.7308 √(mean RER²) [m/s], circular normal distribution.
+    pub fn radial_95_rate_m_s(&self) -> f64 {
+        RADIAL_95 * self.radial_error_rate_rms_m_s
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// One nautical mile an hour [m/s].
+    const NMI_PER_HOUR: f64 = 1852.0 / 3600.0;
 
     /// An error that grows by 1 nmi/h: every figure has its closed form.
     #[test]
@@ -156,8 +156,8 @@ mod tests {
         }
         let figures = accuracy.figures(3700.0);
         assert_eq!(figures.window_samples, 3301);
-        assert!((figures.cep_rate_nmi_h() - 0.832_554_611).abs() < 1e-9);
-        assert!((figures.radial_95_rate_nmi_h() - 1.730_818_383).abs() < 1e-9);
+        assert!((figures.cep_rate_m_s() / NMI_PER_HOUR - 0.832_554_611).abs() < 1e-9);
+        assert!((figures.radial_95_rate_m_s() / NMI_PER_HOUR - 1.730_818_383).abs() < 1e-9);
         assert!((figures.radial_error_slope_m_s - NMI_PER_HOUR).abs() < 1e-9);
         assert!((figures.velocity_rms_n.y - 0.4 * NMI_PER_HOUR).abs() < 1e-12);
     }

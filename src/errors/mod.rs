@@ -5,9 +5,9 @@ mod accuracy;
 mod difference;
 mod model;
 
-pub use accuracy::{Accuracy, AccuracyFigures, RADIAL_95, RADIAL_CEP};
+pub use accuracy::{Accuracy, AccuracyFigures};
 pub use difference::navigation_minus_truth;
-pub use model::{ErrorModel, SensorErrors, StartErrors};
+pub use model::{ErrorModel, SensorErrors};
 
 use nalgebra::Vector3;
 

@@ -14,8 +14,9 @@ pub use manoeuvre::{Channel, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use nalgebra::Quaternion;
 
 use crate::earth::{Earth, Geodetic, GravityModel, navigation_axes};
-use crate::error::{Error, ErrorKind, Rule, check_range};
+use crate::error::{Error, check_range};
 use crate::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, hypot, rotate, rotated_z};
+use crate::memory::room;
 use crate::truth::FlightSample;
 use path::Path;
 use profile::Segment;
@@ -38,8 +39,7 @@ impl Flight {
     pub fn new(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<Self, Error> {
         start.validate()?;
         check_range("manoeuvres", manoeuvres.len() as f64, 1.0, MAX_MANOEUVRES as f64)?;
-        let mut segments = Vec::new();
-        reserve(&mut segments, manoeuvres.len())?;
+        let mut segments = room(manoeuvres.len())?;
         let mut duration_s = 0.0;
         // Course 0 of the carried axes is true north at the start.
         let mut speed_m_s = start.speed_m_s;
@@ -90,16 +90,4 @@ impl Flight {
             temperature_c: None,
         })
     }
-}
-
-/// Room for `count` more elements, or an error.
-fn reserve<T>(vector: &mut Vec<T>, count: usize) -> Result<(), Error> {
-    vector.try_reserve(count).map_err(|_| {
-        Error::of(
-            ErrorKind::OutOfMemory,
-            "elements of the flight",
-            count as f64,
-            Rule::Words("no memory for them"),
-        )
-    })
 }

@@ -4,10 +4,10 @@ use nalgebra::{Quaternion, Vector3, Vector4};
 
 use super::manoeuvre::FlightStart;
 use super::profile::Segment;
-use super::reserve;
 use crate::earth::{Earth, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{inverse_right_jacobian, rotated_z, rotation_quaternion, sin_cos};
+use crate::memory::room_for_one_more;
 
 /// Chebyshev coefficients of a piece.
 const N: usize = 16;
@@ -128,7 +128,7 @@ impl Path {
                         let rule = Rule::Words("the flight needs too much memory; shorten it");
                         return Err(Error::of(ErrorKind::OutOfMemory, "pieces", pieces.len() as f64, rule));
                     }
-                    reserve(&mut pieces, 1)?;
+                    room_for_one_more(&mut pieces)?;
                     pieces.push(piece);
                     length *= 1.5;
                 }

@@ -1,7 +1,9 @@
 //! The mathematics under every block: rotations, compensated sums, derivative stencils, and the one place
 //! where a transcendental function is called.
 
+mod axis;
 mod compensated;
+mod gauss;
 mod mix;
 mod pair;
 mod rotation;
@@ -9,7 +11,9 @@ mod sine;
 mod stencil;
 mod transcendental;
 
+pub use axis::axis_cross;
 pub use compensated::{Compensated, two_product, two_sum};
+pub use gauss::GAUSS_2;
 pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
 pub use rotation::{

@@ -1,7 +1,7 @@
 //! Two numbers, and two vectors, that go through the same formula at once: the compiler makes one instruction of the two
 //! where the processor has such (SSE2, NEON), and the bits are those of the plain formula everywhere.
 
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Mul, Sub};
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -61,14 +61,6 @@ impl Mul<f64> for Pair {
     #[inline(always)]
     fn mul(self, factor: f64) -> Self {
         Self([self.0[0] * factor, self.0[1] * factor])
-    }
-}
-
-impl Neg for Pair {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self([-self.0[0], -self.0[1]])
     }
 }
 

@@ -5,7 +5,9 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::{BodyMotion, StateDifference, VerticalCorrection, check_rotation, renormalize};
 use crate::earth::{Earth, VerticalTrack};
-use crate::math::{Compensated, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix};
+use crate::math::{
+    Compensated, axis_cross, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix,
+};
 use crate::snapshot::stored;
 use crate::state::EarthFixedState;
 
@@ -55,16 +57,16 @@ impl EarthFixed {
         let (s1, s2, s3) = (to_earth * body.s1, to_earth * body.s2, to_earth * body.s3);
 
         let dv_gravity_free =
-            s1 - earth_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) * (1.0 / 6.0);
-        let acceleration_t = s1 + (self.gravity_e - earth_cross(2.0 * w, &v)) * t;
+            s1 - axis_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) * (1.0 / 6.0);
+        let acceleration_t = s1 + (self.gravity_e - axis_cross(2.0 * w, &v)) * t;
         let to_mean_position = (v * 0.5 + acceleration_t * (1.0 / 6.0)) * t;
         let gravity_e = earth.gravity(&(self.r_e.value + to_mean_position));
         let gravity_change = gravity_e - self.gravity_e;
 
-        let dr = (v + s2 - earth_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change * (1.0 / 12.0)) * t
-            - earth_cross(2.0 * w, &to_mean_position))
+        let dr = (v + s2 - axis_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change * (1.0 / 12.0)) * t
+            - axis_cross(2.0 * w, &to_mean_position))
             * t;
-        let dv = dv_gravity_free + gravity_e * t - earth_cross(2.0 * w, &dr);
+        let dv = dv_gravity_free + gravity_e * t - axis_cross(2.0 * w, &dr);
         let turned = q * rotation_increment(&body.rotation);
         let dq = turned + axis_turn_increment(&(q + turned), -w * t);
         self.add(&dr, &dv, &dq);
@@ -78,7 +80,7 @@ impl EarthFixed {
         let (q, v) = (self.q(), self.v_e.value);
         let s1 = rotate(&q, &body.s1);
         let gravity_e = earth.gravity(&self.r_e.value);
-        let dv = s1 - earth_cross(0.5 * w * t, &s1) + (gravity_e - earth_cross(2.0 * w, &v)) * t;
+        let dv = s1 - axis_cross(0.5 * w * t, &s1) + (gravity_e - axis_cross(2.0 * w, &v)) * t;
         let rotation = body.rotation - rotated_z(&q.conjugate()) * (w * t);
         let dq = q * rotation_increment(&rotation);
         self.add(&(v * t), &dv, &dq);
@@ -135,13 +137,7 @@ pub(crate) fn displaced_vertical(
     displacement: f64,
 ) -> Vector3<f64> {
     let up_rate = (v_e - up * up.dot(v_e)) / earth.equatorial_radius_m;
-    (earth_cross(2.0 * earth.rate_rad_s, up) + up_rate) * displacement
-}
-
-/// (0, 0, `w`) × `v`
-#[inline]
-fn earth_cross(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
-    Vector3::new(-w * v.y, w * v.x, 0.0)
+    (axis_cross(2.0 * earth.rate_rad_s, up) + up_rate) * displacement
 }
 
 /// (0, 0, `w`) × ((0, 0, `w`) × `v`)

@@ -2,7 +2,8 @@
 
 use super::{Growth, Piece, Reference, Refusal, Requirement, Rung, SolutionError, ladder};
 use crate::error::{Error, ErrorKind};
-use crate::simulator::{Options, room};
+use crate::memory::room;
+use crate::simulator::Options;
 use crate::truth::FlightSample;
 
 /// An algorithm and what it gives.

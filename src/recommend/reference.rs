@@ -6,8 +6,9 @@ use super::{Refusal, Rung};
 use crate::error::Error;
 use crate::math::{relative_rotation, rotation_vector};
 use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme};
+use crate::memory::room;
+use crate::simulator::heap_simulator;
 use crate::simulator::{MAX_UPDATES, Options, Simulator, Step};
-use crate::simulator::{heap_simulator, room};
 use crate::state::EarthFixedState;
 use crate::truth::FlightSample;
 

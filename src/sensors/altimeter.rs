@@ -206,8 +206,8 @@ impl Altimeter {
     #[cold]
     fn failed(&mut self, indicated_m: f64, dt: f64) -> Option<f64> {
         self.failing.begin_interval(dt);
-        let disturbed = indicated_m + self.failing.added(dt) / dt;
-        let shown = (!self.failing.is_silent()).then(|| self.failing.replaced(1.0, disturbed));
+        let with_added = indicated_m + self.failing.added(dt) / dt;
+        let shown = (!self.failing.is_silent()).then(|| self.failing.replaced(1.0, with_added));
         self.indicated_m = shown.or(self.indicated_m);
         shown
     }

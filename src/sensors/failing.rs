@@ -180,12 +180,12 @@ impl FailingTriad {
     }
 
     /// Whether a failure adds to what is felt.
-    pub fn are_disturbed(&self) -> bool {
+    pub fn any_adds(&self) -> bool {
         self.failures().any(|failure| failure.is_added())
     }
 
     /// Whether a failure replaces an output.
-    pub fn are_out(&self) -> bool {
+    pub fn any_replaces(&self) -> bool {
         self.failures().any(|failure| !failure.is_added())
     }
 
@@ -205,7 +205,7 @@ impl FailingTriad {
     }
 
     /// Adds what failures add over `dt` [s].
-    pub fn disturb(&mut self, dt: f64, measured: &mut Vector3<f64>) {
+    pub fn add(&mut self, dt: f64, measured: &mut Vector3<f64>) {
         for (output, measured) in self.outputs.iter_mut().zip(measured.iter_mut()) {
             *measured += output.added(dt);
         }

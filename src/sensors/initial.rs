@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::error::{Error, check_ranges};
 use crate::snapshot::{ANY, codes, stored};
+use crate::state::StateErrors;
 
 /// Where the misalignment at the start comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -47,17 +48,6 @@ stored!(InitialErrorParameters {
     alignment,
 });
 
-/// The initial errors of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct InitialErrors {
-    /// Position [m].
-    pub position_n: Vector3<f64>,
-    /// Velocity [m/s].
-    pub velocity_n: Vector3<f64>,
-    /// Misalignment φ [rad].
-    pub misalignment_n: Vector3<f64>,
-}
-
 impl InitialErrorParameters {
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
@@ -71,12 +61,12 @@ impl InitialErrorParameters {
     }
 
     /// The errors of the run `key`, without those that the alignment adds.
-    pub fn draw(&self, key: StreamKey) -> InitialErrors {
+    pub fn draw(&self, key: StreamKey) -> StateErrors {
         let drawn = |given: &Vector3<f64>, sigma: &Vector3<f64>, purpose| {
             let mut streams = Stream::triad(key, Source::InitialErrors, purpose);
             given + sigma.component_mul(&Vector3::from_fn(|axis, _| streams[axis].normal()))
         };
-        InitialErrors {
+        StateErrors {
             position_n: drawn(&self.position_n, &self.position_sigma_n, Purpose::InitialPosition),
             velocity_n: drawn(&self.velocity_n, &self.velocity_sigma_n, Purpose::InitialVelocity),
             misalignment_n: drawn(

@@ -61,7 +61,7 @@ mod xoshiro;
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use failure::{Axis, Failure, SensorOutput};
 pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
-pub use initial::{Alignment, InitialErrorParameters, InitialErrors, alignment_error};
+pub use initial::{Alignment, InitialErrorParameters, alignment_error};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};
 pub use stream::StreamKey;

@@ -151,8 +151,8 @@ fn consumer() -> (TriadParameters, TriadParameters) {
 /// band of 1 Hz, 5 µg/√Hz.
 pub fn paper_simulation2() -> (TriadParameters, TriadParameters) {
     let gyro = TriadParameters {
-        bias: each(0.01 * DEG / 3600.0),
-        random_walk: each(0.005 * DEG / 60.0),
+        bias: each(0.01 * DEG_PER_HOUR),
+        random_walk: each(0.005 * DEG_PER_SQRT_HOUR),
         ..Default::default()
     };
     let accel = TriadParameters { bias: each(1e-5 * G), random_walk: each(5e-6 * G), ..Default::default() };

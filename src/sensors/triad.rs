@@ -122,11 +122,11 @@ impl Triad {
             (Effect::RateRandomWalk, self.rate_random_walk.set(parameters)),
             (Effect::Ramp, self.ramp.set(parameters)),
             (Effect::RandomWalk, self.random_walk.set(parameters)),
-            (Effect::Disturbance, self.failing.are_disturbed()),
+            (Effect::AddedFailure, self.failing.any_adds()),
             (Effect::DeadZone, self.dead_zone.set(parameters)),
             (Effect::Range, self.range.set(parameters)),
             (Effect::Quantization, self.quantization.set(parameters)),
-            (Effect::Outage, self.failing.are_out()),
+            (Effect::Outage, self.failing.any_replaces()),
         ]);
         if self.dt > 0.0 {
             self.set_interval(self.dt);
@@ -162,7 +162,7 @@ impl Triad {
 
     /// Whether an axis has a failure.
     pub fn has_failed(&self) -> bool {
-        self.failing.are_disturbed() || self.failing.are_out()
+        self.failing.any_adds() || self.failing.any_replaces()
     }
 
     /// Whether a step has nothing to fear of the failures.
@@ -261,7 +261,7 @@ impl Triad {
             Effect::Flicker => outputs.for_each(|output| self.flicker.apply(output)),
             Effect::RateRandomWalk => outputs.for_each(|output| self.rate_random_walk.apply(dt, output)),
             Effect::Ramp => outputs.for_each(|output| self.ramp.apply(dt, output)),
-            Effect::Disturbance => outputs.for_each(|output| self.failing.disturb(dt, output)),
+            Effect::AddedFailure => outputs.for_each(|output| self.failing.add(dt, output)),
             Effect::DeadZone => outputs.for_each(|output| self.dead_zone.apply(dt, output)),
             Effect::Range => outputs.for_each(|output| self.saturated |= self.range.apply(dt, output)),
             Effect::Quantization => outputs.for_each(|output| self.quantization.apply(output)),

@@ -5,13 +5,13 @@ use nalgebra::{Matrix3, Vector3};
 use super::Increment;
 use super::generator::Derivatives;
 use crate::math::{
-    Pair, RotationSeries, VectorPair, inverse_right_jacobian, right_jacobian, rotation_matrix,
-    rotation_quaternion,
+    GAUSS_2, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian, right_jacobian,
+    rotation_matrix, rotation_quaternion,
 };
 use crate::truth::TruthPoint;
 
 /// Nodes and weights of Gauss-Legendre quadrature on 0..1, two and two; a node of weight 0 fills up.
-const GAUSS2: [[Pair; 2]; 1] = [[Pair([0.211_324_865_405_187_1, 0.788_675_134_594_812_9]), Pair([0.5, 0.5])]];
+const GAUSS2: [[Pair; 2]; 1] = [[Pair(GAUSS_2), Pair([0.5, 0.5])]];
 const GAUSS3: [[Pair; 2]; 2] = [
     [Pair([0.112_701_665_379_258_31, 0.887_298_334_620_741_7]), Pair([0.277_777_777_777_777_8; 2])],
     [Pair([0.5, 0.5]), Pair([0.444_444_444_444_444_4, 0.0])],
@@ -230,10 +230,4 @@ impl SensedPolynomials {
         let force = force - cross.times(Pair::both(1.0) - n2 * cubic) + phi.cross(&cross).times(square);
         (rate, force)
     }
-}
-
-/// (0, 0, `w`) × `v`
-#[inline]
-fn axis_cross(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
-    Vector3::new(-w * v.y, w * v.x, 0.0)
 }

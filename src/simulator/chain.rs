@@ -9,21 +9,19 @@ use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
 use super::interval::LastInterval;
 use super::mounted::block_at_start;
-use super::solution::is_near_pole;
 use super::start::{start_errors, with_errors};
 use super::views::Views;
 use super::{ErrorSource, ImuFlags, ImuInterval, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{
-    Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, StartErrors,
-    navigation_minus_truth,
+    Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, navigation_minus_truth,
 };
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
 use crate::mounting::Block;
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
-use crate::state::{EarthFixedState, Navigation};
+use crate::state::{EarthFixedState, Navigation, StateErrors};
 use crate::truth::{Recent, TruthPoint};
 
 /// The chain in flight.
@@ -85,7 +83,7 @@ impl Chain {
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
         let beside = Beside { block, disturbance, sensors_state };
-        Ok(Self::new(options, earth, first, &start, mechanization, start != StartErrors::NONE, beside))
+        Ok(Self::new(options, earth, first, &start, mechanization, start != StateErrors::NONE, beside))
     }
 
     /// A chain at the truth `first` whose navigator is `mechanization`, off the truth by `start`.
@@ -93,7 +91,7 @@ impl Chain {
         options: &Options,
         earth: Earth,
         first: &TruthPoint,
-        start: &StartErrors,
+        start: &StateErrors,
         mechanization: Mechanization,
         with_shadow: bool,
         Beside { block, disturbance, sensors_state }: Beside,
@@ -242,11 +240,6 @@ impl Chain {
     pub fn truth(&self, truth: &TruthPoint) -> Solution {
         let inconsistent = self.closure.last_flagged();
         Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, *self.true_view(truth)) }
-    }
-
-    /// Whether the truth, which is at `truth`, is near a pole.
-    pub fn is_near_pole(&self, truth: &TruthPoint) -> bool {
-        is_near_pole(&self.earth, self.true_view(truth))
     }
 
     /// The navigated solution while the truth is at `truth`.

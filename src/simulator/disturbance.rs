@@ -3,12 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::errors::SensorErrors;
+use crate::math::GAUSS_2;
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
 use crate::snapshot::stored;
 
 /// Gauss-Legendre nodes on 0..1: with two in each increment its error is θ⁴/4320 of it, at a rotation θ [rad].
-const NODES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+const NODES: [f64; 2] = GAUSS_2;
 
 /// True less normal gravity δg along the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,8 @@
-//! Memory that may be missing.
+//! Simulators off the stack.
 
 use super::{Options, Simulator};
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::Error;
+use crate::memory::room;
 
 /// A simulator on the heap: two of them and a step are more than the stack that a call may take. A slice of one, which unlike
 /// a `Box` can be allocated without aborting.
@@ -11,14 +12,4 @@ pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Erro
     options.validate()?;
     memory.push(Simulator::with_valid(options));
     Ok(memory.into_boxed_slice())
-}
-
-/// Room for `count` elements, or an error.
-pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
-    let mut vector = Vec::new();
-    vector.try_reserve_exact(count).map_err(|_| {
-        let rule = Rule::Words("no memory for them");
-        Error::of(ErrorKind::OutOfMemory, "elements", count as f64, rule)
-    })?;
-    Ok(vector)
 }

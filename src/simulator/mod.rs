@@ -20,7 +20,7 @@ mod views;
 
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
-pub(crate) use heap::{heap_simulator, room};
+pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
@@ -252,7 +252,7 @@ impl Simulator {
             return Err(Error::bad_state("the error model is off: options.error_model"));
         }
         let errors = self.read(|chain, truth| {
-            let near_pole = chain.is_near_pole(truth);
+            let near_pole = truth.is_near_pole();
             chain.errors(source, truth).map(|errors| (truth.time_s, errors, near_pole))
         })?;
         Ok(errors.flatten())

@@ -37,7 +37,7 @@ impl Solution {
 
 /// Whether longitude and heading have lost their meaning.
 #[inline]
-pub(super) fn is_near_pole(earth: &Earth, navigation: &Navigation) -> bool {
+fn is_near_pole(earth: &Earth, navigation: &Navigation) -> bool {
     navigation.place.latitude_rad.abs() > FAR_FROM_POLE_RAD
         && navigation.distance_from_axis(earth) < NEAR_POLE_M
 }

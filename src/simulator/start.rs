@@ -5,11 +5,10 @@ use nalgebra::Vector3;
 use super::{Options, SensorSuite, singular};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::StartErrors;
 use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
 use crate::mechanization::VerticalMode;
 use crate::sensors::{Alignment, Triad, alignment_error};
-use crate::state::{EarthFixedState, Navigation};
+use crate::state::{EarthFixedState, Navigation, StateErrors};
 use crate::truth::TruthPoint;
 
 /// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
@@ -24,13 +23,8 @@ pub(super) fn start_errors(
     truth: &Navigation,
     disturbance_e: Option<&Vector3<f64>>,
     sensors: &SensorSuite,
-) -> Result<StartErrors, Error> {
-    let drawn = sensors.initial.draw(options.key);
-    let mut start = StartErrors {
-        position_n: drawn.position_n,
-        velocity_n: drawn.velocity_n,
-        misalignment_n: drawn.misalignment_n,
-    };
+) -> Result<StateErrors, Error> {
+    let mut start = sensors.initial.draw(options.key);
     if sensors.initial.alignment == Alignment::LevelAndGyrocompass {
         let (sin, cos) = sin_cos(truth.place.latitude_rad);
         if cos < MIN_GYROCOMPASS_COS {
@@ -68,7 +62,7 @@ pub(super) fn with_errors(
     earth: &Earth,
     options: &Options,
     truth: &Navigation,
-    start: &StartErrors,
+    start: &StateErrors,
 ) -> Navigation {
     let (r_e, [east, north, _]) = earth.to_earth_fixed_with_axes(&truth.place);
     let mut place = truth.place;

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::StartErrors;
 use super::geometry::LocalGeometry;
 use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::MotionNode;
 use crate::snapshot::{ANY, stored};
+use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity
@@ -16,15 +16,15 @@ use crate::truth::TruthPoint;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EarthFixedForm {
     /// ψ [rad], δv [m/s], δr [m], Earth-fixed axes.
-    psi: Vector3<f64>,
-    dv: Vector3<f64>,
-    dr: Vector3<f64>,
+    pub(super) psi: Vector3<f64>,
+    pub(super) dv: Vector3<f64>,
+    pub(super) dr: Vector3<f64>,
 }
 
 stored!(EarthFixedForm { psi: ANY, dv: ANY, dr: ANY });
 
 impl EarthFixedForm {
-    pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StartErrors) -> Self {
+    pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StateErrors) -> Self {
         let axes = local.rotation_of_axes(&start.position_n);
         let v_n = local.in_local_axes(v_e);
         Self {
@@ -99,11 +99,11 @@ impl EarthFixedForm {
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
-    pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StartErrors {
+    pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
         let position_n = local.in_local_axes(&self.dr);
         let axes = local.rotation_of_axes(&position_n);
         let v_n = local.in_local_axes(v_e);
-        StartErrors {
+        StateErrors {
             position_n,
             velocity_n: local.in_local_axes(&self.dv) - axes.cross(&v_n),
             misalignment_n: local.in_local_axes(&self.psi) + axes,

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 
-use super::StartErrors;
 use super::geometry::LocalGeometry;
 use super::runge_kutta::LinearEquations;
 use crate::earth::Earth;
@@ -10,6 +9,7 @@ use crate::math::VectorPair;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::MotionNode;
 use crate::snapshot::{ANY, stored};
+use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// φ [rad], δv [m/s], (δL [rad], δλ [rad], δh [m]).
@@ -90,7 +90,7 @@ impl Coefficients {
 }
 
 impl GeographicForm {
-    pub fn new(local: &LocalGeometry, start: &StartErrors) -> Self {
+    pub fn new(local: &LocalGeometry, start: &StateErrors) -> Self {
         Self {
             phi: start.misalignment_n,
             dv: start.velocity_n,
@@ -129,10 +129,10 @@ impl GeographicForm {
         self.dv -= omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
     }
 
-    pub fn errors(&self, local: &LocalGeometry) -> StartErrors {
+    pub fn errors(&self, local: &LocalGeometry) -> StateErrors {
         let position_n =
             Vector3::new(self.d_place.y * local.n * local.cos, self.d_place.x * local.m, self.d_place.z);
-        StartErrors { position_n, velocity_n: self.dv, misalignment_n: self.phi }
+        StateErrors { position_n, velocity_n: self.dv, misalignment_n: self.phi }
     }
 }
 

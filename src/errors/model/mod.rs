@@ -18,7 +18,7 @@ use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop}
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion, MotionNode};
 use crate::snapshot::{stored, variants};
-use crate::state::{BodyAxes, Navigation};
+use crate::state::{BodyAxes, Navigation, StateErrors};
 use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;
@@ -113,26 +113,6 @@ impl SensorErrors {
     }
 }
 
-/// Errors at the start, computed less true, east-north-up: position [m], velocity [m/s], misalignment φ [rad].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StartErrors {
-    /// [m]
-    pub position_n: Vector3<f64>,
-    /// [m/s]
-    pub velocity_n: Vector3<f64>,
-    /// [rad]
-    pub misalignment_n: Vector3<f64>,
-}
-
-impl StartErrors {
-    /// None.
-    pub const NONE: Self = Self {
-        position_n: Vector3::new(0.0, 0.0, 0.0),
-        velocity_n: Vector3::new(0.0, 0.0, 0.0),
-        misalignment_n: Vector3::new(0.0, 0.0, 0.0),
-    };
-}
-
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form {
     EarthFixed(EarthFixedForm),
@@ -158,7 +138,7 @@ impl ErrorModel {
         frame: Frame,
         vertical: &Vertical,
         v_e: &Vector3<f64>,
-        start: &StartErrors,
+        start: &StateErrors,
     ) -> Self {
         let local = LocalGeometry::new(&earth, vertical);
         let form = match frame {
@@ -229,7 +209,7 @@ impl ErrorModel {
     }
 
     /// In local terms, at the true velocity `v_e` [m/s].
-    fn in_local_terms(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StartErrors {
+    fn in_local_terms(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
         match &self.form {
             Form::EarthFixed(form) => form.errors(local, v_e),
             Form::Geographic(form) => form.errors(local),
@@ -246,7 +226,7 @@ impl ErrorModel {
         block: Option<&Block>,
     ) -> NavigationErrors {
         let local = LocalGeometry::new(&self.earth, &point.vertical());
-        let StartErrors { position_n, velocity_n, misalignment_n } = match block {
+        let StateErrors { position_n, velocity_n, misalignment_n } = match block {
             None => self.in_local_terms(&local, &point.state.v_e),
             Some(block) => self.of_reference_point(point, block),
         };

@@ -2,9 +2,12 @@
 
 use nalgebra::Vector3;
 
+use super::ErrorModel;
+use super::earth_fixed::EarthFixedForm;
 use super::geometry::LocalGeometry;
-use super::{ErrorModel, StartErrors};
+use crate::math::axis_cross;
 use crate::mounting::Block;
+use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 impl ErrorModel {
@@ -15,33 +18,19 @@ impl ErrorModel {
     /// ψ  = ψ_s + ψ_m
     /// ```
     /// in Earth-fixed terms: the local axes that belong to a solution lean with its position.
-    pub(super) fn of_reference_point(&self, truth: &TruthPoint, block: &Block) -> StartErrors {
+    pub(super) fn of_reference_point(&self, truth: &TruthPoint, block: &Block) -> StateErrors {
         let mounting = block.errors();
         let state = block.state(truth);
         let at_block = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
-        let StartErrors { position_n, velocity_n, misalignment_n } =
-            self.in_local_terms(&at_block, &state.v_e);
-        let lean_e = at_block.in_earth_axes(&at_block.rotation_of_axes(&position_n));
-        let psi_e = at_block.in_earth_axes(&misalignment_n) - lean_e;
+        let of_block = self.in_local_terms(&at_block, &state.v_e);
+        let mut errors = EarthFixedForm::new(&at_block, &state.v_e, &of_block);
 
         let from_body = |v_b: &Vector3<f64>| truth.to_earth * v_b;
-        let displacement_e = psi_e.cross(&from_body(&mounting.arm_b)) + from_body(&mounting.position_b);
-        let position_e = at_block.in_earth_axes(&position_n) + displacement_e;
-        let velocity_e = at_block.in_earth_axes(&velocity_n)
-            + lean_e.cross(&state.v_e)
-            + psi_e.cross(&from_body(&mounting.arm_rate_b))
-            + from_body(&mounting.velocity_b)
-            - Vector3::new(0.0, 0.0, self.earth.rate_rad_s).cross(&displacement_e);
-        let psi_e = psi_e + from_body(&mounting.misalignment_b);
-
-        let at_point = LocalGeometry::new(&self.earth, &truth.vertical());
-        let position_n = at_point.in_local_axes(&position_e);
-        let lean_n = at_point.rotation_of_axes(&position_n);
-        let v_n = at_point.in_local_axes(&truth.state.v_e);
-        StartErrors {
-            position_n,
-            velocity_n: at_point.in_local_axes(&velocity_e) - lean_n.cross(&v_n),
-            misalignment_n: at_point.in_local_axes(&psi_e) + lean_n,
-        }
+        let displacement = errors.psi.cross(&from_body(&mounting.arm_b)) + from_body(&mounting.position_b);
+        errors.dr += displacement;
+        errors.dv += errors.psi.cross(&from_body(&mounting.arm_rate_b)) + from_body(&mounting.velocity_b)
+            - axis_cross(self.earth.rate_rad_s, &displacement);
+        errors.psi += from_body(&mounting.misalignment_b);
+        errors.errors(&LocalGeometry::new(&self.earth, &truth.vertical()), &truth.state.v_e)
     }
 }

@@ -5,13 +5,13 @@ use nalgebra::Vector3;
 use super::{Beside, Chain};
 use crate::earth::Earth;
 use crate::error::{Error, Rule};
-use crate::errors::StartErrors;
 use crate::mechanization::Mechanization;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::mounted::block_at_start;
 use crate::simulator::{ImuInterval, Options, SensorSuite};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
+use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// Read over a chain that was made at the current point. Of the increments the sums are kept.
@@ -103,7 +103,7 @@ impl Chain {
             disturbance: sensors.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
             sensors_state: current.state,
         };
-        Self::new(options, earth, current, &StartErrors::NONE, navigator, true, beside)
+        Self::new(options, earth, current, &StateErrors::NONE, navigator, true, beside)
     }
 
     /// Looks back at the points `behind`, newest first.

@@ -1,0 +1,19 @@
+//! Memory that may be missing: an error instead of the end of the process.
+
+use crate::error::{Error, ErrorKind, Rule};
+
+/// Room for `count` elements.
+pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
+    let mut vector = Vec::new();
+    vector.try_reserve_exact(count).map_err(|_| missing(count))?;
+    Ok(vector)
+}
+
+/// Room for one more, in steps that grow with the vector.
+pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
+    vector.try_reserve(1).map_err(|_| missing(vector.len() + 1))
+}
+
+fn missing(count: usize) -> Error {
+    Error::of(ErrorKind::OutOfMemory, "elements", count as f64, Rule::Words("no memory for them"))
+}
