@@ -3,8 +3,10 @@
 
 mod support;
 
+use core::f64::consts::TAU;
+
 use nalgebra::Vector3;
-use sins::flight::Flight;
+use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::sensors::{TriadParameters, paper_simulation2};
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
@@ -211,6 +213,46 @@ fn jumps_of_the_clock_from_1_ms_to_an_hour() {
     }
     assert_eq!(after_jump(&options_at(100.0), 0.005).unwrap_err().kind, ErrorKind::TimeOrder);
     assert_eq!(after_jump(&options_at(100.0), 3600.0).unwrap_err().kind, ErrorKind::Discontinuity);
+}
+
+/// Samples lost in a weave of 4 g, its bank at up to 170 °/s, at 100 Hz: attitude and velocity are right after the gap, and what is
+/// lost of the position stays as it was.
+#[test]
+fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
+    let (speed_m_s, swing_rad, frequency_hz) = (250.0, 0.19, 0.125);
+    let mut terms =
+        [Sinusoid { channel: Channel::Roll, amplitude: 0.0, frequency_hz, phase_rad: 0.0 }; MAX_SINUSOIDS];
+    terms[0] = Sinusoid { channel: Channel::Course, amplitude: swing_rad, ..terms[0] };
+    let start = FlightStart { speed_m_s, height_m: 3000.0, ..FlightStart::default() };
+    let weave = Manoeuvre::Sinusoids { duration_s: 200.0, ramp_s: 10.0, terms, count: 1 };
+    let flight = Flight::new(&start, &[weave]).unwrap();
+    let errors = |lost: core::ops::Range<u32>| {
+        let mut simulator = Simulator::new(&own_stamps()).unwrap();
+        let [mut after, mut worst] = [0.0_f64; 2];
+        for k in (0..19_000).filter(|k| !lost.contains(k)) {
+            simulator.push_sample(&flight.sample_at(f64::from(k) / 100.0).unwrap()).unwrap();
+            simulator.step().unwrap();
+            if k >= lost.end {
+                let error = simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1.position_n.norm();
+                after = if k == lost.end { error } else { after };
+                worst = worst.max(error);
+            }
+        }
+        [after, worst]
+    };
+    let [_, without] = errors(0..0);
+    for gap in [20, 50, 100, 200, 249] {
+        let gap_s = f64::from(gap) / 100.0;
+        // The velocity's interpolation by values and slopes at its ends, v⁗ T⁵/720, and the slopes' own error.
+        let interpolation = speed_m_s * swing_rad * (TAU * frequency_hz).powi(4) * gap_s.powi(5) / 720.0;
+        for phase in 0..4 {
+            let first = 5000 + 200 * phase;
+            let [after, worst] = errors(first..first + gap - 1);
+            println!("{gap_s} s lost: {after:.1e} m, in 130 s {worst:.1e} m");
+            assert!(after < 4.0 * interpolation + 1e-4, "{gap_s} s: {after} m, {interpolation} m");
+            assert!(worst < after + 2.0 * without, "{gap_s} s: {worst} m, {after} m, {without} m");
+        }
+    }
 }
 
 /// A slew to another place, speed and attitude: from the first interval on the ideal signals are those of a flight that was

@@ -33,6 +33,8 @@ pub(super) struct Chain {
     /// Ideal increments of the last interval, and measured ones unless the sensors were ideal.
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
+    /// Updates of the last interval.
+    updates: usize,
     last: LastInterval,
     /// The sensors' block, where it does not sit at the reference point.
     block: Option<Block>,
@@ -109,6 +111,7 @@ impl Chain {
             generator: SignalGenerator::new(earth.rate_rad_s),
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
+            updates: options.updates_per_sample,
             last: LastInterval::None,
             is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
             block,
@@ -173,6 +176,7 @@ impl Chain {
     fn fly(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) {
         let next = recent.next;
         let t = next.interval_s;
+        self.updates = self.options.updates_over(recent);
         let count = self.increments();
         self.views = Views::default();
 
@@ -207,7 +211,7 @@ impl Chain {
             flags,
             vertical_unaided: aid == VerticalAid::None,
         };
-        navigate(&mut self.mechanization, &self.options, increments, t);
+        navigate(&mut self.mechanization, self.options.subsamples, increments, t);
         if self.is_plain {
             self.mechanization.aid_vertical(&aid, t);
         } else {
@@ -276,7 +280,7 @@ impl Chain {
 
     /// Sub-increments of an interval.
     fn increments(&self) -> usize {
-        self.options.subsamples * self.options.updates_per_sample
+        self.options.subsamples * self.updates
     }
 
     fn true_view(&self, truth: &TruthPoint) -> &Navigation {
@@ -324,9 +328,11 @@ impl Chain {
     }
 }
 
-/// Navigates over an interval of length `t` [s].
-fn navigate(mechanization: &mut Mechanization, options: &Options, increments: &[Increment], t: f64) {
-    for update in increments.chunks_exact(options.subsamples) {
-        mechanization.update(update, t / options.updates_per_sample as f64);
+/// Navigates over an interval of length `t` [s], in updates of so many subsamples.
+fn navigate(mechanization: &mut Mechanization, subsamples: usize, increments: &[Increment], t: f64) {
+    let updates = increments.chunks_exact(subsamples);
+    let update_s = t / updates.len() as f64;
+    for update in updates {
+        mechanization.update(update, update_s);
     }
 }

@@ -5,6 +5,7 @@ mod chain;
 mod closed_loop;
 mod closure;
 mod disturbance;
+mod gap;
 mod heap;
 mod imu;
 mod interval;
@@ -187,7 +188,7 @@ impl Simulator {
         }
     }
 
-    /// Whether a step has been made since the start or the last reposition.
+    /// Whether a step has been made since the start or the last reposition, or the navigation was started.
     pub fn has_started(&self) -> bool {
         !matches!(self.mode, Mode::Waiting)
     }

@@ -217,6 +217,13 @@ pub fn runs() -> Vec<Run> {
     calls.extend(flown(samples(700, 0.5)));
     runs.push(Run { name: "every effect for minutes", options: model, calls, every: 101 });
 
+    // Samples lost soon after the start, and soon after one another: gaps are told from the intervals before.
+    let lost = [2..5, 20..30, 32..60];
+    let kept = (0..70).zip(samples(70, 0.01)).filter(|(k, _)| !lost.iter().any(|range| range.contains(k)));
+    let mut calls = setting();
+    calls.extend(flown(kept.map(|(_, sample)| sample)));
+    runs.push(Run { name: "gaps", options: model, calls, every: 1 });
+
     // The paper's scheme, free vertical channel, no velocities, uneven stamps.
     let uneven = samples(60, 0.01).enumerate().map(|(k, mut sample)| {
         sample.time_s += 0.002 * ((k * 37 % 7) as f64 / 7.0);

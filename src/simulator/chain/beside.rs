@@ -27,7 +27,7 @@ impl Chain {
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.trim(ideal, t);
             if let Some(shadow) = closed_loop.shadow(&self.mechanization, !sensors.all_are_ideal()) {
-                navigate(shadow, &self.options, ideal, t);
+                navigate(shadow, self.options.subsamples, ideal, t);
                 let aid = vertical_aid(self.options.vertical, next, Some);
                 aid_vertical(shadow, &self.earth, &aid, t, self.block.as_ref().map(Block::true_belief));
             }

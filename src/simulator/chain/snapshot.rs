@@ -23,6 +23,7 @@ impl Stored for Chain {
             generator,
             ideal: _,
             measured: _,
+            updates: _,
             last: _,
             mechanization,
             error_model,
