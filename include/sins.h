@@ -15,8 +15,9 @@
  *   sins_destroy(sim);
  *
  * Zero is off. Every struct (but the parts of a sins_record) begins with struct_size, to be set to its sizeof, and a second
- *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
- *   that warn of the fields left out. Output structs want their struct_size set too. Structs grow at their end only: old
+ *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is
+ *   SINS_INIT(gyro), for compilers that warn of the fields left out. Output structs want their struct_size set too; what a
+ *   newer host's struct has behind the fields that this library knows stays as it was. Structs grow at their end only: old
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
@@ -24,28 +25,37 @@
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn (sins_run() keeps what it flew before). SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
- *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
+ *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
+ *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
- * Real time. Push, step, run and the reads make no allocation and no system call. (If the library was loaded at run time, the
- *   loader allocates in the first call of each thread: make one before the frame.) The library prints nothing, reads no
- *   environment and no file, and leaves the host's floating-point control state as it found it.
- * Host time. The time of a run is that of its time stamps; no function looks at a clock (sins_recommend() times itself).
+ * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
+ *   call, unless the handle is in use in another thread. (If the library was loaded at run time, the loader allocates in the
+ *   first call of each thread: make one before the frame.) The library prints nothing, reads no environment and no file, and
+ *   leaves the host's floating-point control state as it found it.
+ * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
+ *   themselves, and the first create draws the numbers of its handles from the clock.)
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
  *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition(). A shorter gap is an interval that was
- *     flown: take it off too if the vehicle stood still.
+ *     SINS_ERROR_DISCONTINUITY, and so is each after it: take the pause off the stamps, or sins_reposition(). A shorter gap
+ *     is an interval that was flown, the velocity times its length: take it off too if the vehicle stood still.
+ *   Gaps: an interval of more than 2.5 times those before it, up to max_gap_s, is flown in updates as long as theirs, on the
+ *     smoothest motion between its ends. Attitude and velocity are right behind it; what that motion missed of the path stays
+ *     in the position: nothing in steady flight, in a weave of 4 g and 8 s 5 cm where 1 s is lost and 3 m where 2.5 s are.
+ *     Have what is too much refused by a smaller max_gap_s.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
- *     sample to the next and back. With sample_period_s stated, stamps skip periods. Each interval is integrated as one and
- *     has the noise of its length; accuracy is that of the slower sample rate as long as it lasts.
+ *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
+ *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
+ *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
+ *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
  *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
  *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one
- *   leaves every other draw as it was.
+ *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
+ *   has a stream of its own: switching one leaves every other draw as it was.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -291,7 +301,10 @@ typedef struct sins_flight sins_flight;
 /* An accelerometer had none. */
 #define SINS_IMU_ACCEL_INVALID 8
 
-/* A buffer of this size holds every snapshot that this release saves. */
+/*
+ * A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
+ * sins_snapshot_size().
+ */
 #define SINS_SNAPSHOT_MAX_SIZE 8192
 
 /*
@@ -393,7 +406,10 @@ typedef struct sins_options {
      * each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
      */
     double sample_period_s;
-    /* Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. */
+    /*
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
+     * 100 s cost 40 m in 12 h, longer ones many times that.
+     */
     double max_gap_s;
     /*
      * Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
@@ -565,7 +581,10 @@ typedef struct sins_accel_params {
     double bandwidth_hz[3];
     /* Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2]. */
     double dead_zone_m_s2[3];
-    /* Place of each sensor against the reference point, -100 to 100 [m]: row-major, row = sensor (size effect). */
+    /*
+     * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
+     * row = sensor (size effect).
+     */
     double lever_arm_m[9];
     /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
     double vibration_rectification_s2_m[3];
@@ -977,17 +996,17 @@ typedef struct sins_flight_start {
     uint32_t reserved;
     /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
     double latitude_rad;
-    /* Longitude, east positive [rad]. */
+    /* Longitude, east positive, -100 to 100 [rad]. */
     double longitude_rad;
     /* Height above the ellipsoid, -20 km to 2000 km [m]. */
     double height_m;
     /* Speed against the Earth, 0 to 10 km/s [m/s]. */
     double speed_m_s;
-    /* Course and heading [rad]. */
+    /* Course and heading, -100 to 100 [rad]. */
     double heading_rad;
-    /* Roll of the body against the path's axes throughout the flight [rad]. */
+    /* Roll of the body against the path's axes throughout the flight, -pi to pi [rad]. */
     double roll_rad;
-    /* Pitch of the body against the path's axes throughout the flight: angle of attack, or tilt at rest [rad]. */
+    /* Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad]. */
     double pitch_rad;
     /* SINS_EARTH_..., as in the options of the simulator that will fly it. */
     int32_t earth;
@@ -1009,7 +1028,7 @@ typedef struct sins_manoeuvre {
     double duration_s;
     /* Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s]. */
     double ramp_s;
-    /* Change of speed [m/s]. */
+    /* Change of speed, to no less than 0 and no more than 10 km/s [m/s]. */
     double speed_change_m_s;
     /* Change of height; the climb angle must stay below 64 degrees [m]. */
     double height_change_m;
@@ -1186,7 +1205,7 @@ SINS_API sins_status SINS_CALL sins_version_string(const char **text);
  */
 SINS_API sins_status SINS_CALL sins_status_string(sins_status status, const char **text);
 
-/* Reads the options in effect: those of the create, with the defaults in place of 0. */
+/* Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0. */
 SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
 
 /*
@@ -1207,7 +1226,7 @@ SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
  * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
- * simulator (create, presets, flights, recommend).
+ * simulator (create, presets, flights, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
  * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -1218,8 +1237,9 @@ SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer
  * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
- * SINS_ERROR_TIME_ORDER: not later than the one before.
- * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
+ * SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
+ * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the last that was taken: no other is until one fits, or
+ * sins_reposition(), which is for jumps.
  * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
@@ -1230,23 +1250,27 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  *
  * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
  * 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
- * solution before it stays readable, and sins_reposition() or sins_reset() start anew.
+ * solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
+ * increments.
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
  * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
  * errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump
- * too, forward or back: the run goes on from the sample's time stamp. What is read until the next step is that of the sample.
+ * too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
+ * next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
+ * first, and the next push makes an interval.
  *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments.
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
+ * (a pole, in geographic axes) it is the reads and the next step that say so.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
- * Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that
- * the same samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
- * flight, see sins_snapshot_save().
+ * Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
+ * from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
+ * seed or run; to come back to a moment in flight, see sins_snapshot_save().
  */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
@@ -1368,6 +1392,7 @@ SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, st
  * Reads the running accuracy figures.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
 
@@ -1375,6 +1400,7 @@ SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accu
  * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
 
@@ -1391,17 +1417,20 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record
 SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
 
 /*
- * Navigates over one interval on the host's increments; sensor errors that are set are added to them.
+ * Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
+ * interval_s; sins_get_imu() tells the host's increments as the ideal ones.
  * sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
  * SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
- * turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step().
+ * turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
+ * solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * The size that a snapshot has now: 1.7 KiB without sensor errors, up to 4 KiB with all there are, while each sample is flown
- * as it comes; 80 to 135 bytes more for each that waits. It changes with what is set and with the samples that wait.
+ * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4 KiB
+ * with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
+ * besides; up to 145 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 
@@ -1447,8 +1476,12 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
  * to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
  *
+ * Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
+ * of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+ *
  * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
- * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY a flight too long.
+ * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+ * 200000 pieces (which take 3 s), or 4096 flights that live.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(
     const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
@@ -1458,7 +1491,7 @@ SINS_API sins_status SINS_CALL sins_flight_create(
 SINS_API sins_status SINS_CALL sins_flight_duration(const sins_flight *flight, double *duration_s);
 
 /*
- * The sample at time_s, 0 to the duration [s]: exact at any time, in any order.
+ * The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
  */
@@ -1488,7 +1521,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * counts as one of height, which grows by e every 569 s.
  *
  * The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
- * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 50 us a sample, up to 0.4 ms where
+ * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
  * nothing meets the requirement.
  *
  * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.

@@ -27,17 +27,17 @@ pub struct sins_flight_start {
     pub reserved: u32,
     /// Geodetic latitude, -pi/2 to pi/2 [rad].
     pub latitude_rad: f64,
-    /// Longitude, east positive [rad].
+    /// Longitude, east positive, -100 to 100 [rad].
     pub longitude_rad: f64,
     /// Height above the ellipsoid, -20 km to 2000 km [m].
     pub height_m: f64,
     /// Speed against the Earth, 0 to 10 km/s [m/s].
     pub speed_m_s: f64,
-    /// Course and heading [rad].
+    /// Course and heading, -100 to 100 [rad].
     pub heading_rad: f64,
-    /// Roll of the body against the path's axes throughout the flight [rad].
+    /// Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
     pub roll_rad: f64,
-    /// Pitch of the body against the path's axes throughout the flight: angle of attack, or tilt at rest [rad].
+    /// Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
     pub pitch_rad: f64,
     /// SINS_EARTH_..., as in the options of the simulator that will fly it.
     pub earth: i32,
@@ -70,8 +70,12 @@ fn told(status: sins_status) -> sins_status {
 /// Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
 /// to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
 ///
+/// Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
+/// of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+///
 /// On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
-/// value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY a flight too long.
+/// value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+/// 200000 pieces (which take 3 s), or 4096 flights that live.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_create(
     start: *const sins_flight_start,
@@ -124,7 +128,7 @@ pub unsafe extern "C" fn sins_flight_duration(
     })
 }
 
-/// The sample at time_s, 0 to the duration [s]: exact at any time, in any order.
+/// The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
 #[unsafe(no_mangle)]

@@ -55,7 +55,7 @@ pub struct sins_manoeuvre {
     pub duration_s: f64,
     /// Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
     pub ramp_s: f64,
-    /// Change of speed [m/s].
+    /// Change of speed, to no less than 0 and no more than 10 km/s [m/s].
     pub speed_change_m_s: f64,
     /// Change of height; the climb angle must stay below 64 degrees [m].
     pub height_change_m: f64,

@@ -99,7 +99,8 @@ pub struct sins_options {
     /// Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
     /// each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
     pub sample_period_s: f64,
-    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s.
+    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
+    /// 100 s cost 40 m in 12 h, longer ones many times that.
     pub max_gap_s: f64,
     /// Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
     /// 0: 2000 m/s2.
@@ -282,7 +283,7 @@ impl sins_options {
     }
 }
 
-/// Reads the options in effect: those of the create, with the defaults in place of 0.
+/// Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -15,8 +15,9 @@
  *   sins_destroy(sim);
  *
  * Zero is off. Every struct (but the parts of a sins_record) begins with struct_size, to be set to its sizeof, and a second
- *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is SINS_INIT(gyro), for compilers
- *   that warn of the fields left out. Output structs want their struct_size set too. Structs grow at their end only: old
+ *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is
+ *   SINS_INIT(gyro), for compilers that warn of the fields left out. Output structs want their struct_size set too; what a
+ *   newer host's struct has behind the fields that this library knows stays as it was. Structs grow at their end only: old
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
@@ -24,28 +25,37 @@
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn (sins_run() keeps what it flew before). SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and
- *   SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
+ *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
+ *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
- * Real time. Push, step, run and the reads make no allocation and no system call. (If the library was loaded at run time, the
- *   loader allocates in the first call of each thread: make one before the frame.) The library prints nothing, reads no
- *   environment and no file, and leaves the host's floating-point control state as it found it.
- * Host time. The time of a run is that of its time stamps; no function looks at a clock (sins_recommend() times itself).
+ * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
+ *   call, unless the handle is in use in another thread. (If the library was loaded at run time, the loader allocates in the
+ *   first call of each thread: make one before the frame.) The library prints nothing, reads no environment and no file, and
+ *   leaves the host's floating-point control state as it found it.
+ * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
+ *   themselves, and the first create draws the numbers of its handles from the clock.)
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
  *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY: take the pause off the stamps, or sins_reposition(). A shorter gap is an interval that was
- *     flown: take it off too if the vehicle stood still.
+ *     SINS_ERROR_DISCONTINUITY, and so is each after it: take the pause off the stamps, or sins_reposition(). A shorter gap
+ *     is an interval that was flown, the velocity times its length: take it off too if the vehicle stood still.
+ *   Gaps: an interval of more than 2.5 times those before it, up to max_gap_s, is flown in updates as long as theirs, on the
+ *     smoothest motion between its ends. Attitude and velocity are right behind it; what that motion missed of the path stays
+ *     in the position: nothing in steady flight, in a weave of 4 g and 8 s 5 cm where 1 s is lost and 3 m where 2.5 s are.
+ *     Have what is too much refused by a smaller max_gap_s.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
- *     sample to the next and back. With sample_period_s stated, stamps skip periods. Each interval is integrated as one and
- *     has the noise of its length; accuracy is that of the slower sample rate as long as it lasts.
+ *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
+ *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
+ *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
+ *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
  *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
  *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern; sins_cost.ns_per_step, a time, is the exception. Each random effect has a stream of its own: switching one
- *   leaves every other draw as it was.
+ *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
+ *   has a stream of its own: switching one leaves every other draw as it was.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */

@@ -109,7 +109,7 @@ impl From<Refusal> for Failure {
 /// counts as one of height, which grows by e every 569 s.
 ///
 /// The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
-/// ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 50 us a sample, up to 0.4 ms where
+/// ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
 /// nothing meets the requirement.
 ///
 /// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.

@@ -68,7 +68,7 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
 
 /// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
 /// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
-/// simulator (create, presets, flights, recommend).
+/// simulator (create, presets, flights, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
 /// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -97,8 +97,9 @@ pub unsafe extern "C" fn sins_last_error(
 /// Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
-/// SINS_ERROR_TIME_ORDER: not later than the one before.
-/// SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the one before; sins_reposition() is for jumps.
+/// SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
+/// SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the last that was taken: no other is until one fits, or
+/// sins_reposition(), which is for jumps.
 /// SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_push_sample(
@@ -118,7 +119,8 @@ pub unsafe extern "C" fn sins_push_sample(
 ///
 /// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
 /// 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
-/// solution before it stays readable, and sins_reposition() or sins_reset() start anew.
+/// solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
+/// increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))
@@ -133,9 +135,12 @@ pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::erro
 
 /// The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
 /// errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump
-/// too, forward or back: the run goes on from the sample's time stamp. What is read until the next step is that of the sample.
+/// too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
+/// next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
+/// first, and the next push makes an interval.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments.
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
+/// (a pole, in geographic axes) it is the reads and the next step that say so.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,
@@ -149,9 +154,9 @@ pub unsafe extern "C" fn sins_reposition(
     })
 }
 
-/// Back to before the first sample: same options and parameters, no failures, and the same draws again from their start, so that
-/// the same samples give the same bits. For other draws create a simulator with another seed or run; to come back to a moment in
-/// flight, see sins_snapshot_save().
+/// Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
+/// from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
+/// seed or run; to come back to a moment in flight, see sins_snapshot_save().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -31,7 +31,7 @@ pub struct Flight {
     path: Path,
     duration_s: f64,
     /// Attitude of the body against the path's axes.
-    mounting: Quaternion<f64>,
+    body_attitude: Quaternion<f64>,
 }
 
 impl Flight {
@@ -54,9 +54,9 @@ impl Flight {
         check_range("duration of the flight_s", duration_s, 0.0, 1e8)?;
         let earth = Earth::new(start.ellipsoid, GravityModel::Normal);
         let path = Path::integrate(&earth, start, &segments)?;
-        let mounting =
+        let body_attitude =
             attitude_from_euler(&Euler { roll: start.roll_rad, pitch: start.pitch_rad, heading: 0.0 });
-        Ok(Self { segments, path, duration_s, mounting })
+        Ok(Self { segments, path, duration_s, body_attitude })
     }
 
     /// Length of the flight [s].
@@ -79,7 +79,7 @@ impl Flight {
             height_m,
         };
         let q_nw = navigation_axes(place.latitude_rad, place.longitude_rad).conjugate() * q_ew;
-        let q_nb = q_nw * motion.attitude() * self.mounting;
+        let q_nb = q_nw * motion.attitude() * self.body_attitude;
         Ok(FlightSample {
             time_s,
             place,

@@ -22,18 +22,6 @@ pub struct Geographic {
     turn2: f64,
 }
 
-/// What they do at a place and a velocity.
-#[derive(Clone, Copy)]
-struct Moving {
-    local: Local,
-    /// Transport rate [rad/s]
-    omega_en: Vector3<f64>,
-    /// Gravity and Coriolis acceleration [m/s²]
-    steady: Vector3<f64>,
-    /// Of latitude and longitude [rad/s], of height [m/s]
-    rate_of_place: Vector3<f64>,
-}
-
 stored!(Geographic { place: 1e9, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1e30 } then |state, from| check_rotation(&state.q_nb, from));
 
 /// What the navigation axes and the Earth do at a place.
@@ -48,6 +36,18 @@ struct Local {
     omega_ie: Vector3<f64>,
     /// Gravity [m/s²]
     gravity: Vector3<f64>,
+}
+
+/// What they do at a place and a velocity.
+#[derive(Clone, Copy)]
+struct Moving {
+    local: Local,
+    /// Transport rate [rad/s]
+    omega_en: Vector3<f64>,
+    /// Gravity and Coriolis acceleration [m/s²]
+    steady: Vector3<f64>,
+    /// Of latitude and longitude [rad/s], of height [m/s]
+    rate_of_place: Vector3<f64>,
 }
 
 impl Local {

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::parameters::TriadParameters;
 
 /// δω = G f: row = gyro, column = axis of the force (mass unbalance and its cross terms, IEEE Std 528); of increments, exactly.
-/// The force is the true one at the reference point.
+/// The force is the true one at the block's own point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GSensitivity {
     /// G [(rad/s)/(m/s²)].

@@ -51,7 +51,7 @@ pub struct TriadParameters {
     pub bandwidth_hz: Vector3<f64>,
     /// Signals up to this size give nothing [u].
     pub dead_zone: Vector3<f64>,
-    /// Of accelerometers: place of each against the reference point [m], row = sensor.
+    /// Of accelerometers: place of each against the block's own point [m], sensor axes, row = sensor.
     pub lever_arm_m: Matrix3<f64>,
     /// Of accelerometers: vibration rectification, the g² term [s²/m].
     pub vibration_rectification_s2_m: Vector3<f64>,

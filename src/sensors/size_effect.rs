@@ -6,7 +6,7 @@ use super::parameters::TriadParameters;
 use crate::mounting::{centripetal, lever_arm_velocity};
 use crate::snapshot::stored;
 
-/// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the reference point does (Savage 1998,
+/// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
 /// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`]; ω at an end is the derivative of the cubic
 /// through the angle at it and at the ends of the three increments before, of any lengths: no latency, an error of h³ω'''/4 in ω
 /// at an increment of h, which the velocity has once and does not accumulate, and one of fourth order in the centripetal part.

@@ -1,5 +1,5 @@
-/* Push, step, run and the reads in a real-time frame: no allocation, and no system call of any kind, thus no wait for
- * anyone. The kernel kills the program at the first one, while other threads fly, create and destroy. */
+/* Push, step, run, reads, setters, reset, reposition and saving in a real-time frame: no allocation, and no system call of any
+ * kind, thus no wait for anyone. The kernel kills the program at the first one, while other threads fly, create and destroy. */
 
 #define _GNU_SOURCE
 #include <linux/filter.h>
@@ -97,6 +97,36 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_OK);
 }
 
+/* What may be set and saved in flight. */
+static void set_and_save(sins_sim *sim)
+{
+    static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
+    sins_gyro_params gyro = scene_gyro();
+    sins_accel_params accel = scene_accel();
+    sins_altimeter_params altimeter = scene_altimeter();
+    sins_failure failure = {.struct_size = sizeof failure, .kind = SINS_FAILURE_STUCK};
+    size_t size = 0, written = 1;
+    FRAME_CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
+    FRAME_CHECK(sins_set_accel(sim, &accel) == SINS_OK);
+    FRAME_CHECK(sins_set_altimeter(sim, &altimeter) == SINS_OK);
+    FRAME_CHECK(sins_set_failure(sim, SINS_SENSOR_ALTIMETER, 0, &failure) == SINS_OK);
+    FRAME_CHECK(sins_snapshot_size(sim, &size) == SINS_OK);
+    FRAME_CHECK(sins_snapshot_save(sim, snapshot, sizeof snapshot, &written) == SINS_OK && written == size);
+}
+
+/* What may be set before a flight. */
+static void start_again(sins_sim *sim)
+{
+    sins_initial_errors initial = scene_initial_errors();
+    sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {1.0, 2.0, 3.0}};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity, .anomaly_m_s2 = 1e-4};
+    FRAME_CHECK(sins_reposition(sim, &samples[0]) == SINS_OK);
+    FRAME_CHECK(sins_set_initial_errors(sim, &initial) == SINS_OK);
+    FRAME_CHECK(sins_reset(sim) == SINS_OK);
+    FRAME_CHECK(sins_set_mounting(sim, &mounting) == SINS_OK);
+    FRAME_CHECK(sins_set_gravity_disturbance(sim, &gravity) == SINS_OK);
+}
+
 /* What a frame does, and what it does wrong. */
 static void fly_frames(sins_sim *sim, const sins_sim *stale)
 {
@@ -116,6 +146,9 @@ static void fly_frames(sins_sim *sim, const sins_sim *stale)
         FRAME_CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
         FRAME_CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
         read_everything(sim, k > 0);
+        if (k % 64 == 63) {
+            set_and_save(sim);
+        }
         FRAME_CHECK(sins_get_navigation((sins_sim *)stale, &navigation) == SINS_ERROR_BAD_HANDLE);
     }
     for (; k < SCENE_COUNT / 2 + 16; k++) {
@@ -123,6 +156,7 @@ static void fly_frames(sins_sim *sim, const sins_sim *stale)
     }
     FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_ERROR_QUEUE_FULL);
     FRAME_CHECK(sins_run(sim, &samples[k], SCENE_COUNT - k, 0, NULL, 0, NULL) == SINS_OK);
+    start_again(sim);
 }
 
 /* Navigation on increments, until the solution leaves its range. */
