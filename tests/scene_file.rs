@@ -94,7 +94,7 @@ fn the_example_scenes_and_the_readmes_fly() {
         // A row each second of 72 s, one of the start, and the header.
         assert_eq!(records.iter().filter(|&&byte| byte == b'\n').count(), 74, "{}", path.display());
     }
-    let imu = std::fs::read_to_string(folder.join("sins_out/fighter_imu.csv")).unwrap();
+    let imu = std::fs::read_to_string(folder.join("fighter_imu.csv")).unwrap();
     assert_eq!(imu.lines().count(), 1 + 7200);
 }
 
