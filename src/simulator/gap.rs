@@ -14,23 +14,26 @@ impl Options {
     /// Evidence: 1 s lost in a weave of 4 g at 100 Hz, 500 s later: 15 km with one update, 5 cm so.
     #[inline]
     pub(super) fn updates_over(&self, recent: &Recent<'_>) -> usize {
-        let own = self.updates_per_sample;
+        if recent.next.interval_s > GAP * recent.current.interval_s {
+            return self.updates_over_longer(recent);
+        }
+        self.updates_per_sample
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn updates_over_longer(&self, recent: &Recent<'_>) -> usize {
         let usual_s = recent
             .before
             .iter()
             .flatten()
             .fold(recent.current.interval_s, |longest, point| longest.max(point.interval_s));
         let ratio = recent.next.interval_s / usual_s;
-        // Not at the start either, where there is no usual one.
-        if ratio > GAP && usual_s > 0.0 {
-            return longer(own, self.subsamples, ratio);
+        // At the start there is no usual one.
+        if ratio <= GAP || usual_s == 0.0 {
+            return self.updates_per_sample;
         }
-        own
+        let most = MAX_INCREMENTS / (self.updates_per_sample * self.subsamples);
+        self.updates_per_sample * ratio.min(most as f64).round() as usize
     }
-}
-
-#[cold]
-fn longer(own: usize, subsamples: usize, ratio: f64) -> usize {
-    let most = MAX_INCREMENTS / (own * subsamples);
-    own * (ratio.min(most as f64).round() as usize)
 }
