@@ -381,7 +381,7 @@ typedef struct sins_options {
     int32_t scheme;
     /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
     int32_t subsamples;
-    /* Mechanization updates in a sample interval, 1 to 16; 0: 1. */
+    /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
     int32_t updates_per_sample;
     /* SINS_VERTICAL_... */
     int32_t vertical;

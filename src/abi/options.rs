@@ -76,7 +76,7 @@ pub struct sins_options {
     pub scheme: i32,
     /// Sub-increments of a mechanization update, 1 to 5; 0: 2.
     pub subsamples: i32,
-    /// Mechanization updates in a sample interval, 1 to 16; 0: 1.
+    /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     pub updates_per_sample: i32,
     /// SINS_VERTICAL_...
     pub vertical: i32,

@@ -21,7 +21,7 @@ pub struct Options {
     pub scheme: Scheme,
     /// Sub-increments of an update, 1 to 5.
     pub subsamples: usize,
-    /// Mechanization updates in a sample interval, 1 to 16.
+    /// Mechanization updates in a sample interval, 1 to 16; more in a gap.
     pub updates_per_sample: usize,
     /// How the vertical channel is kept.
     pub vertical: VerticalMode,
