@@ -143,7 +143,7 @@ impl Reference {
     }
 }
 
-/// Beijing's latitude, as in the closed form's fixture: 39.9° N, at rest, level but for a tilt, heading north-east.
+/// Beijing's latitude, as in the closed form's fixture: 39.9° N, at rest, level, heading north.
 pub fn resting_sample(time_s: f64) -> FlightSample {
     let place = Geodetic { latitude_rad: 39.9 * DEG, longitude_rad: 116.4 * DEG, height_m: 0.0 };
     FlightSample::at_rest(time_s, place, Euler::default())
@@ -212,6 +212,22 @@ pub struct Worst {
     pub position_m: f64,
     pub velocity_m_s: f64,
     pub misalignment_rad: f64,
+}
+
+/// What rounding leaves of perfect sensors at rest within `duration_s`. The sensed rate is that of the Earth to two ulps,
+/// 2.7e-20 rad/s, and turns the vertical; the sensed force is gravity in the axes of the sensors and back, to eight roundings,
+/// and makes a Schuler swing; Earth-fixed coordinates are rounded to three, a quaternion to four.
+pub fn rounding_at_rest(duration_s: f64) -> Worst {
+    let (radius_m, schuler, rate) = (6.4e6, 1.24e-3, 2.7e-20);
+    let force = 8.0 * 0.5 * f64::EPSILON * G;
+    let position_m = radius_m * rate * (duration_s + 1.0 / schuler)
+        + 2.0 * force / (schuler * schuler)
+        + 3.0 * radius_m * f64::EPSILON;
+    Worst {
+        position_m,
+        velocity_m_s: 2.0 * radius_m * rate + force / schuler,
+        misalignment_rad: rate * duration_s + position_m / radius_m + 4.0 * f64::EPSILON,
+    }
 }
 
 /// Flies `samples`, looking at the errors every `every` intervals.
