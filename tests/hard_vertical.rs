@@ -114,9 +114,13 @@ fn the_end_is_told_and_both_ways_back_are_open() {
             assert!((0.0..step_m).contains(&left_m), "{left_m} of {step_m}");
             assert_eq!(simulator.step(), Err(error));
             assert_eq!(simulator.navigation().unwrap().unwrap(), last);
+            assert!(last.vertical_unaided);
+            let none = InitialErrorParameters::default();
+            assert_eq!(simulator.set_initial_errors(&none).unwrap_err().kind, ErrorKind::BadState);
 
             let mut repositioned = simulator.clone();
             repositioned.reposition(&resting_sample(0.0)).unwrap();
+            repositioned.set_initial_errors(&none).unwrap();
             let after = |simulator: &mut Simulator, from: u32| {
                 for k in from..from + 100 {
                     simulator.push_sample(&resting_sample(f64::from(k))).unwrap();

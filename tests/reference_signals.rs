@@ -270,6 +270,28 @@ fn biased_sensors_give_the_errors_of_the_exact_equations() {
     }
 }
 
+/// Generator and mechanization together over the pole, which the flight passes exactly: of the fourth order of the interval, so
+/// that every other sample leaves 16 times as much; twice that, and rounding.
+#[test]
+fn the_whole_chain_passes_the_pole_like_anywhere_else() {
+    let samples = Reference::load("polar").truth.samples(false);
+    let worst = |every: usize| {
+        let intake = IntakeLimits { period_s: Some(0.05 * every as f64), ..Default::default() };
+        let vertical = VerticalMode::FollowTruth;
+        let mut simulator = Simulator::new(&Options {
+            gravity: GravityModel::Somigliana,
+            vertical,
+            intake,
+            ..Default::default()
+        })
+        .unwrap();
+        support::fly(&mut simulator, samples.iter().copied().step_by(every), 1)
+    };
+    let (coarse, fine) = (worst(2), worst(1));
+    println!("over the pole: {fine:?}, of every other sample {coarse:?}");
+    assert!(fine.position_m < coarse.position_m / 8.0 + rounding(0.0)[0], "{fine:?} {coarse:?}");
+}
+
 /// The paper's scheme keeps its approximations: its own error shows, and it is the size that they predict.
 #[test]
 fn paper_scheme_shows_its_own_error() {
