@@ -10,6 +10,7 @@ use sins::signal::Increment;
 use sins::truth::FlightSample;
 
 pub mod orbits;
+pub mod patrol;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
@@ -149,25 +150,9 @@ pub fn resting_sample(time_s: f64) -> FlightSample {
     FlightSample::at_rest(time_s, place, Euler::default())
 }
 
-/// The patrol of the paper's simulations: 40° N, 200 m/s, figure-eights of sums of sinusoids, banks to 30°.
+/// The patrol of the tests: from Beijing's meridian, heading a little east of north.
 pub fn patrol(duration_s: f64) -> sins::flight::Flight {
-    use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
-    let term = |channel, amplitude, period_s: f64| Sinusoid {
-        channel,
-        amplitude,
-        frequency_hz: 1.0 / period_s,
-        phase_rad: 0.0,
-    };
-    let terms = [
-        // The zero of J0: the swings of the course close to figure-eights.
-        term(Channel::Course, 2.404_825_557_695_773, 560.0),
-        term(Channel::Climb, 0.02, 217.0),
-        term(Channel::Speed, 5.0, 143.0),
-        term(Channel::Roll, 0.004, 3.1),
-        term(Channel::Pitch, 0.002, 2.3),
-        term(Channel::Heading, 0.002, 4.7),
-    ];
-    let start = FlightStart {
+    let start = sins::flight::FlightStart {
         latitude_rad: 40.0 * DEG,
         longitude_rad: 116.4 * DEG,
         height_m: 8000.0,
@@ -175,7 +160,7 @@ pub fn patrol(duration_s: f64) -> sins::flight::Flight {
         heading_rad: 0.3,
         ..Default::default()
     };
-    Flight::new(&start, &[Manoeuvre::Sinusoids { duration_s, ramp_s: 600.0, terms, count: 6 }]).unwrap()
+    patrol::patrol_from(&start, duration_s).unwrap()
 }
 
 /// `sample` as the C interface has it.
