@@ -125,7 +125,7 @@ fn a_month() {
         let drift = 4.5e-7 * (day + 1) as f64 / 30.0;
         // Three roundings of Earth-fixed coordinates.
         let rounding = 3.0 * 6.4e6 * f64::EPSILON;
-        // What is left is two orders of g T²/R and of W T smaller: the Schuler swing is one of 0.3 % in latitude and radius.
+        // Gravity over the radius is known to 0.3 %, and the next order in W T is below that.
         let bound = 1.01 * swing_at_rest_m(1.0 / rate_hz) + drift + rounding;
         assert!(worst < bound, "day {}: {worst:e} m of {bound:e}", day + 1);
     }
