@@ -199,18 +199,17 @@ pub struct Worst {
     pub misalignment_rad: f64,
 }
 
-/// What rounding leaves of perfect sensors at rest within `duration_s`. The sensed rate is that of the Earth to two ulps,
-/// 2.7e-20 rad/s, and turns the vertical; the sensed force is gravity in the axes of the sensors and back, to eight roundings,
-/// and makes a Schuler swing; Earth-fixed coordinates are rounded to three, a quaternion to four.
+/// What rounding leaves of perfect sensors at rest within `duration_s`. Attitude is rounded, and gravity leans by that: at worst one
+/// way in each half of a Schuler swing, 2 g eps/ω, and by chance the other way in the next. The sensed rate is that of the Earth to
+/// two ulps, 2.7e-20 rad/s, and turns the vertical. Earth-fixed coordinates are rounded three times, a quaternion four.
 pub fn rounding_at_rest(duration_s: f64) -> Worst {
     let (radius_m, schuler, rate) = (6.4e6, 1.24e-3, 2.7e-20);
-    let force = 8.0 * 0.5 * f64::EPSILON * G;
-    let position_m = radius_m * rate * (duration_s + 1.0 / schuler)
-        + 2.0 * force / (schuler * schuler)
-        + 3.0 * radius_m * f64::EPSILON;
+    let half_swings = 1.0 + duration_s * schuler / std::f64::consts::PI;
+    let swing_m_s = 2.0 * G * f64::EPSILON / schuler * half_swings.sqrt();
+    let position_m = swing_m_s / schuler + radius_m * rate * duration_s + 3.0 * radius_m * f64::EPSILON;
     Worst {
         position_m,
-        velocity_m_s: 2.0 * radius_m * rate + force / schuler,
+        velocity_m_s: swing_m_s + 2.0 * radius_m * rate,
         misalignment_rad: rate * duration_s + position_m / radius_m + 4.0 * f64::EPSILON,
     }
 }
