@@ -65,7 +65,9 @@
 //! | error data 1 and 2 agree to second order, and with the closed form | `tests/simulation2.rs` |
 //! | every term of the error equations is that of the mechanization | `tests/error_equations.rs` |
 //! | each scheme has its order | `tests/convergence.rs` |
-//! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/invariants.rs`, `tests/samples.rs` |
+//! | what physics and the conventions demand of any run holds | `tests/invariants.rs` |
+//! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/hard_poles.rs`, `tests/hard_places.rs`, `tests/hard_attitude.rs`, `tests/hard_samples.rs` |
+//! | a bad sample is refused by field, value and limit, and leaves no trace | `tests/samples.rs`, `tests/hard_samples.rs` |
 //! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
 //! | temperature and failures too, and a failure cleared has moved no draw | `tests/temperature.rs`, `tests/failures.rs` |
 //! | a block off the reference point navigates as well as one at it | `tests/mounting.rs` |

@@ -1,6 +1,10 @@
 //! Each field of each struct that comes in from C, as a number that is none: refused, and the outputs are the same to the bit.
 
-use std::ptr::null_mut;
+mod support;
+
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::ptr::{null, null_mut};
 
 use sins::abi::*;
 
@@ -20,60 +24,84 @@ impl Words {
         self
     }
 
+    /// Two integers in a word.
+    fn with_pair(mut self, word: usize, low: u32, high: u32) -> Self {
+        self.0[word] = u64::from(low) | u64::from(high) << 32;
+        self
+    }
+
     fn pointer<T>(&self) -> *const T {
         assert_eq!(self.0.len() * 8, size_of::<T>());
         self.0.as_ptr().cast()
     }
 }
 
+/// An output struct, all zero.
+fn output<T>() -> Words {
+    Words::new::<T>(0)
+}
+
 /// All that can be read of a simulator, as bits.
 fn outputs(sim: *mut sins_sim) -> Vec<u64> {
     let mut all = Vec::new();
-    let mut read = |size: usize, get: &dyn Fn(*mut u64) -> sins_status| {
-        let mut words = vec![0_u64; size / 8];
-        words[0] = size as u64;
-        let status = get(words.as_mut_ptr());
+    let mut read = |mut words: Words, get: &dyn Fn(*mut u64) -> sins_status| {
+        let status = get(words.0.as_mut_ptr());
         all.push(status as u64);
-        all.extend(words);
+        all.extend(words.0);
     };
     // SAFETY: each buffer has the size of its struct, and says so.
     unsafe {
-        read(size_of::<sins_navigation>(), &|to| sins_get_truth(sim, to.cast()));
-        read(size_of::<sins_navigation>(), &|to| sins_get_navigation(sim, to.cast()));
-        read(size_of::<sins_imu>(), &|to| sins_get_imu(sim, to.cast()));
-        read(size_of::<sins_errors>(), &|to| sins_get_errors(sim, SINS_ERRORS_NAVIGATION, to.cast()));
-        read(size_of::<sins_accuracy>(), &|to| sins_get_accuracy(sim, to.cast()));
-        read(size_of::<sins_options>(), &|to| sins_get_options(sim, to.cast()));
+        read(output::<sins_navigation>(), &|to| sins_get_truth(sim, to.cast()));
+        read(output::<sins_navigation>(), &|to| sins_get_navigation(sim, to.cast()));
+        read(output::<sins_imu>(), &|to| sins_get_imu(sim, to.cast()));
+        read(output::<sins_errors>(), &|to| sins_get_errors(sim, SINS_ERRORS_NAVIGATION, to.cast()));
+        read(output::<sins_accuracy>(), &|to| sins_get_accuracy(sim, to.cast()));
+        read(output::<sins_options>(), &|to| sins_get_options(sim, to.cast()));
     }
     all
 }
 
-/// Puts no number, infinity and the largest numbers into each word but the first and those `free` to hold anything.
-fn each_word_is_checked(
-    name: &str,
-    good: &Words,
-    free: &[usize],
-    sim: *mut sins_sim,
-    call: &dyn Fn(&Words) -> sins_status,
-) {
-    let before = outputs(sim);
-    let mut refused = 0;
-    for word in (1..good.0.len()).filter(|word| !free.contains(word)) {
-        for value in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN] {
-            let bad = Words(good.0.clone()).with(word, value);
-            assert_eq!(call(&bad), SINS_ERROR_INVALID_ARGUMENT, "{name}, word {word} = {value}");
-            refused += 1;
+/// The structs that were tried, and how many bad values were refused.
+#[derive(Default)]
+struct Tried {
+    structs: BTreeSet<String>,
+    refused: usize,
+}
+
+impl Tried {
+    /// Puts no number, infinity and the largest numbers into each word of `good`, a `T`, but the first and those `free` to hold
+    /// anything: refused, and `read` gives the same.
+    fn each_word<T>(
+        &mut self,
+        good: &Words,
+        free: &[usize],
+        read: &dyn Fn() -> Vec<u64>,
+        call: &dyn Fn(*const T) -> sins_status,
+    ) {
+        let name = std::any::type_name::<T>().rsplit("::").next().unwrap();
+        let before = read();
+        for word in (1..good.0.len()).filter(|word| !free.contains(word)) {
+            for value in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN] {
+                let bad = Words(good.0.clone()).with(word, value);
+                assert_eq!(
+                    call(bad.pointer()),
+                    SINS_ERROR_INVALID_ARGUMENT,
+                    "{name}, word {word} = {value}, of {:x?}",
+                    good.0
+                );
+                self.refused += 1;
+            }
         }
+        assert_eq!(read(), before, "{name}");
+        assert_eq!(call(good.pointer()), SINS_OK, "{name}: it was nothing else");
+        self.structs.insert(name.to_owned());
     }
-    assert_eq!(outputs(sim), before, "{name}");
-    println!("{name}: {refused} bad values refused");
-    assert_eq!(call(good), SINS_OK, "{name}: it was nothing else");
 }
 
 fn created() -> *mut sins_sim {
     let mut sim = null_mut();
     // SAFETY: a place for the handle; no options.
-    assert_eq!(unsafe { sins_create(std::ptr::null(), &mut sim) }, SINS_OK);
+    assert_eq!(unsafe { sins_create(null(), &mut sim) }, SINS_OK);
     sim
 }
 
@@ -83,70 +111,180 @@ fn sample(time_s: f64) -> Words {
     Words::new::<sins_flight_sample>(flags).with(1, time_s).with(2, 0.7).with(16, 9.8)
 }
 
-#[test]
-fn every_field_of_every_struct() {
-    // SAFETY: of all calls: words are as many as the struct has, handles are of this test.
-    let push = |sim, words: &Words| unsafe { sins_push_sample(sim, words.pointer()) };
+/// What sets a simulator up, moves it and makes it fail.
+fn simulators(tried: &mut Tried) {
     let sim = created();
-    for k in 0..3 {
-        assert_eq!(push(sim, &sample(f64::from(k))), SINS_OK);
-        // SAFETY: as above.
-        unsafe { sins_step(sim) };
-    }
-    each_word_is_checked("sins_flight_sample", &sample(3.0), &[], sim, &|words| push(sim, words));
-    // SAFETY: as above.
+    let read = || outputs(sim);
+    // SAFETY: of all calls: words are as many as the struct has, handles are of this test.
     unsafe {
-        each_word_is_checked("sins_gyro_params", &Words::new::<sins_gyro_params>(0), &[], sim, &|words| {
-            sins_set_gyro(sim, words.pointer())
-        });
-        each_word_is_checked("sins_accel_params", &Words::new::<sins_accel_params>(0), &[], sim, &|words| {
-            sins_set_accel(sim, words.pointer())
-        });
-        each_word_is_checked(
-            "sins_altimeter_params",
-            &Words::new::<sins_altimeter_params>(0),
-            &[],
-            sim,
-            &|words| sins_set_altimeter(sim, words.pointer()),
-        );
-        each_word_is_checked("sins_reposition", &sample(3.0), &[], sim, &|words| {
-            sins_reposition(sim, words.pointer())
-        });
-        each_word_is_checked(
-            "sins_initial_errors",
-            &Words::new::<sins_initial_errors>(0),
-            &[],
-            sim,
-            &|words| sins_set_initial_errors(sim, words.pointer()),
-        );
+        for k in 0..3 {
+            assert_eq!(sins_push_sample(sim, sample(f64::from(k)).pointer()), SINS_OK);
+            sins_step(sim);
+        }
+        tried.each_word(&sample(3.0), &[], &read, &|words| sins_push_sample(sim, words));
+        let good = Words::new::<sins_gyro_params>(0);
+        tried.each_word(&good, &[], &read, &|words| sins_set_gyro(sim, words));
+        let good = Words::new::<sins_accel_params>(0);
+        tried.each_word(&good, &[], &read, &|words| sins_set_accel(sim, words));
+        let good = Words::new::<sins_altimeter_params>(0);
+        tried.each_word(&good, &[], &read, &|words| sins_set_altimeter(sim, words));
+        // Kind, then size, density, interval, duration, probability.
+        let failure = |kind: i32| Words::new::<sins_failure>(0).with_pair(1, kind as u32, 0);
+        for good in [
+            failure(SINS_FAILURE_STUCK),
+            failure(SINS_FAILURE_DEAD),
+            failure(SINS_FAILURE_BIAS_STEP).with(2, 1e-3),
+            failure(SINS_FAILURE_SPIKES).with(2, 1e-3).with(4, 1.0).with(5, 0.1),
+            failure(SINS_FAILURE_NOISE).with(3, 1e-3),
+            failure(SINS_FAILURE_DROP_OUTS).with(4, 1.0),
+            failure(SINS_FAILURE_DROP_OUTS).with(6, 0.5),
+            failure(SINS_FAILURE_NONE),
+        ] {
+            tried.each_word(&good, &[], &read, &|words| sins_set_failure(sim, SINS_SENSOR_GYRO, 1, words));
+        }
+        tried.each_word(&sample(3.0), &[], &read, &|words| sins_reposition(sim, words));
+        let good = Words::new::<sins_initial_errors>(0);
+        tried.each_word(&good, &[], &read, &|words| sins_set_initial_errors(sim, words));
         sins_reset(sim);
-        each_word_is_checked("sins_mounting", &Words::new::<sins_mounting>(0), &[], sim, &|words| {
-            sins_set_mounting(sim, words.pointer())
-        });
-        let gravity = Words::new::<sins_gravity_params>(0);
-        each_word_is_checked("sins_gravity_params", &gravity, &[], sim, &|words| {
-            sins_set_gravity_disturbance(sim, words.pointer())
-        });
+        let good = Words::new::<sins_mounting>(0);
+        tried.each_word(&good, &[], &read, &|words| sins_set_mounting(sim, words));
+        let good = Words::new::<sins_gravity_params>(0);
+        tried.each_word(&good, &[], &read, &|words| sins_set_gravity_disturbance(sim, words));
         // Its angles are not read.
         let start = Words::new::<sins_navigation>(0).with(2, 0.7).with(11, 1.0);
-        let untouched = [8, 9, 10];
-        each_word_is_checked("sins_navigation", &start, &untouched, sim, &|words| {
-            sins_start_navigation(sim, words.pointer())
-        });
-        let mut parts = Words::new::<sins_imu_increment>(0).with(1, 0.01);
-        parts.0[2] = 5;
-        each_word_is_checked("sins_imu_increment", &parts, &[], sim, &|words| {
-            sins_push_imu(sim, words.pointer())
-        });
-        // Seed and run may be anything.
-        let other = std::cell::Cell::new(null_mut());
-        each_word_is_checked("sins_options", &Words::new::<sins_options>(0), &[6, 7], sim, &|words| {
-            let mut made = null_mut();
-            let status = sins_create(words.pointer(), &mut made);
-            other.set(made);
-            status
-        });
-        assert_eq!(sins_destroy(other.get()), SINS_OK);
+        tried.each_word(&start, &[8, 9, 10], &read, &|words| sins_start_navigation(sim, words));
+        let parts = Words::new::<sins_imu_increment>(0).with(1, 0.01).with_pair(2, 5, 0);
+        tried.each_word(&parts, &[], &read, &|words| sins_push_imu(sim, words));
         assert_eq!(sins_destroy(sim), SINS_OK);
+
+        // Seed and run may be anything.
+        let made = Cell::new(null_mut());
+        let good = Words::new::<sins_options>(0);
+        let address = || vec![made.get() as u64];
+        tried.each_word(&good, &[6, 7], &address, &|words| sins_create(words, made.as_ptr()));
+        assert_eq!(sins_destroy(made.get()), SINS_OK);
     }
+}
+
+/// Where an embedded flight begins, and each kind of manoeuvre.
+fn flights(tried: &mut Tried) {
+    // Latitude, longitude, height, speed.
+    let start = |speed_m_s: f64| Words::new::<sins_flight_start>(0).with(1, 0.7).with(4, speed_m_s);
+    // Kind and number of sinusoids; duration, ramp, speed, height, heading, bank, turns; channels in pairs; six of amplitude,
+    // frequency and phase each.
+    let manoeuvre = |kind: i32| Words::new::<sins_manoeuvre>(0).with_pair(1, kind as u32, 0);
+    let mut sinusoids =
+        manoeuvre(SINS_MANOEUVRE_SINUSOIDS).with_pair(1, SINS_MANOEUVRE_SINUSOIDS as u32, 6).with(2, 60.0);
+    for pair in 0..3 {
+        sinusoids = sinusoids.with_pair(9 + pair, 2 * pair as u32, 2 * pair as u32 + 1);
+    }
+    for term in 12..18 {
+        sinusoids = sinusoids.with(term, 0.01).with(term + 6, 0.1).with(term + 12, 1.0);
+    }
+    let good = [
+        manoeuvre(SINS_MANOEUVRE_REST).with(2, 60.0),
+        manoeuvre(SINS_MANOEUVRE_STRAIGHT).with(2, 60.0),
+        manoeuvre(SINS_MANOEUVRE_ACCELERATE).with(2, 60.0).with(4, 20.0),
+        manoeuvre(SINS_MANOEUVRE_CLIMB).with(2, 60.0).with(3, 5.0).with(5, 100.0),
+        manoeuvre(SINS_MANOEUVRE_TURN).with(3, 5.0).with(6, 1.0).with(7, 0.5),
+        manoeuvre(SINS_MANOEUVRE_ROLL).with(2, 60.0).with(8, 1.0),
+        manoeuvre(SINS_MANOEUVRE_LOOP).with(2, 60.0).with(3, 5.0).with(8, 1.0),
+        manoeuvre(SINS_MANOEUVRE_S_TURN).with(2, 60.0).with(3, 5.0).with(6, 0.3).with(8, 2.0),
+        sinusoids,
+    ];
+    let made = Cell::new(null_mut());
+    let address = || vec![made.get() as u64];
+    let create = |start: *const sins_flight_start, manoeuvre: *const sins_manoeuvre| {
+        // SAFETY: one manoeuvre, and a place for the handle.
+        unsafe { sins_flight_create(start, manoeuvre, 1, made.as_ptr()) }
+    };
+    let destroy = || {
+        // SAFETY: of this test.
+        assert_eq!(unsafe { sins_flight_destroy(made.replace(null_mut())) }, SINS_OK);
+    };
+    for (kind, manoeuvre) in good.iter().enumerate() {
+        let start = start(if kind == 0 { 0.0 } else { 100.0 });
+        tried.each_word(manoeuvre, &[], &address, &|words| create(start.pointer(), words));
+        destroy();
+    }
+    tried.each_word(&start(100.0), &[], &address, &|words| create(words, good[1].pointer()));
+    destroy();
+}
+
+/// What options and budgets are asked for with.
+fn questions(tried: &mut Tried) {
+    let samples: Vec<u64> = (0..20).flat_map(|k| sample(f64::from(k)).0).collect();
+    let (samples, count) = (samples.as_ptr().cast::<sins_flight_sample>(), 20);
+
+    // Duration, position, velocity, attitude, margin.
+    let requirement = Words::new::<sins_requirement>(0).with(2, 100.0);
+    let (options, cost) = (Cell::new(output::<sins_options>().0), Cell::new(output::<sins_cost>().0));
+    let answer = || [&options, &cost].into_iter().flat_map(copied).collect::<Vec<u64>>();
+    tried.each_word(&requirement, &[], &answer, &|words| {
+        written(&options, |options| {
+            // SAFETY: as many samples; outputs of their structs' sizes.
+            written(&cost, |cost| unsafe {
+                sins_recommend(samples, count, words, options.cast(), cost.cast())
+            })
+        })
+    });
+
+    // Runs, position, velocity, attitude.
+    let request = Words::new::<sins_budget_request>(0).with_pair(1, 8, 0).with(2, 1.0);
+    let (rows, budget) = (Cell::new(output::<sins_budget_row>().0), Cell::new(output::<sins_budget>().0));
+    let answer = || [&rows, &budget].into_iter().flat_map(copied).collect::<Vec<u64>>();
+    tried.each_word(&request, &[], &answer, &|words| {
+        written(&rows, |rows| {
+            // SAFETY: as above; what may be null is.
+            written(&budget, |budget| unsafe {
+                sins_error_budget(
+                    samples,
+                    count,
+                    null(),
+                    null(),
+                    null(),
+                    null(),
+                    null(),
+                    null(),
+                    null(),
+                    words,
+                    rows.cast(),
+                    1,
+                    null_mut(),
+                    budget.cast(),
+                )
+            })
+        })
+    });
+}
+
+/// Gives `call` the words to write to.
+fn written(words: &Cell<Vec<u64>>, call: impl FnOnce(*mut u64) -> sins_status) -> sins_status {
+    let mut inside = words.take();
+    let status = call(inside.as_mut_ptr());
+    words.set(inside);
+    status
+}
+
+fn copied(words: &Cell<Vec<u64>>) -> Vec<u64> {
+    let inside = words.take();
+    words.set(inside.clone());
+    inside
+}
+
+/// The structs that some function of the header takes.
+fn structs_that_come_in() -> BTreeSet<String> {
+    let header = std::fs::read_to_string(support::project_file("include/sins.h")).unwrap();
+    let name = |text: &str| text.split(|c: char| c != '_' && !c.is_alphanumeric()).next().unwrap().to_owned();
+    header.split("const struct ").skip(1).map(name).collect()
+}
+
+#[test]
+fn every_field_of_every_struct() {
+    let mut tried = Tried::default();
+    simulators(&mut tried);
+    flights(&mut tried);
+    questions(&mut tried);
+    println!("{} bad values refused", tried.refused);
+    assert_eq!(tried.structs, structs_that_come_in());
 }

@@ -2,7 +2,7 @@
 
 mod support;
 
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 use sins::earth::Geodetic;
 use sins::mechanization::VerticalMode;
 use sins::truth::FlightSample;
@@ -42,25 +42,35 @@ fn velocity_that_contradicts_position_is_the_hosts_own() {
     }
 }
 
-/// A log rounded to 1e-7° and 1 cm: with velocities its positions cost what they are off themselves, without them the velocity
-/// is made of them.
+/// A log rounded to 1e-7° and 1 cm, or to single precision: with velocities its positions cost what they are off themselves,
+/// without them the velocity is made of them.
 #[test]
 fn a_log_of_seven_decimals_and_centimetres() {
     let flight = patrol(1200.0);
     let at = |time_s: f64| FlightSample { time_s, ..flight.sample_at(600.0 + time_s).unwrap() };
-    let decimal = |angle: f64| (angle / DEG * 1e7).round() / 1e7 * DEG;
-    for (label, velocity, rate_hz) in
-        [("with velocities", true, 100.0), ("without", false, 100.0), ("without", false, 10.0)]
-    {
+    type Round = fn(f64) -> f64;
+    let decimal: [Round; 2] =
+        [|angle| (angle / DEG * 1e7).round() / 1e7 * DEG, |height_m| (height_m * 100.0).round() / 100.0];
+    let single: [Round; 2] =
+        [|angle| f64::from((angle / DEG) as f32) * DEG, |height_m| f64::from(height_m as f32)];
+    // Half a step of latitude and longitude: 2^-18 and 2^-17 degrees at 40° and 116°.
+    let decimal_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
+    let single_m = 0.5_f64.powi(18) * DEG * 6.4e6 * (0.25 + (40.0 * DEG).cos().powi(2)).sqrt();
+    for (label, [round, round_height], step_m, velocity, rate_hz) in [
+        ("1e-7° and 1 cm with velocities", decimal, decimal_m, true, 100.0),
+        ("single precision with velocities", single, single_m, true, 100.0),
+        ("1e-7° and 1 cm without", decimal, decimal_m, false, 100.0),
+        ("1e-7° and 1 cm without", decimal, decimal_m, false, 10.0),
+    ] {
         let mut simulator =
             Simulator::new(&Options { intake: Default::default(), ..options_at(100.0) }).unwrap();
         for k in 0..=(300.0 * rate_hz) as u32 {
             let mut sample = at(f64::from(k) / rate_hz);
             let Geodetic { latitude_rad, longitude_rad, height_m } = sample.place;
             sample.place = Geodetic {
-                latitude_rad: decimal(latitude_rad),
-                longitude_rad: decimal(longitude_rad),
-                height_m: (height_m * 100.0).round() / 100.0,
+                latitude_rad: round(latitude_rad),
+                longitude_rad: round(longitude_rad),
+                height_m: round_height(height_m),
             };
             if !velocity {
                 sample.v_n = None;
@@ -73,10 +83,9 @@ fn a_log_of_seven_decimals_and_centimetres() {
         let navigated = simulator.navigation().unwrap().unwrap().navigation;
         let off = (navigated.v_n - exact.v_n.unwrap()).norm();
         println!(
-            "log of 1e-7° and 1 cm {label} at {rate_hz} Hz: {:.1e} m, {off:.1e} m/s off the true velocity",
+            "log of {label} at {rate_hz} Hz: {:.1e} m, {off:.1e} m/s off the true velocity",
             errors.position_n.norm()
         );
-        let step_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
         if velocity {
             // The first and the last position are off by half a step each; gravity leans with them.
             assert!(errors.position_n.norm() < 3.0 * step_m, "{}", errors.position_n);
@@ -87,6 +96,37 @@ fn a_log_of_seven_decimals_and_centimetres() {
             assert!(off < noise + 0.5 / rate_hz * 6.0, "{off:e} {noise}");
         }
     }
+}
+
+/// Exact positions alone: the first velocity is the mean over the first interval. What it misses lasts no longer than an interval
+/// T, so that the INS is off by at most T δv, which swings with ω² = g/R; the velocity that it is compared with has roundings of
+/// the position over T besides.
+#[test]
+fn positions_alone_miss_the_first_velocity() {
+    let flight = patrol(1200.0);
+    let rate_hz = 50.0;
+    let at = |k: u32| {
+        let time_s = f64::from(k) / rate_hz;
+        FlightSample { time_s, ..flight.sample_at(300.0 + time_s).unwrap() }
+    };
+    let mut simulator = Simulator::new(&options_at(rate_hz)).unwrap();
+    let earth = simulator.options().earth();
+    for k in 0..=30_000 {
+        simulator.push_sample(&FlightSample { v_n: None, ..at(k) }).unwrap();
+        simulator.step().unwrap();
+    }
+    let [first, second] = [0, 1].map(|k| earth.to_earth_fixed(&at(k).place));
+    let (east, north, _) = earth.east_north_up(&at(0).place);
+    let mean = (second - first) * rate_hz;
+    let missed = Vector2::new(mean.dot(&east), mean.dot(&north)) - at(0).v_n.unwrap().xy();
+    let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
+    let off_m = missed.norm() / rate_hz;
+    println!("positions alone, 10 min: {:.1e} m of {off_m:.1e} m", errors.position_n.norm());
+    assert!(errors.position_n.norm() < off_m, "{} {off_m:e}", errors.position_n);
+    let off_m_s = 1.24e-3 * off_m;
+    assert!(errors.velocity_n.norm() < off_m_s, "{} {off_m_s:e}", errors.velocity_n);
+    let off = (simulator.navigation().unwrap().unwrap().navigation.v_n - at(30_000).v_n.unwrap()).norm();
+    assert!(off < off_m_s + 7e-9 * rate_hz, "{off:e}");
 }
 
 /// Only positions: what leaps is refused, whether by 11 m at 100 Hz or by more, and what is fast is not; 8 km/s as at 5 m/s.

@@ -71,7 +71,10 @@ fn jitter_of_half_an_interval_and_losses() {
         // Uneven stencils lose an order at their ends: 20 ms apart at the most, or 30 with a loss, 2 to 3⁴/2⁴ of 50 Hz, times an
         // ulp of the attitude, 2e-16 rad, over 0.2 ms for each sample.
         let longest: f64 = if lost { 1.5 } else { 1.0 };
-        assert!(worst.position_m < 10.0 * steady.position_m * longest.powi(4) + 1e-7, "{worst:?}");
+        let share = 10.0 * longest.powi(4);
+        assert!(worst.position_m < share * steady.position_m + 1e-7, "{worst:?}");
+        // The same over the 300 s.
+        assert!(worst.velocity_m_s < share * steady.velocity_m_s + 1e-7 / 300.0, "{worst:?}");
     }
 }
 

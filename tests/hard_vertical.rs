@@ -60,15 +60,30 @@ fn until_refused(simulator: &mut Simulator, from: u32) -> (u32, Error) {
     unreachable!()
 }
 
-/// A microgram of bias ends it within hours, upward or downward: refused before anything overflows, the last good solution
-/// stays, to the bit, and both ways back lead to a run like any other.
+/// When a free channel is at `height_m`, either sign, after a `bias` [m/s²] from rest. Where gravity falls with the square of the
+/// distance, h'² = 2 g h²/(R + h) beyond the first metres, which are b τ² (cosh(t/τ) - 1) with τ² = R/(2g); so, x = h/R, s² = 1 + x,
+/// t = τ (ln(2h/(b τ²)) + 2 (s - 1) + ln(4 (s - 1)/((s + 1) x))).
+fn time_to(height_m: f64, bias: f64, tau_s: f64, radius_m: f64) -> f64 {
+    let x = height_m / radius_m;
+    let s = (1.0 + x).sqrt();
+    let of_cosh = (2.0 * height_m / (bias * tau_s * tau_s)).ln();
+    tau_s * (of_cosh + 2.0 * (s - 1.0) + (4.0 * (s - 1.0) / ((s + 1.0) * x)).ln())
+}
+
+/// A microgram of bias ends it within hours, upward or downward, when theory says: refused before anything overflows, the last
+/// good solution stays, to the bit, and both ways back lead to a run like any other.
 #[test]
 fn the_end_is_told_and_both_ways_back_are_open() {
+    let earth = Earth::default();
+    let r_e = earth.to_earth_fixed(&resting_sample(0.0).place);
+    let up_e = earth.east_north_up(&resting_sample(0.0).place).2;
+    let tau_s = 1.0 / up_e.dot(&(earth.gravity_gradient(&r_e) * up_e)).sqrt();
     for frame in [Frame::EarthFixed, Frame::Geographic] {
-        for bias in [1e-5, -1e-5] {
+        for (bias, limit_m) in [(1e-5, 20e6), (-1e-5, -500e3)] {
             let parameters = TriadParameters {
                 bias: Vector3::new(0.0, 0.0, bias),
-                random_walk: Vector3::repeat(1e-5),
+                // Against the bias 1e-7/(1e-5 √(2τ)): it moves the end by 0.2 s.
+                random_walk: Vector3::repeat(1e-7),
                 ..Default::default()
             };
             let fresh = || {
@@ -78,19 +93,34 @@ fn the_end_is_told_and_both_ways_back_are_open() {
             };
             let mut simulator = fresh();
             let (end, error) = until_refused(&mut simulator, 0);
-            assert!(error.kind == ErrorKind::Diverged || error.kind == ErrorKind::Singular, "{error}");
             let last = simulator.navigation().unwrap().unwrap();
+            let height_m = last.navigation.place.height_m;
+            let expected_s = time_to(limit_m, bias, tau_s, r_e.norm());
             println!(
-                "{frame:?}, bias {bias:e} m/s²: refused after {end} s at {:.0} km: {error}",
-                last.navigation.place.height_m / 1e3
+                "{frame:?}, bias {bias:e} m/s²: refused after {end} s of {expected_s:.0} s at {:.0} km: {error}",
+                height_m / 1e3
             );
+            assert_eq!(error.kind, ErrorKind::Diverged, "{error}");
+            assert!(
+                error.field.contains("height_m") && error.value.unwrap().abs() > limit_m.abs(),
+                "{error}"
+            );
+            // Coriolis turns the way up to the west, where it is felt as weight: (2 W cos L)² of 2 g/R, 0.2 % of the rate.
+            assert!((f64::from(end) - expected_s).abs() < 2e-3 * expected_s + 1.0, "{end} {expected_s}");
             assert_eq!(last.time_s, f64::from(end) - 1.0);
-            assert!((-500e3..20e6).contains(&last.navigation.place.height_m));
+            // One step of 1 s more would have been beyond.
+            let left_m = (limit_m - height_m) * bias.signum();
+            let step_m = last.navigation.v_n.z * bias.signum() + 0.5 * support::G;
+            assert!((0.0..step_m).contains(&left_m), "{left_m} of {step_m}");
             assert_eq!(simulator.step(), Err(error));
             assert_eq!(simulator.navigation().unwrap().unwrap(), last);
+            assert!(last.vertical_unaided);
+            let none = InitialErrorParameters::default();
+            assert_eq!(simulator.set_initial_errors(&none).unwrap_err().kind, ErrorKind::BadState);
 
             let mut repositioned = simulator.clone();
             repositioned.reposition(&resting_sample(0.0)).unwrap();
+            repositioned.set_initial_errors(&none).unwrap();
             let after = |simulator: &mut Simulator, from: u32| {
                 for k in from..from + 100 {
                     simulator.push_sample(&resting_sample(f64::from(k))).unwrap();

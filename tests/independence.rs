@@ -58,7 +58,7 @@ const EFFECTS: [(&str, Group, Take); 18] = [
     ("quantization", OfTheOutput, |from, to| to.quantization = from.quantization),
 ];
 
-/// All effects that there are, times `scale`.
+/// All effects of a sensor times `scale`, but those of temperature and failures: `temperature.rs` and `failures.rs` have them.
 fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
     let each = |x: f64, y: f64, z: f64| Vector3::new(x, y, z) * scale;
     let matrix = Matrix3::new(1.0, 2.0, -3.0, 4.0, -5.0, 6.0, 7.0, -8.0, 9.0) * scale;

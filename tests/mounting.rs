@@ -12,7 +12,7 @@ use sins::mounting::MountingParameters;
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::signal::Increment;
 use sins::state::BodyAxes;
-use sins::truth::FlightSample;
+use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 use support::{DEG, DEG_PER_HOUR, G, Worst, fly, options_at, resting_sample};
 
@@ -333,15 +333,22 @@ fn the_hosts_own_signals_are_moved_to_the_block() {
 /// The closed loop holds the block to the truth, so that its reference point stays there.
 #[test]
 fn the_closed_loop_holds_a_mounted_block() {
-    let options = Options { closed_loop_time_s: Some(10.0), ..options_at(50.0) };
+    // Its trim counts from ten time constants on: for half of the flight.
+    let intake = IntakeLimits { max_gap_s: 1.0, ..options_at(50.0).intake };
+    let options = Options { closed_loop_time_s: Some(5.0), intake, ..options_at(50.0) };
+    let trimmed = |mounting: &MountingParameters| {
+        let mut simulator = mounted(&options, mounting);
+        let worst = fly(&mut simulator, samples(&aerobatics(), 50.0).into_iter(), 1);
+        (worst, simulator.trim().unwrap().unwrap())
+    };
     let open = worst(&options_at(50.0), 50.0, &off_centre());
-    let closed = worst(&options, 50.0, &off_centre());
+    let (closed, trim) = trimmed(&off_centre());
     assert!(closed.position_m < 0.5 * open.position_m, "{closed:?} {open:?}");
-    // With a mounting that it believes wrongly the INS errs, and the shadow does not: the same trim.
-    let mut simulator = mounted(&options, &wrongly_believed());
-    fly(&mut simulator, samples(&aerobatics(), 50.0).into_iter(), 1);
-    let trim = simulator.trim().unwrap().unwrap();
-    assert!(trim.force_m_s2 < 1e-5, "{trim:?}");
+    // With a mounting that it believes wrongly the INS errs, and the shadow does not: the same trim, to the bit.
+    let (erring, same) = trimmed(&wrongly_believed());
+    assert!(erring.position_m > 10.0 * closed.position_m, "{erring:?}");
+    assert!(trim.force_m_s2 > 0.0 && trim.rate_rad_s > 0.0, "{trim:?}");
+    assert_eq!(same, trim);
 }
 
 /// No mounting is no mounting: to the bit. A reset and a reposition keep it.

@@ -1,5 +1,7 @@
 //! The recommended options meet the requirement, and no cheaper ones do; what is predicted for hours holds.
 
+#[path = "recommend/growth.rs"]
+mod growth;
 mod support;
 
 use sins::abi::{
@@ -8,8 +10,7 @@ use sins::abi::{
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::math::{relative_rotation, rotation_vector};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::recommend::{Growth, Piece, Requirement, Rung, SolutionError, ladder, recommend, step_time_ns};
-use sins::sensors::TriadParameters;
+use sins::recommend::{Requirement, Rung, SolutionError, ladder, recommend, step_time_ns};
 use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
@@ -296,125 +297,6 @@ fn the_same_piece_has_the_same_answer() {
         ..options
     };
     assert_eq!(recommend(&other, &samples, &requirement), Ok(first));
-}
-
-/// Two minutes against the hour that follows from them. An algorithm's errors at rest and straight on are steady, so each is
-/// counted at most twice (see `Growth`) where it stands above the reference's uncertainty; on the move they turn with the
-/// vehicle.
-#[test]
-fn two_minutes_predict_an_hour() {
-    let rocking = [
-        (Channel::Roll, 0.01, 0.5, 0.0),
-        (Channel::Pitch, 0.01, 0.5, 1.57),
-        (Channel::Course, 0.3, 1.0 / 120.0, 0.3),
-    ];
-    let (rate_hz, hour_s) = (10.0, 3600.0);
-    for (name, start, manoeuvre) in [
-        ("rest", REST, Manoeuvre::Rest { duration_s: hour_s }),
-        ("straight", CRUISE, Manoeuvre::Straight { duration_s: hour_s }),
-        ("rocking", CRUISE, sinusoids(hour_s, rocking)),
-    ] {
-        let flight = Flight::new(&start, &[manoeuvre]).unwrap();
-        let hour = samples(&flight, rate_hz, hour_s);
-        let piece = &hour[..=1200];
-        for vertical in [VerticalMode::FollowTruth, VerticalMode::Free] {
-            let options = Options { vertical, ..options_at(rate_hz) };
-            let reference = reference(&options, &hour);
-            let growth = Growth::new(&Piece::new(&options, piece).unwrap(), hour_s, vertical);
-            for (scheme, subsamples) in
-                [(Scheme::Paper, 1), (Scheme::Exact, 1), (Scheme::Exact, 2), (Scheme::Polynomial, 3)]
-            {
-                let rung = Rung { scheme, subsamples, updates_per_sample: 1 };
-                let states = navigated(&rung.applied_to(&options), &hour);
-                let measured = worst_difference(&states[..1200], &reference[..1200]);
-                let actual = worst_difference(&states, &reference);
-                let rounding =
-                    SolutionError { position_m: 5.7e-9, velocity_m_s: 7.1e-12, attitude_rad: 8.9e-16 };
-                let predicted = growth.of(&measured.plus(&rounding));
-                let factors = [
-                    predicted.position_m / actual.position_m,
-                    predicted.velocity_m_s / actual.velocity_m_s,
-                    predicted.attitude_rad / actual.attitude_rad,
-                ];
-                println!("{name} {vertical:?} {rung:?}: factors {factors:.2?}");
-                assert!(factors.iter().all(|factor| *factor >= 1.0), "{name} {rung:?}: {factors:?}");
-                let steady = name != "rocking" && vertical == VerticalMode::FollowTruth;
-                if steady && measured.position_m > 10.0 * rounding.position_m {
-                    assert!(factors[0] < 2.0 && factors[1] < 2.0, "{name} {rung:?}: {factors:?}");
-                }
-            }
-        }
-    }
-}
-
-/// The same of single causes, which no algorithm has so pure: a sensor's bias along each axis, at rest.
-#[test]
-fn seconds_and_minutes_of_a_bias_predict_an_hour() {
-    let (rate_hz, hour_s) = (10.0, 3600.0);
-    let flight = Flight::new(&REST, &[Manoeuvre::Rest { duration_s: hour_s }]).unwrap();
-    let hour = samples(&flight, rate_hz, hour_s);
-    for vertical in [VerticalMode::FollowTruth, VerticalMode::Damped, VerticalMode::Free] {
-        let options = Options { vertical, ..options_at(rate_hz) };
-        let ideal = navigated(&options, &hour);
-        for axis in 0..6 {
-            let mut simulator = Simulator::new(&options).unwrap();
-            let mut bias = nalgebra::Vector3::zeros();
-            // A thousandth of a degree an hour, or a ten-millionth of g: small enough to be linear.
-            bias[axis % 3] = if axis < 3 { 1e-3 * support::DEG_PER_HOUR } else { 1e-7 * support::G };
-            let parameters = TriadParameters { bias, ..Default::default() };
-            if axis < 3 {
-                simulator.set_gyro(&parameters).unwrap();
-            } else {
-                simulator.set_accel(&parameters).unwrap();
-            }
-            let states = navigated_by(&mut simulator, &hour);
-            let actual = worst_difference(&states, &ideal);
-            for count in [100, 1200] {
-                let piece = Piece::new(&options, &hour[..=count]).unwrap();
-                let measured = worst_difference(&states[..count], &ideal[..count]);
-                let predicted = Growth::new(&piece, hour_s, vertical).of(&measured);
-                let factors = [
-                    predicted.position_m / actual.position_m,
-                    predicted.velocity_m_s / actual.velocity_m_s,
-                    predicted.attitude_rad / actual.attitude_rad.max(1e-15),
-                ];
-                println!(
-                    "{vertical:?} axis {axis}, {count} samples: {}, factors {factors:.3?}",
-                    told(&actual)
-                );
-                // A millionth for what is not linear, as the solution moves away.
-                let least = if axis < 3 { 3 } else { 2 };
-                assert!(
-                    factors[..least].iter().all(|factor| *factor >= 1.0 - 1e-6),
-                    "{vertical:?} {axis}: {factors:?}"
-                );
-            }
-        }
-    }
-}
-
-/// Over a piece of a flight without end its errors are those of the piece; a longer duration never has smaller ones.
-#[test]
-fn errors_are_the_pieces_own_at_first_and_only_grow() {
-    let piece = Piece { duration_s: 120.0, speed_m_s: 200.0, velocity_change_m_s: 50.0 };
-    let measured = SolutionError { position_m: 3.0, velocity_m_s: 0.2, attitude_rad: 1e-5 };
-    for vertical in [VerticalMode::Damped, VerticalMode::FollowTruth, VerticalMode::Free] {
-        let at = |duration_s| Growth::new(&piece, duration_s, vertical).of(&measured);
-        for duration_s in [1.0, 119.9, 120.0, 120.0 + 1e-9] {
-            let first = at(duration_s);
-            assert_eq!(first, measured, "{vertical:?} {duration_s}");
-        }
-        let mut before = measured;
-        for step in 1..4000 {
-            let after = at(f64::from(step) * 250.0);
-            assert!(
-                after.position_m >= before.position_m && after.position_m.is_finite(),
-                "{step} {after:?}"
-            );
-            assert!(after.velocity_m_s >= before.velocity_m_s && after.attitude_rad >= before.attitude_rad);
-            before = after;
-        }
-    }
 }
 
 /// Geographic axes: their own ladder, and no answer within reach of a pole.

@@ -3,11 +3,9 @@
 mod support;
 
 use nalgebra::Vector3;
-use sins::earth::Geodetic;
-use sins::math::Euler;
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorKind, Options, Simulator};
-use support::{DEG, options_at, patrol, resting_sample};
+use support::{DEG, options_at, resting_sample};
 
 fn moving(time_s: f64) -> FlightSample {
     FlightSample { v_n: Some(Vector3::new(0.0, 100.0, 0.0)), ..resting_sample(time_s) }
@@ -143,21 +141,6 @@ fn jumps_of_truth_are_refused() {
     simulator.push_sample(&hard).unwrap();
 }
 
-/// Rotations of up to 170° between samples are flown, in the right sense.
-#[test]
-fn a_spin_of_160_degrees_a_sample_keeps_its_sense() {
-    let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
-    let spin = 160.0 * DEG;
-    for k in 0..100 {
-        let mut sample = resting_sample(f64::from(k) / 100.0);
-        sample.euler = Euler { roll: spin * f64::from(k), ..Default::default() };
-        simulator.push_sample(&sample).unwrap();
-        simulator.step().unwrap();
-    }
-    let imu = simulator.imu().unwrap();
-    assert!((imu.ideal.angle.y - spin).abs() < 1e-5, "{}", imu.ideal.angle);
-}
-
 #[test]
 fn the_queue_is_bounded() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
@@ -168,33 +151,6 @@ fn the_queue_is_bounded() {
     assert_eq!(error.kind, ErrorKind::QueueFull, "{error}");
     simulator.step().unwrap();
     simulator.push_sample(&north(0.16)).unwrap();
-}
-
-/// Logs that are coarse in position: single precision degrees, or seven decimals. Position enters through gravity alone,
-/// and the closure is the velocity's.
-#[test]
-fn coarse_positions_are_flown() {
-    let flight = patrol(1200.0);
-    let round: [fn(f64) -> f64; 2] =
-        [|angle| f64::from((angle / DEG) as f32) * DEG, |angle| (angle / DEG * 1e7).round() / 1e7 * DEG];
-    for round in round {
-        let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
-        for k in 0..30_000 {
-            let mut sample = flight.sample_at(300.0 + f64::from(k) / 100.0).unwrap();
-            sample.place = Geodetic {
-                latitude_rad: round(sample.place.latitude_rad),
-                longitude_rad: round(sample.place.longitude_rad),
-                height_m: f64::from(sample.place.height_m as f32),
-            };
-            simulator.push_sample(&sample).unwrap();
-            simulator.step().unwrap();
-        }
-        let (_, _, closure) = simulator.accuracy().unwrap().unwrap();
-        // The first and the last sample are off by up to half a unit of single-precision longitude, 0.4 m.
-        assert!(closure.position_n.xy().norm() < 1.0, "{}", closure.position_n);
-        // Gravity's direction is off by as much over the Earth's radius, in 300 s 1e-4 m/s at the worst.
-        assert!(closure.velocity_n.norm() < 2e-4, "{}", closure.velocity_n);
-    }
 }
 
 /// A host that states its own period as the longest gap, with time stamps that it multiplies or adds up.

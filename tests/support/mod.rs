@@ -10,6 +10,7 @@ use sins::signal::Increment;
 use sins::truth::FlightSample;
 
 pub mod orbits;
+pub mod patrol;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
@@ -143,31 +144,15 @@ impl Reference {
     }
 }
 
-/// Beijing's latitude, as in the closed form's fixture: 39.9° N, at rest, level but for a tilt, heading north-east.
+/// Beijing's latitude, as in the closed form's fixture: 39.9° N, at rest, level, heading north.
 pub fn resting_sample(time_s: f64) -> FlightSample {
     let place = Geodetic { latitude_rad: 39.9 * DEG, longitude_rad: 116.4 * DEG, height_m: 0.0 };
     FlightSample::at_rest(time_s, place, Euler::default())
 }
 
-/// The patrol of the paper's simulations: 40° N, 200 m/s, figure-eights of sums of sinusoids, banks to 30°.
+/// The patrol of the tests: from Beijing's meridian, heading a little east of north.
 pub fn patrol(duration_s: f64) -> sins::flight::Flight {
-    use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
-    let term = |channel, amplitude, period_s: f64| Sinusoid {
-        channel,
-        amplitude,
-        frequency_hz: 1.0 / period_s,
-        phase_rad: 0.0,
-    };
-    let terms = [
-        // The zero of J0: the swings of the course close to figure-eights.
-        term(Channel::Course, 2.404_825_557_695_773, 560.0),
-        term(Channel::Climb, 0.02, 217.0),
-        term(Channel::Speed, 5.0, 143.0),
-        term(Channel::Roll, 0.004, 3.1),
-        term(Channel::Pitch, 0.002, 2.3),
-        term(Channel::Heading, 0.002, 4.7),
-    ];
-    let start = FlightStart {
+    let start = sins::flight::FlightStart {
         latitude_rad: 40.0 * DEG,
         longitude_rad: 116.4 * DEG,
         height_m: 8000.0,
@@ -175,7 +160,7 @@ pub fn patrol(duration_s: f64) -> sins::flight::Flight {
         heading_rad: 0.3,
         ..Default::default()
     };
-    Flight::new(&start, &[Manoeuvre::Sinusoids { duration_s, ramp_s: 600.0, terms, count: 6 }]).unwrap()
+    patrol::patrol_from(&start, duration_s).unwrap()
 }
 
 /// `sample` as the C interface has it.
@@ -212,6 +197,21 @@ pub struct Worst {
     pub position_m: f64,
     pub velocity_m_s: f64,
     pub misalignment_rad: f64,
+}
+
+/// What rounding leaves of perfect sensors at rest within `duration_s`. Attitude is rounded, and gravity leans by that: at worst one
+/// way in each half of a Schuler swing, 2 g eps/ω, and by chance the other way in the next. The sensed rate is that of the Earth to
+/// two ulps, 2.7e-20 rad/s, and turns the vertical. Earth-fixed coordinates are rounded three times, a quaternion four.
+pub fn rounding_at_rest(duration_s: f64) -> Worst {
+    let (radius_m, schuler, rate) = (6.4e6, 1.24e-3, 2.7e-20);
+    let half_swings = 1.0 + duration_s * schuler / std::f64::consts::PI;
+    let swing_m_s = 2.0 * G * f64::EPSILON / schuler * half_swings.sqrt();
+    let position_m = swing_m_s / schuler + radius_m * rate * duration_s + 3.0 * radius_m * f64::EPSILON;
+    Worst {
+        position_m,
+        velocity_m_s: swing_m_s + 2.0 * radius_m * rate,
+        misalignment_rad: rate * duration_s + position_m / radius_m + 4.0 * f64::EPSILON,
+    }
 }
 
 /// Flies `samples`, looking at the errors every `every` intervals.
