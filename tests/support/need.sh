@@ -1,5 +1,8 @@
 # For the scripts of this project, to be sourced: what they need is installed, and what cannot be had is told at the end.
 
+# What is built lies in target, wherever the caller builds his own.
+unset CARGO_TARGET_DIR
+
 # need PACKAGE PROGRAM: installs the Debian package if the program is not there.
 need() {
     command -v "$2" >/dev/null || install "$1"
