@@ -426,6 +426,41 @@ static void values_are_what_toml_says(void)
     CHECK(value_of("''", &item) && item.value.text[0] == '\0');
 }
 
+static void arguments_are_what_they_say(void)
+{
+    static const struct {
+        const char *text;
+        enum value_type type;
+        double number;
+    } arguments[] = {
+        { "0", VALUE_WHOLE, 0 }, { "007", VALUE_WHOLE, 7 }, { "-7", VALUE_NUMBER, -7 }, { "1e3", VALUE_NUMBER, 1000 },
+        { "18446744073709551615", VALUE_WHOLE, 18446744073709551615.0 },
+        { "18446744073709551616", VALUE_NUMBER, 18446744073709551616.0 }
+    };
+    static const char *const texts[] = { "", "x", "1,", "1 2", "nan" };
+    char digits[72];
+    struct value value;
+    size_t i;
+
+    for (i = 0; i < sizeof arguments / sizeof arguments[0]; i++) {
+        value_of_argument(&value, arguments[i].text);
+        CHECK(value.type == arguments[i].type && value.count == 1 && value.numbers[0] == arguments[i].number);
+    }
+    for (i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        value_of_argument(&value, texts[i]);
+        CHECK(value.type == VALUE_TEXT && strcmp(value.text, texts[i]) == 0);
+    }
+    value_of_argument(&value, "1,2.5");
+    CHECK(value.type == VALUE_ARRAY && value.count == 2 && value.numbers[1] == 2.5);
+    /* A number is read up to 63 characters; more digits are none, nor a whole number without a double. */
+    for (i = 1; i < sizeof digits; i++) {
+        memset(digits, '0', i);
+        digits[i] = '\0';
+        value_of_argument(&value, digits);
+        CHECK(value.type == (i < 64 ? VALUE_WHOLE : VALUE_TEXT));
+    }
+}
+
 static void distances_count_slips_of_the_pen(void)
 {
     CHECK(name_distance("bias", "bias") == 0 && name_distance("bais", "bias") == 1);
@@ -444,6 +479,7 @@ int main(void)
     as_many_manoeuvres_and_keys_as_there_is_room();
     presets_come_first_and_the_command_line_last();
     values_are_what_toml_says();
+    arguments_are_what_they_say();
     distances_count_slips_of_the_pen();
     return 0;
 }
