@@ -376,6 +376,50 @@ static void presets_come_first_and_the_command_line_last(void)
     remove("scene_test.toml");
 }
 
+static void a_log_lies_beside_its_scene(void)
+{
+    static const char *const logs[][2] = {
+        { "a.csv", "folder/a.csv" }, { "a:", "folder/a:" }, { "a:b", "folder/a:b" }, { "../a", "folder/../a" },
+        { "/a", "/a" },              { "\\a", "\\a" },      { "a:/b", "a:/b" },      { "a:\\b", "a:\\b" }
+    };
+    const int32_t ideal[2] = { 0, 0 };
+    char text[64];
+    size_t i;
+
+    for (i = 0; i < sizeof logs / sizeof logs[0]; i++) {
+        CHECK(settings_begin(&set, ideal) == 0);
+        strcpy(set.scene_file, "folder/scene.toml");
+        snprintf(text, sizeof text, "[flight]\nfile = '%s'\n", logs[i][0]);
+        CHECK(scene_file_apply(&set, text, strlen(text)) == 0);
+        CHECK(strcmp(set.log, logs[i][1]) == 0);
+    }
+}
+
+/* The same file by ever longer ways: a path is taken whole or not at all. */
+static void a_path_is_never_cut(void)
+{
+    static const char name[] = "scene_test.toml";
+    static char path[VALUE_TEXT_SIZE + 2];
+    size_t length;
+    FILE *file = fopen(name, "wb");
+
+    CHECK(file != NULL);
+    fputs("[flight]\nbuiltin = 'rest'\n", file);
+    fclose(file);
+    for (length = VALUE_TEXT_SIZE - 3; length < VALUE_TEXT_SIZE + 2; length += 2) {
+        size_t folders = length - (sizeof name - 1), i;
+        char *argument = path;
+
+        for (i = 0; i < folders; i++) {
+            path[i] = i % 2 == folders % 2 ? '.' : '/';
+        }
+        strcpy(path + folders, name);
+        CHECK((command_line_read(&set, 1, &argument) == 0) == (length < VALUE_TEXT_SIZE));
+        CHECK(length >= VALUE_TEXT_SIZE || strcmp(set.scene_file, path) == 0);
+    }
+    remove(name);
+}
+
 /* A value as the reader of TOML reads it. 1 if it is taken. */
 static int value_of(const char *text, struct toml_item *item)
 {
@@ -478,6 +522,8 @@ int main(void)
     failures_arrive_in_turn();
     as_many_manoeuvres_and_keys_as_there_is_room();
     presets_come_first_and_the_command_line_last();
+    a_log_lies_beside_its_scene();
+    a_path_is_never_cut();
     values_are_what_toml_says();
     arguments_are_what_they_say();
     distances_count_slips_of_the_pen();
