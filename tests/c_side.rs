@@ -3,7 +3,7 @@
 #[path = "support/c_side.rs"]
 mod c_side;
 
-use std::process::Command;
+use std::process::{Child, Command};
 
 use c_side::{
     STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, project_file, run_test_program,
@@ -221,6 +221,16 @@ fn the_harness_is_cpp_too() {
     assert!(text.contains("over_the_pole"), "{text}");
 }
 
+/// A program that does not outlive its test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 #[test]
 fn an_interrupt_leaves_whole_files() {
     let folder = library_folder("interrupt");
@@ -229,19 +239,18 @@ fn an_interrupt_leaves_whole_files() {
     let harness = link(c_compiler(), &["-std=c99", "-O1"], &sources, &folder, "sins_harness");
     let out = folder.join("out");
     let _ = std::fs::remove_dir_all(&out);
-    let mut flight = Command::new(harness)
-        .args(["simulation1", "--every", "10", "--quiet", "--out", "out"])
-        .current_dir(&folder)
-        .spawn()
-        .unwrap();
+    let mut flight = Command::new(harness);
+    flight.args(["simulation1", "--every", "10", "--quiet", "--out", "out"]).current_dir(&folder);
+    let mut flight = Running(flight.spawn().unwrap());
     // 48 h take many seconds; a first piece of a file is there long before.
     let begun = || std::fs::read_dir(&out).ok()?.next()?.ok()?.metadata().ok().filter(|file| file.len() > 0);
     while begun().is_none() {
-        assert!(flight.try_wait().unwrap().is_none(), "ended by itself");
+        assert!(flight.0.try_wait().unwrap().is_none(), "ended by itself");
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
-    succeed(Command::new("kill").args(["-INT", &flight.id().to_string()]));
-    assert!(!flight.wait().unwrap().success());
+    // The shell's own kill: the program of that name is not on every machine.
+    succeed(Command::new("sh").args(["-c", "kill -INT \"$0\"", &flight.0.id().to_string()]));
+    assert!(!flight.0.wait().unwrap().success());
     let csv = std::fs::read_to_string(out.join("simulation1_patrol.csv")).unwrap();
     let columns = |line: &str| line.split(',').count();
     assert!(
