@@ -8,9 +8,10 @@ need() {
     command -v "$2" >/dev/null || install "$1"
 }
 
+# One at a time, when scripts run side by side.
 install() {
-    as_root apt-get update -qq
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
+    as_root flock /var/lib/apt apt-get update -qq
+    as_root flock /var/lib/apt env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
 }
 
 as_root() {
