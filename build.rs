@@ -9,6 +9,28 @@ use std::{env, fs};
 /// Longest line of the header.
 const WIDTH: usize = 118;
 
+/// Effects of the sensors that the library can be built without, to show what their being off costs: benches/effects.sh.
+const EFFECTS: [&str; 18] = [
+    "lever_arms",
+    "bandwidth",
+    "linear",
+    "asymmetry",
+    "quadratic",
+    "g_sensitivity",
+    "temperature",
+    "bias",
+    "gauss_markov",
+    "flicker",
+    "rate_random_walk",
+    "ramp",
+    "random_walk",
+    "failures",
+    "dead_zone",
+    "range",
+    "quantization",
+    "altimeter",
+];
+
 /// In the order in which a reader of the header wants them.
 const SOURCES: [&str; 24] = [
     "version",
@@ -42,10 +64,11 @@ fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
-    // Effects of the sensors that the library is built without, to show what their being off costs: benches/effects.sh.
-    println!("cargo:rustc-check-cfg=cfg(sins_without, values(any()))");
+    let names = format!("{EFFECTS:?}");
+    println!("cargo:rustc-check-cfg=cfg(sins_without, values({}))", names.trim_matches(['[', ']']));
     println!("cargo:rerun-if-env-changed=SINS_WITHOUT");
     for effect in env::var("SINS_WITHOUT").unwrap_or_default().split_whitespace() {
+        assert!(EFFECTS.contains(&effect), "SINS_WITHOUT: {effect} is none of {names}");
         println!("cargo:rustc-cfg=sins_without=\"{effect}\"");
     }
 

@@ -8,7 +8,6 @@ mod c_scene;
 mod scene;
 
 use std::hint::black_box;
-use std::ptr::null_mut;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
@@ -31,10 +30,9 @@ fn points(samples: &[FlightSample]) -> Vec<TruthPoint> {
     let mut intake = Intake::new(Earth::default(), BodyAxes::default(), limits());
     let mut points = Vec::new();
     for sample in samples {
-        if intake.push(sample).is_ok() {
-            intake.take();
-            points.extend(intake.current().copied());
-        }
+        intake.push(sample).unwrap();
+        intake.take();
+        points.extend(intake.current().copied());
     }
     points
 }
@@ -56,7 +54,7 @@ fn stages(criterion: &mut Criterion) {
             || Intake::new(earth, BodyAxes::default(), limits()),
             |intake| {
                 for sample in &samples[..STEPS] {
-                    let _ = intake.push(black_box(sample));
+                    intake.push(black_box(sample)).unwrap();
                     intake.take();
                 }
             },
@@ -153,26 +151,6 @@ fn stages(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// A simulator of the C interface, with the errors of simulation 2 where wanted.
-fn simulator(options: &sins_options, noisy: bool) -> *mut sins_sim {
-    let mut sim = null_mut();
-    // SAFETY: structs of their own size.
-    unsafe {
-        assert_eq!(sins_create(options, &mut sim), SINS_OK);
-        if noisy {
-            let mut gyro: sins_gyro_params = core::mem::zeroed();
-            gyro.struct_size = size_of::<sins_gyro_params>() as u32;
-            let mut accel: sins_accel_params = core::mem::zeroed();
-            accel.struct_size = size_of::<sins_accel_params>() as u32;
-            assert_eq!(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &mut gyro), SINS_OK);
-            assert_eq!(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &mut accel), SINS_OK);
-            assert_eq!(sins_set_gyro(sim, &gyro), SINS_OK);
-            assert_eq!(sins_set_accel(sim, &accel), SINS_OK);
-        }
-    }
-    sim
-}
-
 /// The whole chain through the C interface: simulation 2's errors, both error data, and what each of them adds.
 fn chain(criterion: &mut Criterion) {
     let samples = c_scene::c_samples(&scene::patrol(STEPS + 1));
@@ -190,34 +168,24 @@ fn chain(criterion: &mut Criterion) {
             false,
         ),
     ] {
-        let sim = simulator(&options, noisy);
+        let sim = c_scene::simulator(&options, noisy);
         group.bench_function(name, |bencher| {
-            // SAFETY: a living handle, and as many samples as are stated.
+            // SAFETY: a living handle.
             bencher.iter(|| unsafe {
-                sins_reset(sim);
-                sins_run(sim, samples.as_ptr(), samples.len(), 0, null_mut(), 0, null_mut())
+                assert_eq!(sins_reset(sim), SINS_OK);
+                c_scene::run(sim, &samples);
             });
         });
         // SAFETY: a living handle.
         unsafe { sins_destroy(sim) };
     }
 
-    let sim = simulator(&full, true);
+    let sim = c_scene::simulator(&full, true);
     group.bench_function("push, step, read navigation and both errors", |bencher| {
-        // SAFETY: a living handle, structs of their own size.
+        // SAFETY: a living handle at the start of a flight.
         bencher.iter(|| unsafe {
-            let mut navigation: sins_navigation = core::mem::zeroed();
-            navigation.struct_size = size_of::<sins_navigation>() as u32;
-            let mut errors: sins_errors = core::mem::zeroed();
-            errors.struct_size = size_of::<sins_errors>() as u32;
-            sins_reset(sim);
-            for sample in &samples {
-                sins_push_sample(sim, sample);
-                sins_step(sim);
-                sins_get_navigation(sim, &mut navigation);
-                sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors);
-                sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors);
-            }
+            assert_eq!(sins_reset(sim), SINS_OK);
+            c_scene::push_step_read(sim, &samples);
         });
     });
     group.finish();

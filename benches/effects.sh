@@ -5,19 +5,19 @@
 #                         that is built without the effect, within 0.5 %, in each scene that does not have it; each effect
 #                         alone, and all at once (twenty minutes)
 #   effects.sh --check A,B C   without A and B, and without C ("all", "catalogue": all that simulation 2 does not have)
-set -eu
+set -euo pipefail
 cd "$(dirname "$0")"
 source counting.sh
 
 table() {
-    local counts
-    counts=$(mktemp)
+    local names name count
     cargo build --release --quiet --bin effects
-    target/release/effects names | while read -r name; do
-        echo "$name;$(per_step 500 1500 target/release/effects fly "$name")"
-    done >"$counts"
-    target/release/effects table "$counts"
-    rm "$counts"
+    names=$(target/release/effects names)
+    while read -r name; do
+        count=$(per_step 500 1500 target/release/effects fly "$name")
+        echo "$name;$count"
+    done <<<"$names" >target/effects.txt
+    target/release/effects table target/effects.txt
 }
 
 paper="bias random_walk"
@@ -27,9 +27,10 @@ limit=0.5
 
 # counts SCENE...: of the library that was built last.
 counts() {
-    local scene
+    local scene count
     for scene in "$@"; do
-        echo "$scene $(per_step 500 1500 target/release/steps "$scene")"
+        count=$(per_step 500 1500 target/release/steps "$scene")
+        echo "$scene $count"
     done
 }
 
@@ -48,6 +49,7 @@ check() {
         scenes="ideal free"
         grep -Eq "(^| )(${paper// /|})( |$)" <<<"$effects" || scenes="simulation2 reads $scenes"
         SINS_WITHOUT=$effects cargo build --release --quiet --bin steps
+        counts $scenes >target/without.txt
         while read -r scene without; do
             off=$(sed -n "s/^$scene //p" target/off.txt)
             awk -v build="$build" -v scene="$scene" -v off="$off" -v without="$without" -v limit=$limit 'BEGIN {
@@ -55,7 +57,7 @@ check() {
                 printf "%-20s %-12s %10d %10d %8.2f\n", build, scene, off, without, excess
                 exit (excess > limit || excess < -limit)
             }' || status=1
-        done < <(counts $scenes)
+        done <target/without.txt
     done
     [ $status -eq 0 ] || echo "an effect that is off costs more than $limit %" >&2
     return $status

@@ -2,12 +2,14 @@
 # Instructions a step, by callgrind: they do not depend on the machine's mood. Without an argument of the whole chain through
 # sins_run; with `matrix` of push and step for each scheme, number of subsamples and axes, as CSV for
 # `sins_report curve --instructions`.
-set -eu
+set -euo pipefail
 cd "$(dirname "$0")"
 source counting.sh
 cargo build --release --quiet --bin steps
 row() {
-    echo "$1,$(per_step 500 1500 target/release/steps "$1")"
+    local count
+    count=$(per_step 500 1500 target/release/steps "$1")
+    echo "$1,$count"
 }
 if [ "${1:-}" = matrix ]; then
     echo scheme,subsamples,updates_per_sample,frame,instructions_per_step
@@ -20,9 +22,11 @@ if [ "${1:-}" = matrix ]; then
     row polynomial,4,2,Earth-fixed
 else
     for what in simulation2 reads ideal free; do
-        echo "$what: $(per_step 10000 20000 target/release/steps $what) instructions a step"
+        count=$(per_step 10000 20000 target/release/steps $what)
+        echo "$what: $count instructions a step"
     done
     for what in save load; do
-        echo "$what: $(per_step 100 1100 target/release/steps $what) instructions a snapshot of simulation 2"
+        count=$(per_step 100 1100 target/release/steps $what)
+        echo "$what: $count instructions a snapshot of simulation 2"
     done
 fi

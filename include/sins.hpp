@@ -13,8 +13,8 @@
  *
  * Every function of sins.h has its namesake here, without handle and status; sins.h tells what it does. A negative
  * status is thrown as sins::Error with the library's sentence. SINS_NEED_SAMPLE is no error: functions that can answer
- * it return false, and leave their output as it was; so is SINS_REQUIREMENT_NOT_MET, whose output is written. Structs and constants are those of sins.h. Header only; each
- * function is the call and a look at its status.
+ * it return false, and leave their output as it was; so is SINS_REQUIREMENT_NOT_MET, whose output is written. Structs
+ * and constants are those of sins.h. Header only; each function is the call and a look at its status.
  */
 
 #ifndef SINS_HPP

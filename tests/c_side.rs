@@ -3,7 +3,7 @@
 #[path = "support/c_side.rs"]
 mod c_side;
 
-use std::process::Command;
+use std::process::{Child, Command};
 
 use c_side::{
     STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, project_file, run_test_program,
@@ -161,14 +161,41 @@ fn the_harness_flies_and_refuses() {
     let (code, _, errors) = run(&["simulation1", "--imu", folder.join("none/imu.csv").to_str().unwrap()]);
     assert!(code == Some(1) && errors.contains("imu.csv"), "{errors}");
 
-    // Bad logs: file, line and column, and what was expected.
-    let header = "time_s,latitude_rad,longitude_rad,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_rad,pitch_rad,heading_rad\n";
+    // A log: each line end that there is, none behind the last line; a row of the IMU each interval.
+    let header = "time_s,latitude_rad,longitude_rad,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,\
+        roll_rad,pitch_rad,heading_rad\n";
     let row = "0.00,0.7,0.1,100,0,0,0,0,0,0\n";
+    let later = |time_s: &str| row.replacen("0.00", time_s, 1);
+    let log = format!("# a title\n{header}{row}\n{}#\n{}{}", later("0.01"), later("0.02"), later("0.03"));
+    for text in
+        [log.clone(), log.replace('\n', "\r\n"), log.replacen('\n', "\r\n", 4), log.trim_end().to_owned()]
+    {
+        std::fs::write(folder.join("good.csv"), text).unwrap();
+        let [log, imu] = [folder.join("good.csv"), imu.clone()];
+        let (code, _, errors) = run(&["flight", log.to_str().unwrap(), "--imu", imu.to_str().unwrap()]);
+        assert_eq!((code, errors.as_str()), (Some(0), ""));
+        assert_eq!(std::fs::read_to_string(imu).unwrap().lines().count(), 1 + 3);
+    }
+
+    // Bad logs: file, line and column, and what was expected.
     for (log, expected) in [
         (format!("{header}{row}0.01,0.7,x1,100,0,0,0,0,0,0\n"), ":3:3: \"x1\""),
         (format!("{header}{row}0.01,0.7,0.1,100,0,0\n"), ":3:"),
         (format!("{header}{row}{row}"), ":3:"),
         (header.replace("height_m,", ""), "height_m"),
+        // What would end a line before its end, or make two of one.
+        (format!("{header}{}\r{row}{row}", row.trim_end()), ":2:10: \"0\" is followed by a carriage return"),
+        (format!("{header}{row}0.01,0.7,0.1\r,100,0,0,0,0,0,0\n"), ":3:3: \"0.1\""),
+        (format!("{header}{row}").replace('\n', "\r"), ":1:10: \"heading_rad\""),
+        (format!("# comment\r{header}{row}"), ":1:1: \"# comment\""),
+        (format!("{header}{row}{}\r", row.trim_end()), ":3:10: \"0\""),
+        (
+            format!("{header}{row}0.01,0.7\0,0.1,100,0,0,0,0,0,0\n"),
+            ":3:2: \"0.7\" is followed by a zero byte",
+        ),
+        (format!("{header}{row}0.01,0.7,0.1,100,0,0,0,0,0,0\0"), ":3:10: \"0\""),
+        (format!("{header}{row}\0"), ":3:1: \"\""),
+        (format!("{header}{row}{}", "x".repeat(70_000)), ":3:1: \"xxx"),
         (String::new(), "bad.csv"),
     ] {
         let path = folder.join("bad.csv");
@@ -194,6 +221,16 @@ fn the_harness_is_cpp_too() {
     assert!(text.contains("over_the_pole"), "{text}");
 }
 
+/// A program that does not outlive its test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 #[test]
 fn an_interrupt_leaves_whole_files() {
     let folder = library_folder("interrupt");
@@ -202,19 +239,18 @@ fn an_interrupt_leaves_whole_files() {
     let harness = link(c_compiler(), &["-std=c99", "-O1"], &sources, &folder, "sins_harness");
     let out = folder.join("out");
     let _ = std::fs::remove_dir_all(&out);
-    let mut flight = Command::new(harness)
-        .args(["simulation1", "--every", "10", "--quiet", "--out", "out"])
-        .current_dir(&folder)
-        .spawn()
-        .unwrap();
+    let mut flight = Command::new(harness);
+    flight.args(["simulation1", "--every", "10", "--quiet", "--out", "out"]).current_dir(&folder);
+    let mut flight = Running(flight.spawn().unwrap());
     // 48 h take many seconds; a first piece of a file is there long before.
     let begun = || std::fs::read_dir(&out).ok()?.next()?.ok()?.metadata().ok().filter(|file| file.len() > 0);
     while begun().is_none() {
-        assert!(flight.try_wait().unwrap().is_none(), "ended by itself");
+        assert!(flight.0.try_wait().unwrap().is_none(), "ended by itself");
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
-    succeed(Command::new("kill").args(["-INT", &flight.id().to_string()]));
-    assert!(!flight.wait().unwrap().success());
+    // The shell's own kill: the program of that name is not on every machine.
+    succeed(Command::new("sh").args(["-c", "kill -INT \"$0\"", &flight.0.id().to_string()]));
+    assert!(!flight.0.wait().unwrap().success());
     let csv = std::fs::read_to_string(out.join("simulation1_patrol.csv")).unwrap();
     let columns = |line: &str| line.split(',').count();
     assert!(

@@ -23,9 +23,15 @@ fn sentences_name_field_value_and_limit() {
 /// What a later function or struct must not forget.
 #[test]
 fn every_function_and_struct_is_in_the_programs() {
-    let [header, calls, nulls, sizes] =
-        ["include/sins.h", "tests/c/every_call.h", "tests/c/misuse.c", "tests/c/struct_sizes.c"]
-            .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
+    let [header, calls, nulls, sizes, states, scene] = [
+        "include/sins.h",
+        "tests/c/every_call.h",
+        "tests/c/misuse.c",
+        "tests/c/struct_sizes.c",
+        "tests/c/float_environment.c",
+        "tests/c/scene.h",
+    ]
+    .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
     let mut missing = Vec::new();
     for prototype in header.split("sins_status SINS_CALL ").skip(1) {
         let (name, rest) = prototype.split_once('(').unwrap();
@@ -34,6 +40,9 @@ fn every_function_and_struct_is_in_the_programs() {
         let answers_otherwise = name.ends_with("destroy") || name == "sins_last_error";
         if of_handle && !answers_otherwise && !calls.contains(&format!("EVERY_CALL({name}(")) {
             missing.push(format!("{name} in every_call.h"));
+        }
+        if ![&states, &scene, &calls].iter().any(|program| program.contains(&format!("{name}("))) {
+            missing.push(format!("{name} in float_environment.c"));
         }
         let pointers = arguments.iter().skip(usize::from(of_handle)).filter(|a| a.contains('*')).count();
         let null = |line: &str| line.contains(&format!("{name}(")) && line.contains("NULL");

@@ -24,10 +24,13 @@ dll() {
     done
 }
 
-# run_in FOLDER WINE: the programs.
+# run_in FOLDER WINE: the programs. Wine makes or renews its own folder first, and then complains of fonts and windows, which
+# they do not have: that is told where one of them fails.
 run_in() {
+    mkdir -p "$WINEPREFIX"
+    "$2" wineboot --init >"$WINEPREFIX/log" 2>&1 || true
     for name in $programs; do
-        "$2" "$1/$name.exe"
+        "$2" "$1/$name.exe" || { cat "$WINEPREFIX/log"; exit 1; }
     done
 }
 

@@ -1,6 +1,8 @@
-//! The scene as the C interface has it.
+//! The scene as the C interface has it, and how it is flown there.
 
-use sins::abi::{sins_flight_sample, sins_options};
+use std::ptr::null_mut;
+
+use sins::abi::*;
 use sins::truth::FlightSample;
 
 use crate::scene::PERIOD_S;
@@ -32,7 +34,58 @@ pub fn c_options() -> sins_options {
     // SAFETY: integers and floating-point numbers alone; zero is the recommended simulator.
     let mut options: sins_options = unsafe { core::mem::zeroed() };
     options.struct_size = size_of::<sins_options>() as u32;
-    options.error_model = sins::abi::SINS_ERROR_MODEL_RK4;
+    options.error_model = SINS_ERROR_MODEL_RK4;
     options.sample_period_s = PERIOD_S;
     options
+}
+
+/// A simulator, with the errors of simulation 2 where wanted.
+pub fn simulator(options: &sins_options, noisy: bool) -> *mut sins_sim {
+    let mut sim = null_mut();
+    // SAFETY: structs of their own size.
+    unsafe {
+        assert_eq!(sins_create(options, &mut sim), SINS_OK);
+        if noisy {
+            let mut gyro: sins_gyro_params = core::mem::zeroed();
+            gyro.struct_size = size_of::<sins_gyro_params>() as u32;
+            let mut accel: sins_accel_params = core::mem::zeroed();
+            accel.struct_size = size_of::<sins_accel_params>() as u32;
+            assert_eq!(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &mut gyro), SINS_OK);
+            assert_eq!(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &mut accel), SINS_OK);
+            assert_eq!(sins_set_gyro(sim, &gyro), SINS_OK);
+            assert_eq!(sins_set_accel(sim, &accel), SINS_OK);
+        }
+    }
+    sim
+}
+
+/// Flies the samples in one call.
+///
+/// # Safety
+/// `sim` is a living handle.
+pub unsafe fn run(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
+    // SAFETY: as many samples as are stated.
+    let status = unsafe { sins_run(sim, samples.as_ptr(), samples.len(), 0, null_mut(), 0, null_mut()) };
+    assert_eq!(status, SINS_OK);
+}
+
+/// Flies the samples with push, step, and read navigation and both errors, each a call.
+///
+/// # Safety
+/// `sim` is a living handle at the start of a flight.
+pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
+    // SAFETY: structs of their own size.
+    unsafe {
+        let mut navigation: sins_navigation = core::mem::zeroed();
+        navigation.struct_size = size_of::<sins_navigation>() as u32;
+        let mut errors: sins_errors = core::mem::zeroed();
+        errors.struct_size = size_of::<sins_errors>() as u32;
+        for (k, sample) in samples.iter().enumerate() {
+            assert_eq!(sins_push_sample(sim, sample), SINS_OK);
+            assert_eq!(sins_step(sim), if k == 0 { SINS_NEED_SAMPLE } else { SINS_OK });
+            assert_eq!(sins_get_navigation(sim, &mut navigation), SINS_OK);
+            assert_eq!(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors), SINS_OK);
+            assert_eq!(sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors), SINS_OK);
+        }
+    }
 }

@@ -30,6 +30,6 @@ pub fn patrol(count: usize) -> Vec<FlightSample> {
     };
     let duration_s = count as f64 * PERIOD_S + 2000.0;
     let patrol = [Manoeuvre::Sinusoids { duration_s, ramp_s: 600.0, terms, count: 6 }];
-    let Ok(flight) = Flight::new(&start, &patrol) else { return Vec::new() };
-    (0..count).filter_map(|k| flight.sample_at(700.0 + k as f64 * PERIOD_S).ok()).collect()
+    let flight = Flight::new(&start, &patrol).unwrap();
+    (0..count).map(|k| flight.sample_at(700.0 + k as f64 * PERIOD_S).unwrap()).collect()
 }

@@ -6,7 +6,6 @@
 mod c_scene;
 mod scene;
 
-use std::ptr::null_mut;
 use std::time::Instant;
 
 use sins::abi::*;
@@ -27,7 +26,7 @@ fn main() {
         ("save" | "load", _, Some(count)) => snapshots(what == "load", count),
         (_, Some(options), Some(count)) => {
             let samples = scene::patrol(FEW_SAMPLES);
-            push_and_step(&options, &samples[..=count.min(samples.len() - 1)]);
+            push_and_step(&options, &samples[..=count]);
         }
         _ => {
             eprintln!(
@@ -82,10 +81,11 @@ fn options(what: &str) -> Option<Options> {
 }
 
 fn push_and_step(options: &Options, samples: &[FlightSample]) {
-    let simulator = Simulator::new(options);
-    assert!(simulator.is_ok_and(|mut simulator| {
-        samples.iter().all(|sample| simulator.push_sample(sample).is_ok() && simulator.step().is_ok())
-    }));
+    let mut simulator = Simulator::new(options).unwrap();
+    for sample in samples {
+        simulator.push_sample(sample).unwrap();
+        simulator.step().unwrap();
+    }
 }
 
 fn run(what: &str, count: usize) {
@@ -98,46 +98,15 @@ fn run(what: &str, count: usize) {
     if what == "free" {
         options.vertical = SINS_VERTICAL_FREE;
     }
-    // SAFETY: structs of their own size, as many samples as are stated.
+    let samples = &samples[..=count];
+    let sim = c_scene::simulator(&options, noisy);
+    // SAFETY: a living handle at the start of a flight.
     unsafe {
-        let mut sim = null_mut();
-        assert_eq!(sins_create(&options, &mut sim), SINS_OK);
-        if noisy {
-            let mut gyro: sins_gyro_params = core::mem::zeroed();
-            gyro.struct_size = size_of::<sins_gyro_params>() as u32;
-            let mut accel: sins_accel_params = core::mem::zeroed();
-            accel.struct_size = size_of::<sins_accel_params>() as u32;
-            assert_eq!(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &mut gyro), SINS_OK);
-            assert_eq!(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &mut accel), SINS_OK);
-            assert_eq!(sins_set_gyro(sim, &gyro), SINS_OK);
-            assert_eq!(sins_set_accel(sim, &accel), SINS_OK);
-        }
-        let samples = &samples[..=count.min(samples.len() - 1)];
         if what == "reads" {
-            push_step_read(sim, samples);
+            c_scene::push_step_read(sim, samples);
         } else {
-            assert_eq!(sins_run(sim, samples.as_ptr(), samples.len(), 0, null_mut(), 0, null_mut()), SINS_OK);
+            c_scene::run(sim, samples);
         }
         assert_eq!(sins_destroy(sim), SINS_OK);
-    }
-}
-
-/// # Safety
-/// `sim` is a living handle.
-unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
-    // SAFETY: structs of their own size.
-    unsafe {
-        let mut navigation: sins_navigation = core::mem::zeroed();
-        navigation.struct_size = size_of::<sins_navigation>() as u32;
-        let mut errors: sins_errors = core::mem::zeroed();
-        errors.struct_size = size_of::<sins_errors>() as u32;
-        for sample in samples {
-            sins_push_sample(sim, sample);
-            sins_step(sim);
-            sins_get_navigation(sim, &mut navigation);
-            sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors);
-            sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors);
-        }
-        assert!(errors.time_s > 0.0);
     }
 }

@@ -89,7 +89,11 @@ static int read_scene(struct settings *set, int count, char **arguments, const s
         return 0;
     }
     if (is_scene_file(arguments[0])) {
-        snprintf(set->scene_file, sizeof set->scene_file, "%s", arguments[0]);
+        if (strlen(arguments[0]) >= sizeof set->scene_file) {
+            report("%s: the path is longer than %d bytes", arguments[0], (int)sizeof set->scene_file - 1);
+            return 0;
+        }
+        memcpy(set->scene_file, arguments[0], strlen(arguments[0]) + 1);
         return scene_file_apply(set, text->bytes, text->length) == 0;
     }
     for (kind = 0; kind < 4 && strcmp(arguments[0], names[kind]) != 0; kind++) {

@@ -63,30 +63,63 @@ static void keep_title(struct flight_csv *csv)
     }
 }
 
+/* A byte that no line has inside: text would end there, or go on as a line of its own. */
+static int refuse_byte(struct flight_csv *csv, size_t at)
+{
+    const char *expected = csv->text[at] == '\0' ? "is followed by a zero byte; expected text"
+                                                : "is followed by a carriage return without a line feed";
+    char *field = csv->text, *comma;
+    int column = 1;
+
+    for (csv->text[at] = '\0'; (comma = strchr(field, ',')) != NULL; field = comma + 1) {
+        column++;
+    }
+    return bad(csv, column, field, expected, NULL);
+}
+
+/* Reads a line, without its \n or \r\n. 1, 0 at the end, -1 reported. */
+static int read_line(struct flight_csv *csv)
+{
+    size_t length = 0, i;
+    int letter;
+
+    while ((letter = getc(csv->stream)) != EOF && letter != '\n' && length < sizeof csv->text - 1) {
+        csv->text[length++] = (char)letter;
+    }
+    if (letter == EOF && ferror(csv->stream)) {
+        report("%s: %s", csv->path, strerror(errno));
+        return -1;
+    }
+    if (letter == EOF && length == 0) {
+        return 0;
+    }
+    csv->line++;
+    if (letter == '\n' && length > 0 && csv->text[length - 1] == '\r') {
+        length--;
+    }
+    csv->text[length] = '\0';
+    for (i = 0; i < length; i++) {
+        if (csv->text[i] == '\0' || csv->text[i] == '\r') {
+            return refuse_byte(csv, i);
+        }
+    }
+    return letter == EOF || letter == '\n' ? 1 : bad(csv, 1, csv->text, "begins a line too long", NULL);
+}
+
 /* Reads the next line that is neither empty nor a comment. 1, 0 at the end, -1 reported. */
 static int next_line(struct flight_csv *csv)
 {
-    while (fgets(csv->text, sizeof csv->text, csv->stream) != NULL) {
-        size_t length = strlen(csv->text);
+    int found;
 
-        csv->line++;
-        if (length == sizeof csv->text - 1 || (csv->text[length > 0 ? length - 1 : 0] != '\n' && !feof(csv->stream))) {
-            return bad(csv, 1, csv->text, "is a line too long or with a zero byte; expected text", NULL);
-        }
-        length = strcspn(csv->text, "\r\n");
-        csv->text[length] = '\0';
+    while ((found = read_line(csv)) == 1) {
         if (csv->line == 1 && csv->text[0] == '#') {
             keep_title(csv);
         }
         if (csv->text[0] != '#' && csv->text[strspn(csv->text, " \t")] != '\0') {
-            return 1;
+            break;
         }
     }
-    if (ferror(csv->stream)) {
-        report("%s: %s", csv->path, strerror(errno));
-        return -1;
-    }
-    return 0;
+    return found;
 }
 
 /* Cuts the field that begins at text out of the line; gives where the next one begins, NULL after the last. */

@@ -203,15 +203,20 @@ static void take_section(struct reading *reading)
     }
 }
 
+static int is_separator(char letter)
+{
+    return letter == '/' || letter == '\\';
+}
+
 /* A log is named as seen from the folder of the scene file. */
 static int place_log(struct settings *set)
 {
     size_t folder = strlen(set->scene_file), length = strlen(set->log);
 
-    while (folder > 0 && strchr("/\\", set->scene_file[folder - 1]) == NULL) {
+    while (folder > 0 && !is_separator(set->scene_file[folder - 1])) {
         folder--;
     }
-    if (strchr("/\\", set->log[0]) != NULL || (set->log[1] == ':' && strchr("/\\", set->log[2]) != NULL)) {
+    if (is_separator(set->log[0]) || (set->log[1] == ':' && is_separator(set->log[2]))) {
         return 0; /* from the root, or on a drive */
     }
     if (folder + length >= sizeof set->log) {

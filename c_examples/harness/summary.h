@@ -15,7 +15,8 @@ struct summary {
     int subsamples, updates;
     double rate_hz, every_s, ns_per_step;
     char scene_text[VALUE_TEXT_SIZE];
-    char gyro[2048], accel[2048], altimeter[512], start[512], mounting[512], gravity_disturbance[512], failures[FAILURE_PLAN_FAILURES * 80];
+    char gyro[2048], accel[2048], altimeter[512], start[512], mounting[512], gravity_disturbance[512];
+    char failures[FAILURE_PLAN_FAILURES * 80];
 };
 
 /* Gathers the figures. DONE, or FAILED reported. */

@@ -12,7 +12,7 @@ void value_of_argument(struct value *value, const char *argument)
     value->count = numbers_read(argument, value->numbers, VALUE_NUMBERS);
     value->type = value->count == 0 ? VALUE_TEXT : value->count == 1 ? VALUE_NUMBER : VALUE_ARRAY;
     snprintf(value->text, sizeof value->text, "%s", strlen(argument) < sizeof value->text ? argument : "");
-    if (*argument != '\0' && argument[strspn(argument, "0123456789")] == '\0') {
+    if (value->count == 1 && argument[strspn(argument, "0123456789")] == '\0') {
         errno = 0;
         value->whole = strtoull(argument, NULL, 10);
         value->type = errno == 0 ? VALUE_WHOLE : value->type;

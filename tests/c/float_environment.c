@@ -90,6 +90,13 @@ typedef struct {
     sins_accuracy accuracy;
     sins_options options, recommended;
     sins_cost cost;
+    sins_budget budget;
+    sins_budget_row rows[SCENE_BUDGET_ROWS];
+    sins_gyro_params gyro;
+    sins_accel_params accel;
+    uint32_t version[4];
+    const char *texts[2];
+    double duration_s;
     sins_flight_sample piece[COUNT];
     char sentence[200];
 } results;
@@ -123,14 +130,23 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->options);
     SINS_INIT(found->recommended);
     SINS_INIT(found->cost);
+    SINS_INIT(found->gyro);
+    SINS_INIT(found->accel);
 
     if (state != NULL) {
         set_state(*state);
     }
     before = get_state();
+    CHECK(sins_abi_version(&found->version[0]) == SINS_OK);
+    CHECK(sins_version(&found->version[1], &found->version[2], &found->version[3]) == SINS_OK);
+    CHECK(sins_version_string(&found->texts[0]) == SINS_OK);
+    CHECK(sins_status_string(SINS_ERROR_TIME_ORDER, &found->texts[1]) == SINS_OK);
+    CHECK(sins_gyro_preset(SINS_GRADE_CONSUMER, &found->gyro) == SINS_OK);
+    CHECK(sins_accel_preset(SINS_GRADE_CONSUMER, &found->accel) == SINS_OK);
     sim = scene_simulator(NULL, 1);
     other = scene_simulator(NULL, 2);
     flight = scene_flight();
+    CHECK(sins_flight_duration(flight, &found->duration_s) == SINS_OK);
     for (k = 0; k < COUNT; k++) {
         found->piece[k].struct_size = sizeof found->piece[k];
         /* Exact in binary: the host's own arithmetic raises nothing and rounds nothing. */
@@ -149,7 +165,12 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
     CHECK(sins_get_options(sim, &found->options) == SINS_OK);
     CHECK(sins_recommend(found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
-    found->cost.ns_per_step = 0.0; /* a time */
+    /* Of few samples: it times each effect in many rounds. */
+    CHECK(scene_budget(found->piece, 5, found->rows, &found->budget) == SINS_OK);
+    found->cost.ns_per_step = found->budget.ns_per_step = 0.0; /* times */
+    for (k = 0; k < SCENE_BUDGET_ROWS; k++) {
+        found->rows[k].ns_per_step = 0.0;
+    }
     CHECK(sins_start_navigation(other, &found->navigation) == SINS_OK);
     CHECK(sins_push_imu(other, &increment) == SINS_OK);
     CHECK(sins_get_navigation(other, &found->alone) == SINS_OK);

@@ -41,6 +41,18 @@ static sins_status recommend(void)
     return status;
 }
 
+static sins_status budget(void)
+{
+    sins_budget_row rows[SCENE_BUDGET_ROWS];
+    sins_budget budget;
+    sins_status status;
+    memset(rows, 0, sizeof rows);
+    memset(&budget, 0, sizeof budget);
+    status = scene_budget(samples, 17, rows, &budget);
+    CHECK((status == SINS_OK) == (budget.flights != 0) && (status == SINS_OK) == (rows[0].effect[0] != '\0'));
+    return status;
+}
+
 /* The number of allocations of `call`; each of them fails once, with all that follow. */
 static int starve(sins_status (*call)(void))
 {
@@ -96,7 +108,10 @@ int main(void)
             printf("%d of a flight, ", allocations);
             allocations = starve(recommend);
             CHECK(allocations > 0);
-            printf("%d of a recommendation fail in turn\n", allocations);
+            printf("%d of a recommendation, ", allocations);
+            allocations = starve(budget);
+            CHECK(allocations > 0);
+            printf("%d of a budget fail in turn\n", allocations);
         }
     }
     CHECK(memcmp(found, expected, sizeof expected) == 0);

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "check.h"
-#include "sins.h"
 #include "turn.h"
 
 enum { COUNT = 1001, EVERY = 7, RECORDS = (COUNT - 1) / EVERY };
@@ -13,19 +11,10 @@ static sins_record expected[RECORDS], found[RECORDS];
 
 static sins_sim *make(void)
 {
-    sins_options options = {.struct_size = sizeof options};
-    sins_gyro_params gyro = {.struct_size = sizeof gyro};
-    sins_accel_params accel = {.struct_size = sizeof accel};
-    sins_sim *sim = NULL;
+    sins_options options = {.struct_size = sizeof options, .seed = 3};
     options.error_model = SINS_ERROR_MODEL_RK4;
     options.sample_period_s = 0.01;
-    options.seed = 3;
-    CHECK(sins_create(&options, &sim) == SINS_OK);
-    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, &gyro) == SINS_OK);
-    CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, &accel) == SINS_OK);
-    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
-    CHECK(sins_set_accel(sim, &accel) == SINS_OK);
-    return sim;
+    return make_simulator(&options, SINS_GRADE_PAPER_SIMULATION2);
 }
 
 /* Sample by sample; the records put together from the reads. */

@@ -376,6 +376,50 @@ static void presets_come_first_and_the_command_line_last(void)
     remove("scene_test.toml");
 }
 
+static void a_log_lies_beside_its_scene(void)
+{
+    static const char *const logs[][2] = {
+        { "a.csv", "folder/a.csv" }, { "a:", "folder/a:" }, { "a:b", "folder/a:b" }, { "../a", "folder/../a" },
+        { "/a", "/a" },              { "\\a", "\\a" },      { "a:/b", "a:/b" },      { "a:\\b", "a:\\b" }
+    };
+    const int32_t ideal[2] = { 0, 0 };
+    char text[64];
+    size_t i;
+
+    for (i = 0; i < sizeof logs / sizeof logs[0]; i++) {
+        CHECK(settings_begin(&set, ideal) == 0);
+        strcpy(set.scene_file, "folder/scene.toml");
+        snprintf(text, sizeof text, "[flight]\nfile = '%s'\n", logs[i][0]);
+        CHECK(scene_file_apply(&set, text, strlen(text)) == 0);
+        CHECK(strcmp(set.log, logs[i][1]) == 0);
+    }
+}
+
+/* The same file by ever longer ways: a path is taken whole or not at all. */
+static void a_path_is_never_cut(void)
+{
+    static const char name[] = "scene_test.toml";
+    static char path[VALUE_TEXT_SIZE + 2];
+    size_t length;
+    FILE *file = fopen(name, "wb");
+
+    CHECK(file != NULL);
+    fputs("[flight]\nbuiltin = 'rest'\n", file);
+    fclose(file);
+    for (length = VALUE_TEXT_SIZE - 3; length < VALUE_TEXT_SIZE + 2; length += 2) {
+        size_t folders = length - (sizeof name - 1), i;
+        char *argument = path;
+
+        for (i = 0; i < folders; i++) {
+            path[i] = i % 2 == folders % 2 ? '.' : '/';
+        }
+        strcpy(path + folders, name);
+        CHECK((command_line_read(&set, 1, &argument) == 0) == (length < VALUE_TEXT_SIZE));
+        CHECK(length >= VALUE_TEXT_SIZE || strcmp(set.scene_file, path) == 0);
+    }
+    remove(name);
+}
+
 /* A value as the reader of TOML reads it. 1 if it is taken. */
 static int value_of(const char *text, struct toml_item *item)
 {
@@ -426,6 +470,41 @@ static void values_are_what_toml_says(void)
     CHECK(value_of("''", &item) && item.value.text[0] == '\0');
 }
 
+static void arguments_are_what_they_say(void)
+{
+    static const struct {
+        const char *text;
+        enum value_type type;
+        double number;
+    } arguments[] = {
+        { "0", VALUE_WHOLE, 0 }, { "007", VALUE_WHOLE, 7 }, { "-7", VALUE_NUMBER, -7 }, { "1e3", VALUE_NUMBER, 1000 },
+        { "18446744073709551615", VALUE_WHOLE, 18446744073709551615.0 },
+        { "18446744073709551616", VALUE_NUMBER, 18446744073709551616.0 }
+    };
+    static const char *const texts[] = { "", "x", "1,", "1 2", "nan" };
+    char digits[72];
+    struct value value;
+    size_t i;
+
+    for (i = 0; i < sizeof arguments / sizeof arguments[0]; i++) {
+        value_of_argument(&value, arguments[i].text);
+        CHECK(value.type == arguments[i].type && value.count == 1 && value.numbers[0] == arguments[i].number);
+    }
+    for (i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        value_of_argument(&value, texts[i]);
+        CHECK(value.type == VALUE_TEXT && strcmp(value.text, texts[i]) == 0);
+    }
+    value_of_argument(&value, "1,2.5");
+    CHECK(value.type == VALUE_ARRAY && value.count == 2 && value.numbers[1] == 2.5);
+    /* A number is read up to 63 characters; more digits are none, nor a whole number without a double. */
+    for (i = 1; i < sizeof digits; i++) {
+        memset(digits, '0', i);
+        digits[i] = '\0';
+        value_of_argument(&value, digits);
+        CHECK(value.type == (i < 64 ? VALUE_WHOLE : VALUE_TEXT));
+    }
+}
+
 static void distances_count_slips_of_the_pen(void)
 {
     CHECK(name_distance("bias", "bias") == 0 && name_distance("bais", "bias") == 1);
@@ -443,7 +522,10 @@ int main(void)
     failures_arrive_in_turn();
     as_many_manoeuvres_and_keys_as_there_is_room();
     presets_come_first_and_the_command_line_last();
+    a_log_lies_beside_its_scene();
+    a_path_is_never_cut();
     values_are_what_toml_says();
+    arguments_are_what_they_say();
     distances_count_slips_of_the_pen();
     return 0;
 }

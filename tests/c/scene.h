@@ -156,4 +156,20 @@ static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, s
     CHECK(written == SCENE_COUNT - 1);
 }
 
+enum { SCENE_BUDGET_ROWS = 3 };
+
+/* What a bias, and a noise, which is drawn, contribute to a flight of these samples. */
+static inline sins_status scene_budget(const sins_flight_sample *samples, size_t count,
+                                       sins_budget_row rows[SCENE_BUDGET_ROWS], sins_budget *budget)
+{
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_budget_request request = {.struct_size = sizeof request, .runs = 8, .position_m = 1.0};
+    gyro.bias_rad_s[0] = 1e-6;
+    gyro.random_walk_rad_sqrt_s[1] = 1e-5;
+    rows[0].struct_size = sizeof rows[0];
+    budget->struct_size = sizeof *budget;
+    return sins_error_budget(samples, count, NULL, &gyro, NULL, NULL, NULL, NULL, NULL, &request, rows,
+                             SCENE_BUDGET_ROWS, NULL, budget);
+}
+
 #endif

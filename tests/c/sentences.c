@@ -26,11 +26,11 @@ static const sins_accel_params *accel_with(size_t offset, int index, double valu
     return &accel;
 }
 
-static void out_of_range(sins_sim *sim, const sins_gyro_params *gyro, const sins_accel_params *accel,
-                         const char *sentence)
+/* The call was refused as out of range, in these words. */
+static void refused(sins_sim *sim, sins_status status, const char *sentence)
 {
     char text[200];
-    CHECK((gyro ? sins_set_gyro(sim, gyro) : sins_set_accel(sim, accel)) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(status == SINS_ERROR_INVALID_ARGUMENT);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
     if (strcmp(text, sentence) != 0) {
         fprintf(stderr, "expected %s\nfound    %s\n", sentence, text);
@@ -38,16 +38,16 @@ static void out_of_range(sins_sim *sim, const sins_gyro_params *gyro, const sins
     CHECK(strcmp(text, sentence) == 0);
 }
 
+static void out_of_range(sins_sim *sim, const sins_gyro_params *gyro, const sins_accel_params *accel,
+                         const char *sentence)
+{
+    refused(sim, gyro ? sins_set_gyro(sim, gyro) : sins_set_accel(sim, accel), sentence);
+}
+
 /* A failure that is refused leaves the sensor sound. */
 static void bad_failure(sins_sim *sim, int32_t sensor, int32_t axis, const sins_failure *failure, const char *sentence)
 {
-    char text[200];
-    CHECK(sins_set_failure(sim, sensor, axis, failure) == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
-    if (strcmp(text, sentence) != 0) {
-        fprintf(stderr, "expected %s\nfound    %s\n", sentence, text);
-    }
-    CHECK(strcmp(text, sentence) == 0);
+    refused(sim, sins_set_failure(sim, sensor, axis, failure), sentence);
 }
 
 static void failures(void)

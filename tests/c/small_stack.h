@@ -7,6 +7,13 @@
 
 #include "check.h"
 
+/* AddressSanitizer puts room around every variable. */
+#ifdef __SANITIZE_ADDRESS__
+enum { SMALL_STACK = 1024 * 1024 };
+#else
+enum { SMALL_STACK = 80 * 1024 };
+#endif
+
 static void *small_stack_body(void *test)
 {
     (*(void (**)(void))test)();
@@ -18,7 +25,7 @@ static void on_a_small_stack(void (*test)(void))
     pthread_attr_t attributes;
     pthread_t thread;
     CHECK(pthread_attr_init(&attributes) == 0);
-    CHECK(pthread_attr_setstacksize(&attributes, 80 * 1024) == 0);
+    CHECK(pthread_attr_setstacksize(&attributes, SMALL_STACK) == 0);
     CHECK(pthread_create(&thread, &attributes, small_stack_body, &test) == 0);
     CHECK(pthread_join(thread, NULL) == 0);
 }

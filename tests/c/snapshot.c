@@ -1,11 +1,9 @@
 /* A simulator saved at every moment of a flight goes on to the same bits in another handle and in its own; what is no whole
  * snapshot is refused and changes nothing. */
 
-#include <pthread.h>
 #include <string.h>
 
-#include "check.h"
-#include "sins.h"
+#include "small_stack.h"
 #include "turn.h"
 
 enum { COUNT = 40 };
@@ -15,20 +13,11 @@ static sins_record expected[COUNT];
 
 static sins_sim *make(void)
 {
-    sins_options options = {.struct_size = sizeof options};
-    sins_gyro_params gyro = {.struct_size = sizeof gyro};
-    sins_accel_params accel = {.struct_size = sizeof accel};
-    sins_sim *sim = NULL;
+    sins_options options = {.struct_size = sizeof options, .seed = 3};
     options.error_model = SINS_ERROR_MODEL_RK4;
     options.sample_period_s = 0.01;
     options.signal = SINS_SIGNAL_CLOSED_LOOP;
-    options.seed = 3;
-    CHECK(sins_create(&options, &sim) == SINS_OK);
-    CHECK(sins_gyro_preset(SINS_GRADE_TACTICAL, &gyro) == SINS_OK);
-    CHECK(sins_accel_preset(SINS_GRADE_TACTICAL, &accel) == SINS_OK);
-    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
-    CHECK(sins_set_accel(sim, &accel) == SINS_OK);
-    return sim;
+    return make_simulator(&options, SINS_GRADE_TACTICAL);
 }
 
 /* Flies the samples from `first` on and checks the records against the expected ones, or makes them. */
@@ -110,24 +99,12 @@ static void refusals(void)
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 
-static void *on_a_small_stack(void *unused)
-{
-    every_moment();
-    return unused;
-}
-
 int main(void)
 {
-    pthread_attr_t attributes;
-    pthread_t thread;
     make_samples(samples, COUNT);
     every_moment();
     refusals();
-    /* The 64 KB that a call may take, and 16 for this program and its thread. */
-    CHECK(pthread_attr_init(&attributes) == 0);
-    CHECK(pthread_attr_setstacksize(&attributes, 80 * 1024) == 0);
-    CHECK(pthread_create(&thread, &attributes, on_a_small_stack, NULL) == 0);
-    CHECK(pthread_join(thread, NULL) == 0);
+    on_a_small_stack(every_moment);
     printf("snapshot: the same bits from any moment\n");
     return 0;
 }

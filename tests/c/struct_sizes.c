@@ -1,5 +1,5 @@
 /* Struct sizes from 0 to twice, through every struct of the interface. Each struct has exactly the bytes that it states, on the
- * heap: AddressSanitizer and valgrind see what is touched beyond. */
+ * heap: AddressSanitizer sees what is touched beyond. */
 
 #include <stdint.h>
 #include <stdlib.h>

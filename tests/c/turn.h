@@ -1,4 +1,4 @@
-/* Samples of a turn at 200 m/s and 100 Hz. */
+/* Samples of a turn at 200 m/s and 100 Hz, and a simulator for them with sensors of a grade. */
 
 #ifndef TURN_H
 #define TURN_H
@@ -22,6 +22,19 @@ static void make_samples(sins_flight_sample *samples, int count)
         CHECK(sins_flight_sample_at(flight, k * 0.01, &samples[k]) == SINS_OK);
     }
     CHECK(sins_flight_destroy(flight) == SINS_OK);
+}
+
+static inline sins_sim *make_simulator(const sins_options *options, int32_t grade)
+{
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_sim *sim = NULL;
+    CHECK(sins_create(options, &sim) == SINS_OK);
+    CHECK(sins_gyro_preset(grade, &gyro) == SINS_OK);
+    CHECK(sins_accel_preset(grade, &accel) == SINS_OK);
+    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
+    CHECK(sins_set_accel(sim, &accel) == SINS_OK);
+    return sim;
 }
 
 #endif

@@ -1,13 +1,17 @@
 # For the scripts of this project, to be sourced: what they need is installed, and what cannot be had is told at the end.
 
+# What is built lies in target, wherever the caller builds his own.
+unset CARGO_TARGET_DIR
+
 # need PACKAGE PROGRAM: installs the Debian package if the program is not there.
 need() {
     command -v "$2" >/dev/null || install "$1"
 }
 
+# One at a time, when scripts run side by side.
 install() {
-    as_root apt-get update -qq
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
+    as_root flock /var/lib/apt apt-get update -qq
+    as_root flock /var/lib/apt env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
 }
 
 as_root() {
