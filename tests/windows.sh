@@ -24,11 +24,13 @@ dll() {
     done
 }
 
-# run_in FOLDER WINE: the programs. Wine makes or renews its own folder first, and then complains of fonts and windows, which
-# they do not have: that is told where one of them fails.
+# run_in FOLDER WINE SERVER: the programs, with one server that stays for them. Wine makes or renews its own folder with the first
+# that it runs; what it says then of fonts and windows, which they do not have, is told where one of them fails.
 run_in() {
+    export WINESERVER=$3
     mkdir -p "$WINEPREFIX"
-    "$2" wineboot --init >"$WINEPREFIX/log" 2>&1 || true
+    "$3" -p60 >/dev/null 2>&1 || true # or one is there already
+    "$2" "$1/sentences.exe" >"$WINEPREFIX/log" 2>&1 || true
     for name in $programs; do
         "$2" "$1/$name.exe" || { cat "$WINEPREFIX/log"; exit 1; }
     done
@@ -66,7 +68,7 @@ if ! [ -x /usr/lib/wine/wine64 ] && ! install wine64; then
     could_not "64-bit Windows" "no wine to be had"
 else
     dll x86_64 target/windows/64
-    WINEPREFIX=$PWD/target/wine run_in target/windows/64 /usr/lib/wine/wine64
+    WINEPREFIX=$PWD/target/wine run_in target/windows/64 /usr/lib/wine/wine64 /usr/lib/wine/wineserver64
 fi
 
 echo "== 32 bits"
@@ -79,6 +81,6 @@ elif ! "$wine" --version; then
     could_not "32-bit Windows" "the kernel runs no 32-bit programs"
 else
     dll i686 target/windows/32
-    WINEARCH=win32 WINEPREFIX=$wine32/prefix WINESERVER=${wine}server32 run_in target/windows/32 "$wine"
+    WINEARCH=win32 WINEPREFIX=$wine32/prefix run_in target/windows/32 "$wine" "${wine}server32"
 fi
 report_not_run
