@@ -64,7 +64,7 @@ impl Scene {
     }
 }
 
-/// The patrol of `sins_harness simulation2`: at 200 m/s in eights of 560 s.
+/// The patrol of `sins_harness simulation2`: at 200 m/s in eights of 560 s, gentler than that of the tests.
 fn patrol(duration_s: f64) -> Result<Flight, Error> {
     let term = |channel, amplitude, period_s: f64| Sinusoid {
         channel,
