@@ -49,9 +49,8 @@ other aarch64 gcc-aarch64-linux-gnu qemu-aarch64 -L /usr/aarch64-linux-gnu
 
 echo "== here, without optimisation and in release"
 programs=digests
-build=(cargo rustc --quiet --lib --crate-type cdylib --target-dir "$folder/built")
-"${build[@]}" --config profile.dev.opt-level=0
+cargo rustc --quiet --lib --crate-type cdylib --target-dir "$folder/built" --config profile.dev.opt-level=0
 fly gcc "$folder/built/debug/libsins.so"
-"${build[@]}" --release
-fly gcc "$folder/built/release/libsins.so"
+cargo rustc --quiet --release --lib --crate-type cdylib # as c_examples/build.sh, which finds it built
+fly gcc target/release/libsins.so
 report_not_run
