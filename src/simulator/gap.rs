@@ -4,7 +4,7 @@ use super::Options;
 use crate::signal::MAX_INCREMENTS;
 use crate::truth::Recent;
 
-/// Times the longest of the last intervals beyond which an interval is a gap. One lost sample, or jitter, is none.
+/// Times the longer of the last two intervals beyond which an interval is a gap. One lost sample, or jitter, is none.
 const GAP: f64 = 2.5;
 
 impl Options {
@@ -23,11 +23,9 @@ impl Options {
     #[cold]
     #[inline(never)]
     fn updates_over_longer(&self, recent: &Recent<'_>) -> usize {
-        let usual_s = recent
-            .before
-            .iter()
-            .flatten()
-            .fold(recent.current.interval_s, |longest, point| longest.max(point.interval_s));
+        // Of the two intervals that lie between the points that are kept, and that a snapshot has.
+        let before_s = recent.before[0].map_or(0.0, |point| point.interval_s);
+        let usual_s = recent.current.interval_s.max(before_s);
         let ratio = recent.next.interval_s / usual_s;
         // At the start there is no usual one.
         if ratio <= GAP || usual_s == 0.0 {

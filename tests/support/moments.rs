@@ -218,7 +218,7 @@ pub fn runs() -> Vec<Run> {
     runs.push(Run { name: "every effect for minutes", options: model, calls, every: 101 });
 
     // Samples lost soon after the start, and soon after one another: gaps are told from the intervals before.
-    let lost = [2..5, 20..30, 32..60];
+    let lost = [2..5, 20..30, 33..36, 37..60];
     let kept = (0..70).zip(samples(70, 0.01)).filter(|(k, _)| !lost.iter().any(|range| range.contains(k)));
     let mut calls = setting();
     calls.extend(flown(kept.map(|(_, sample)| sample)));
