@@ -42,10 +42,11 @@
  *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
  *     SINS_ERROR_DISCONTINUITY, and so is each after it: take the pause off the stamps, or sins_reposition(). A shorter gap
  *     is an interval that was flown, the velocity times its length: take it off too if the vehicle stood still.
- *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs, on the
- *     smoothest motion between its ends. Attitude and velocity are right behind it; what that motion missed of the path stays
- *     in the position: nothing in steady flight, in a weave of 4 g and 8 s 5 cm where 1 s is lost and 3 m where 2.5 s are.
- *     Have what is too much refused by a smaller max_gap_s.
+ *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
+ *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
+ *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
+ *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Have what is too much refused by a
+ *     smaller max_gap_s.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
  *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower

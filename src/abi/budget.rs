@@ -12,7 +12,6 @@ use super::memory::{Array, Output, interface_struct, put, read_or_default};
 use super::mounting::sins_mounting;
 use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
-
 use crate::budget::{
     BudgetRequest, Effect, ErrorParameters, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
 };

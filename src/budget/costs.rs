@@ -4,8 +4,7 @@ use super::{Effect, ErrorParameters, Scene};
 use crate::error::Error;
 use crate::memory::room;
 use crate::recommend::round_ns;
-use crate::simulator::heap_simulator;
-use crate::simulator::{Options, Simulator};
+use crate::simulator::{Options, Simulator, heap_simulator};
 
 /// Rounds, of which the fastest counts.
 const ROUNDS: usize = 61;

@@ -10,8 +10,7 @@ use crate::math::{relative_rotation, rotation_quaternion, rotation_vector};
 use crate::memory::room;
 use crate::recommend::{Refusal, fly_looking};
 use crate::sensors::StreamKey;
-use crate::simulator::heap_simulator;
-use crate::simulator::{ErrorSource, Options};
+use crate::simulator::{ErrorSource, Options, heap_simulator};
 use crate::truth::FlightSample;
 
 /// Samples of a scene at the least: an interval.

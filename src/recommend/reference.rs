@@ -7,8 +7,7 @@ use crate::error::Error;
 use crate::math::{relative_rotation, rotation_vector};
 use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme};
 use crate::memory::room;
-use crate::simulator::heap_simulator;
-use crate::simulator::{MAX_UPDATES, Options, Simulator, Step};
+use crate::simulator::{MAX_UPDATES, Options, Simulator, Step, heap_simulator};
 use crate::state::EarthFixedState;
 use crate::truth::FlightSample;
 

@@ -8,9 +8,6 @@ use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
 use crate::snapshot::stored;
 
-/// Gauss-Legendre nodes on 0..1: with two in each increment its error is θ⁴/4320 of it, at a rotation θ [rad].
-const NODES: [f64; 2] = GAUSS_2;
-
 /// True less normal gravity δg along the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Disturbance {
@@ -46,7 +43,8 @@ impl Disturbance {
         let half_dt = 0.5 * motion.interval_s * part;
         let change_e = at_next_e - self.at_last_e;
         let felt = increments.iter_mut().enumerate().map(|(m, increment)| {
-            let felt_b = NODES.iter().fold(Vector3::zeros(), |sum, node| {
+            // Of two nodes in each increment the error is θ⁴/4320 of it, at a rotation θ [rad].
+            let felt_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, node| {
                 let u = (m as f64 + node) * part;
                 sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
             });

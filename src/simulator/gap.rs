@@ -4,7 +4,7 @@ use super::Options;
 use crate::signal::MAX_INCREMENTS;
 use crate::truth::Recent;
 
-/// Times the longer of the last two intervals beyond which an interval is a gap. One lost sample, or jitter, is none.
+/// Times the longer of the last two intervals beyond which an interval is a gap. One lost sample is none.
 const GAP: f64 = 2.5;
 
 impl Options {
