@@ -140,6 +140,9 @@ mod error;
 pub mod errors;
 #[forbid(unsafe_code)]
 pub mod flight;
+#[cfg(feature = "scenes")]
+#[forbid(unsafe_code)]
+pub mod log;
 #[forbid(unsafe_code)]
 pub mod math;
 #[forbid(unsafe_code)]
@@ -149,6 +152,9 @@ mod memory;
 pub mod mounting;
 #[forbid(unsafe_code)]
 pub mod recommend;
+#[cfg(feature = "scenes")]
+#[forbid(unsafe_code)]
+pub mod scene;
 #[forbid(unsafe_code)]
 pub mod sensors;
 #[forbid(unsafe_code)]
@@ -161,6 +167,9 @@ pub mod snapshot;
 pub mod state;
 #[forbid(unsafe_code)]
 pub mod truth;
+#[cfg(feature = "scenes")]
+#[forbid(unsafe_code)]
+mod units;
 
 pub use error::{Error, ErrorKind, Rule};
 pub use simulator::{

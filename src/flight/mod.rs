@@ -37,26 +37,17 @@ pub struct Flight {
 impl Flight {
     /// The flight from `start` through `manoeuvres`. [time of the work: about a millisecond per minute of turning flight]
     pub fn new(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<Self, Error> {
-        start.validate()?;
-        check_range("manoeuvres", manoeuvres.len() as f64, 1.0, MAX_MANOEUVRES as f64)?;
-        let mut segments = room(manoeuvres.len())?;
-        let mut duration_s = 0.0;
-        // Course 0 of the carried axes is true north at the start.
-        let mut speed_m_s = start.speed_m_s;
-        let mut course_rad = start.heading_rad;
-        for (index, manoeuvre) in manoeuvres.iter().enumerate() {
-            let segment =
-                Segment::new(manoeuvre, duration_s, speed_m_s, course_rad).map_err(|e| e.at(index))?;
-            duration_s = segment.end_s();
-            (speed_m_s, course_rad) = segment.leaves();
-            segments.push(segment);
-        }
-        check_range("duration of the flight_s", duration_s, 0.0, 1e8)?;
+        let (segments, duration_s) = segments(start, manoeuvres)?;
         let earth = Earth::new(start.ellipsoid, GravityModel::Normal);
         let path = Path::integrate(&earth, start, &segments)?;
         let body_attitude =
             attitude_from_euler(&Euler { roll: start.roll_rad, pitch: start.pitch_rad, heading: 0.0 });
         Ok(Self { segments, path, duration_s, body_attitude })
+    }
+
+    /// Length [s] of the flight that [`Self::new`] would make, checked but not integrated.
+    pub fn length_s(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<f64, Error> {
+        segments(start, manoeuvres).map(|(_, duration_s)| duration_s)
     }
 
     /// Length of the flight [s].
@@ -90,4 +81,23 @@ impl Flight {
             temperature_c: None,
         })
     }
+}
+
+/// The manoeuvres in time, each from the speed and the course that the one before leaves, and the length of all [s].
+fn segments(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<(Vec<Segment>, f64), Error> {
+    start.validate()?;
+    check_range("manoeuvres", manoeuvres.len() as f64, 1.0, MAX_MANOEUVRES as f64)?;
+    let mut segments = room(manoeuvres.len())?;
+    let mut duration_s = 0.0;
+    // Course 0 of the carried axes is true north at the start.
+    let mut speed_m_s = start.speed_m_s;
+    let mut course_rad = start.heading_rad;
+    for (index, manoeuvre) in manoeuvres.iter().enumerate() {
+        let segment = Segment::new(manoeuvre, duration_s, speed_m_s, course_rad).map_err(|e| e.at(index))?;
+        duration_s = segment.end_s();
+        (speed_m_s, course_rad) = segment.leaves();
+        segments.push(segment);
+    }
+    check_range("duration of the flight_s", duration_s, 0.0, 1e8)?;
+    Ok((segments, duration_s))
 }

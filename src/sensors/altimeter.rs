@@ -145,6 +145,11 @@ impl Altimeter {
         self.decide();
     }
 
+    /// The failure that is set.
+    pub fn failure(&self) -> Option<Failure> {
+        self.failing.failure()
+    }
+
     /// Whether it has a failure.
     pub fn has_failed(&self) -> bool {
         self.failing.has_failed()

@@ -87,6 +87,11 @@ impl FailingOutput {
         self.failure.map_or(Ok(()), |failure| failure.validate(output))
     }
 
+    /// The failure that is set.
+    pub fn failure(&self) -> Option<Failure> {
+        self.failure
+    }
+
     /// Whether there is a failure.
     pub fn has_failed(&self) -> bool {
         self.failure.is_some()
@@ -169,6 +174,11 @@ impl FailingTriad {
     /// Takes a failure of one axis, as [`FailingOutput::set`].
     pub fn set(&mut self, axis: Axis, failure: Option<Failure>, last: Option<f64>) {
         self.outputs[axis as usize].set(failure, last);
+    }
+
+    /// The failure that is set of one axis.
+    pub fn failure(&self, axis: Axis) -> Option<Failure> {
+        self.outputs[axis as usize].failure()
     }
 
     /// Checks each failure; `output` makes of an axis what fails.

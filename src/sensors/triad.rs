@@ -146,6 +146,11 @@ impl Triad {
         self.set(parameters);
     }
 
+    /// The failure that is set of one axis.
+    pub fn failure(&self, axis: Axis) -> Option<Failure> {
+        self.failing.failure(axis)
+    }
+
     /// The failures: a snapshot needs them before the parameters are set, which make a plan of both.
     pub(crate) fn failures(&self) -> &impl Stored {
         &self.failing

@@ -12,6 +12,7 @@ mod interval;
 mod mounted;
 mod navigator;
 mod options;
+mod readback;
 mod settings;
 mod snapshot;
 mod solution;

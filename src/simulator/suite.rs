@@ -186,6 +186,30 @@ impl SensorSuite {
         self.decide();
     }
 
+    /// What the host set of the gyros.
+    pub fn gyro_parameters(&self) -> &TriadParameters {
+        &self.gyro_parameters
+    }
+
+    /// What the host set of the accelerometers.
+    pub fn accel_parameters(&self) -> &TriadParameters {
+        &self.accel_parameters
+    }
+
+    /// What the host set of the altimeter.
+    pub fn altimeter_parameters(&self) -> &AltimeterParameters {
+        &self.altimeter_parameters
+    }
+
+    /// The failure that is set of an output.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        match output {
+            SensorOutput::Gyro(axis) => self.gyro.failure(axis),
+            SensorOutput::Accelerometer(axis) => self.accel.failure(axis),
+            SensorOutput::Altimeter => self.altimeter.failure(),
+        }
+    }
+
     /// Decides what each interval need not ask again.
     fn decide(&mut self) {
         self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();

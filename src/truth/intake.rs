@@ -75,6 +75,11 @@ impl Intake {
         self.ring.taken(0)
     }
 
+    /// The point pushed last, taken or not.
+    pub fn newest(&self) -> Option<&TruthPoint> {
+        self.ring.pushed(0)
+    }
+
     /// The point taken last and the two before it, as far as there are any.
     pub fn behind(&self) -> [Option<&TruthPoint>; 3] {
         [0, 1, 2].map(|back| self.ring.taken(back))

@@ -1,0 +1,91 @@
+//! What is wrong with a text: where, and in a sentence.
+
+use core::fmt;
+use core::ops::Range;
+
+/// Faults that are kept of one text at the most; a text with more is not read further.
+pub const MAX_FAULTS: usize = 200;
+
+/// One fault of a scene or of a flight log.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column, in characters from 1.
+    pub column: usize,
+    /// Which key, which value, which limit.
+    pub sentence: String,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.line, self.column, self.sentence)
+    }
+}
+
+/// The faults of `text` so far.
+#[derive(Debug)]
+pub struct Faults<'a> {
+    text: &'a str,
+    found: Vec<(usize, String)>,
+}
+
+impl<'a> Faults<'a> {
+    pub fn new(text: &'a str) -> Self {
+        Self { text, found: Vec::new() }
+    }
+
+    /// Notes a fault of what stands at `span` [bytes].
+    pub fn add(&mut self, span: &Range<usize>, sentence: impl Into<String>) {
+        if !self.are_many() {
+            self.found.push((span.start, sentence.into()));
+        }
+    }
+
+    /// Whether no more is kept.
+    pub fn are_many(&self) -> bool {
+        self.found.len() >= MAX_FAULTS
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    /// In the order of the text.
+    pub fn into_list(mut self) -> Vec<Fault> {
+        self.found.sort_by_key(|(at, _)| *at);
+        self.found.iter().map(|(at, sentence)| self.fault(*at, sentence)).collect()
+    }
+
+    fn fault(&self, at: usize, sentence: &str) -> Fault {
+        let before = self.text.get(..at).unwrap_or(self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Fault {
+            line: 1 + before.matches('\n').count(),
+            column: 1 + before[line_start..].chars().count(),
+            sentence: sentence.to_owned(),
+        }
+    }
+}
+
+/// The word of `words` that is nearest to `word`, if it is near enough to be meant.
+pub fn nearest<'w>(word: &str, words: impl Iterator<Item = &'w str>) -> Option<&'w str> {
+    // A third of the letters may be wrong.
+    let most = 1 + word.chars().count() / 3;
+    words
+        .map(|other| (strsim::osa_distance(word, other), other))
+        .filter(|(distance, _)| *distance <= most)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, other)| other)
+}
+
+/// Text of a user as it can stand in a sentence: short, without control characters.
+pub fn excerpt(text: &str) -> String {
+    const MOST: usize = 40;
+    let printable = |letter: char| if letter.is_control() { '?' } else { letter };
+    let mut short: String = text.chars().take(MOST).map(printable).collect();
+    if text.chars().nth(MOST).is_some() {
+        short.push_str("...");
+    }
+    short
+}

@@ -1,0 +1,219 @@
+//! What a key of a scene file is: name, unit, place in the scene, meaning. The keys themselves are in [`super::table`].
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::draft::Draft;
+use crate::math::Euler;
+
+/// The sections of a scene file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Section {
+    Flight,
+    Manoeuvre,
+    Sinusoid,
+    Options,
+    Gyro,
+    Accelerometer,
+    Altimeter,
+    Start,
+    Mounting,
+    Gravity,
+    Failure,
+    Output,
+}
+
+impl Section {
+    pub const ALL: [Self; 12] = [
+        Self::Flight,
+        Self::Manoeuvre,
+        Self::Sinusoid,
+        Self::Options,
+        Self::Gyro,
+        Self::Accelerometer,
+        Self::Altimeter,
+        Self::Start,
+        Self::Mounting,
+        Self::Gravity,
+        Self::Failure,
+        Self::Output,
+    ];
+
+    /// As it stands in brackets.
+    pub fn name(self) -> &'static str {
+        self.words().0
+    }
+
+    /// What it sets.
+    pub fn doc(self) -> &'static str {
+        self.words().1
+    }
+
+    /// Whether it stands in double brackets, any number of times.
+    pub fn is_list(self) -> bool {
+        matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure)
+    }
+
+    fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Flight => ("flight", "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"),
+            Self::Manoeuvre => ("manoeuvre", "one after the other; angles right and up positive"),
+            Self::Sinusoid => ("manoeuvre.sinusoid", "behind a manoeuvre of kind sinusoids, up to 6"),
+            Self::Options => ("options", "the simulator"),
+            Self::Gyro => ("gyro", "gyro errors: a preset, and what differs from it"),
+            Self::Accelerometer => {
+                ("accelerometer", "accelerometer errors: a preset, and what differs from it")
+            }
+            Self::Altimeter => {
+                ("altimeter", "errors of the altimeter, which aids the damped vertical channel")
+            }
+            Self::Start => ("start", "errors at the start: computed less true"),
+            Self::Mounting => (
+                "mounting",
+                "where the sensor block sits, and what the INS wrongly believes of it: believed less true",
+            ),
+            Self::Gravity => {
+                ("gravity", "true gravity less normal gravity: constant, and random over the distance flown")
+            }
+            Self::Failure => ("failure", "failure of one output of a sensor, for a time"),
+            Self::Output => ("output", "what a program that flies the scene writes"),
+        }
+    }
+}
+
+/// A unit of a scene file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// "deg/h"; empty for a pure number.
+    pub text: &'static str,
+    /// SI units in one of it.
+    pub si: f64,
+}
+
+/// How numbers are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// One number.
+    Number,
+    /// Three numbers.
+    Vector,
+    /// One number for all axes, or three.
+    Axes,
+    /// One number for all elements off the diagonal, or nine row by row.
+    OffDiagonal,
+    /// One number for all elements of the diagonal, or nine row by row.
+    Diagonal,
+    /// Nine numbers row by row.
+    Matrix,
+}
+
+impl Shape {
+    pub fn count(self) -> usize {
+        match self {
+            Self::Number => 1,
+            Self::Vector | Self::Axes => 3,
+            Self::OffDiagonal | Self::Diagonal | Self::Matrix => 9,
+        }
+    }
+
+    /// Whether a single number sets element `index`; `None`: a single number is not enough.
+    pub fn single_sets(self, index: usize) -> Option<bool> {
+        match self {
+            Self::Number | Self::Axes => Some(true),
+            Self::OffDiagonal => Some(!index.is_multiple_of(4)),
+            Self::Diagonal => Some(index.is_multiple_of(4)),
+            Self::Vector | Self::Matrix => None,
+        }
+    }
+
+    pub fn expected(self) -> &'static str {
+        match self {
+            Self::Number => "a number",
+            Self::Vector => "three numbers",
+            Self::Axes => "one number for all axes, or three",
+            Self::OffDiagonal => "one number for all elements off the diagonal, or nine row by row",
+            Self::Diagonal => "one number for all elements of the diagonal, or nine row by row",
+            Self::Matrix => "nine numbers row by row",
+        }
+    }
+}
+
+/// Up to nine numbers of a draft, row by row.
+pub type Places<'d> = Vec<&'d mut f64>;
+
+/// Where the value of a key goes.
+#[derive(Debug, Clone, Copy)]
+pub enum Target {
+    /// Numbers in a unit; `field` is how the library names their place in SI, `low` and `high` [the key's unit] are limits of
+    /// the scene itself where the library has none.
+    Numbers {
+        field: &'static str,
+        unit: Unit,
+        shape: Shape,
+        limits: Option<(f64, f64)>,
+        places: fn(&mut Draft) -> Places<'_>,
+    },
+    /// One of several words.
+    Choice {
+        field: &'static str,
+        words: &'static [&'static str],
+        get: fn(&Draft) -> usize,
+        set: fn(&mut Draft, usize),
+    },
+    /// A whole number.
+    Count { field: &'static str, get: fn(&Draft) -> u64, set: fn(&mut Draft, u64) },
+    /// A text that is not empty.
+    Text { example: &'static str, place: fn(&mut Draft) -> &mut String },
+    /// True or false.
+    Flag { get: fn(&Draft) -> bool, set: fn(&mut Draft, bool) },
+}
+
+/// A key of a scene file.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    pub section: Section,
+    pub name: &'static str,
+    pub doc: &'static str,
+    pub target: Target,
+}
+
+impl Key {
+    /// The field of the library, as its errors name it; empty for what is the scene's own.
+    pub fn field(&self) -> &'static str {
+        match self.target {
+            Target::Numbers { field, .. } | Target::Choice { field, .. } | Target::Count { field, .. } => {
+                field
+            }
+            Target::Text { .. } | Target::Flag { .. } => "",
+        }
+    }
+
+    /// The same quantity in SI, under the library's own name of its field, if the key has another unit.
+    pub fn si_name(&self) -> Option<&'static str> {
+        let Target::Numbers { field, unit, .. } = self.target else { return None };
+        let name = field.split_once('.').map_or(field, |(_, name)| name);
+        (unit.si != 1.0 && name != self.name).then_some(name)
+    }
+
+    /// Its name with its section's.
+    pub fn path(&self) -> String {
+        format!("{}.{}", self.section.name(), self.name)
+    }
+}
+
+pub fn one(number: &mut f64) -> Places<'_> {
+    vec![number]
+}
+
+pub fn vector(vector: &mut Vector3<f64>) -> Places<'_> {
+    vector.iter_mut().collect()
+}
+
+pub fn angles(euler: &mut Euler) -> Places<'_> {
+    vec![&mut euler.roll, &mut euler.pitch, &mut euler.heading]
+}
+
+/// Row by row; the matrix is stored column by column.
+pub fn matrix(matrix: &mut Matrix3<f64>) -> Places<'_> {
+    let [[a, b, c], [d, e, f], [g, h, i]] = &mut matrix.data.0;
+    vec![a, d, g, b, e, h, c, f, i]
+}

@@ -1,0 +1,249 @@
+//! Scenes: a flight, the simulator that flies it, and what goes wrong on the way, as a text in TOML.
+//!
+//! A scene is read by [`Scene::parse`], which tells every fault of a text at once, and written by [`Scene::write`], which
+//! gives a text that reads back as the same scene to the bit. The keys of a scene, with unit and meaning, are one table
+//! (`table`): it makes the reading, the writing and the list of keys ([`keys`]).
+
+mod builtin;
+mod draft;
+mod fault;
+mod key;
+mod list;
+mod read;
+mod schedule;
+mod table;
+mod value;
+mod write;
+
+pub use builtin::{BUILTIN_SCENES, builtin};
+pub use fault::{Fault, MAX_FAULTS};
+pub(crate) use fault::{excerpt, nearest};
+pub use list::{KeyLine, keys};
+
+use crate::error::{Error, Rule, check_range};
+use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
+use crate::memory::room;
+use crate::mounting::MountingParameters;
+use crate::sensors::{
+    AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, SensorOutput,
+    TriadParameters,
+};
+use crate::simulator::heap_simulator;
+use crate::{Options, Simulator};
+
+/// Size of a scene's text at the most [bytes].
+pub const MAX_TEXT: usize = 1 << 20;
+
+/// A scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The scene in words; empty: none.
+    pub title: String,
+    /// The true motion.
+    pub flight: FlightSource,
+    /// How long to fly [s]; `None`: the whole flight.
+    pub duration_s: Option<f64>,
+    /// Sample rate of a built-in or composed flight [Hz]; a log has its own time stamps.
+    pub rate_hz: f64,
+    /// Temperature of the sensors; `None`: samples have none but those of a log.
+    pub temperature: Option<Temperature>,
+    /// The simulator. The stated period of a flight that is not a log follows from its rate.
+    pub options: Options,
+    /// Errors of the gyros.
+    pub gyro: TriadParameters,
+    /// Errors of the accelerometers.
+    pub accel: TriadParameters,
+    /// Errors of the altimeter.
+    pub altimeter: AltimeterParameters,
+    /// Errors at the start.
+    pub initial: InitialErrorParameters,
+    /// Where the sensor block sits.
+    pub mounting: MountingParameters,
+    /// True less normal gravity.
+    pub gravity: GravityDisturbanceParameters,
+    /// Failures of sensors; those of one output do not overlap in time.
+    pub failures: Vec<PlannedFailure>,
+    /// What a program that flies the scene writes.
+    pub output: Output,
+}
+
+/// Where the true motion comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FlightSource {
+    /// A flight log, by its path as seen from the scene's own folder.
+    Log(String),
+    /// The flight of a built-in scene, by its name.
+    Builtin(String),
+    /// Composed of manoeuvres.
+    Path(FlightPath),
+}
+
+/// A start and the manoeuvres from there on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlightPath {
+    /// Where the flight begins.
+    pub start: FlightStart,
+    /// One after the other.
+    pub manoeuvres: Vec<Manoeuvre>,
+    /// How many times all of them are flown.
+    pub repeat: usize,
+}
+
+/// Temperature of the sensors over the time of the flight, a straight line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Temperature {
+    /// At the start [°C].
+    pub at_start_c: f64,
+    /// Its change [°C/s].
+    pub change_c_s: f64,
+}
+
+/// A failure and its time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlannedFailure {
+    /// What fails.
+    pub output: SensorOutput,
+    /// When.
+    pub failing: Failing,
+    /// How.
+    pub failure: Failure,
+}
+
+/// A span of time since the start of the flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Failing {
+    /// Its begin [s].
+    pub from_s: f64,
+    /// Its end [s]; infinite: the end of the flight.
+    pub until_s: f64,
+}
+
+/// What a program that flies the scene writes; the library itself writes nothing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Output {
+    /// Folder of the files; empty: the program's choice.
+    pub folder: String,
+    /// Base name of the files; empty: that of the scene.
+    pub name: String,
+    /// File of the measured increments; empty: none.
+    pub imu: String,
+    /// Spacing of the records [s]; `None`: the program's choice.
+    pub every_s: Option<f64>,
+    /// Neither progress nor summary.
+    pub quiet: bool,
+}
+
+impl Default for Scene {
+    /// The recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0, height 0.
+    fn default() -> Self {
+        let rest = Manoeuvre::Rest { duration_s: 3600.0 };
+        let start = FlightStart::default();
+        Self {
+            title: String::new(),
+            flight: FlightSource::Path(FlightPath { start, manoeuvres: vec![rest], repeat: 1 }),
+            duration_s: None,
+            rate_hz: 100.0,
+            temperature: None,
+            options: Options::default(),
+            gyro: TriadParameters::default(),
+            accel: TriadParameters::default(),
+            altimeter: AltimeterParameters::default(),
+            initial: InitialErrorParameters::default(),
+            mounting: MountingParameters::default(),
+            gravity: GravityDisturbanceParameters::default(),
+            failures: Vec::new(),
+            output: Output::default(),
+        }
+    }
+}
+
+impl FlightPath {
+    /// The trajectory.
+    pub fn flight(&self) -> Result<Flight, Error> {
+        Flight::new(&self.start, &self.all()?)
+    }
+
+    /// Its length [s], without making it.
+    pub fn length_s(&self) -> Result<f64, Error> {
+        Flight::length_s(&self.start, &self.all()?)
+    }
+
+    fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
+        check_range("flight.repeat", self.repeat as f64, 1.0, MAX_MANOEUVRES as f64)?;
+        let mut manoeuvres = room(self.manoeuvres.len().saturating_mul(self.repeat))?;
+        for _ in 0..self.repeat {
+            manoeuvres.extend_from_slice(&self.manoeuvres);
+        }
+        Ok(manoeuvres)
+    }
+}
+
+impl Scene {
+    /// Whether the flight is a log.
+    pub fn is_log(&self) -> bool {
+        matches!(self.flight, FlightSource::Log(_))
+    }
+
+    /// The options of the simulator: the scene's, and with a flight that is not a log the period of its rate.
+    pub fn simulator_options(&self) -> Options {
+        let mut options = self.options;
+        if !self.is_log() {
+            options.intake.period_s = Some(1.0 / self.rate_hz);
+        }
+        options
+    }
+
+    /// The simulator of the scene, without a failure yet: [`Self::prepare`] sets those in their time.
+    pub fn simulator(&self) -> Result<Box<[Simulator]>, Error> {
+        let mut simulators = heap_simulator(&self.simulator_options())?;
+        for simulator in &mut simulators {
+            simulator.set_gyro(&self.gyro)?;
+            simulator.set_accel(&self.accel)?;
+            simulator.set_altimeter(&self.altimeter)?;
+            simulator.set_initial_errors(&self.initial)?;
+            simulator.set_mounting(&self.mounting)?;
+            simulator.set_gravity_disturbance(&self.gravity)?;
+        }
+        Ok(simulators)
+    }
+
+    /// The flight, on the scene's ellipsoid; of a log there is none.
+    pub fn flight(&self) -> Result<Flight, Error> {
+        self.path()?.flight()
+    }
+
+    /// The start and the manoeuvres of the flight, a built-in one's too.
+    fn path(&self) -> Result<FlightPath, Error> {
+        let mut path = match &self.flight {
+            FlightSource::Path(path) => path.clone(),
+            FlightSource::Builtin(name) => match builtin(name).map(|scene| scene.flight) {
+                Some(FlightSource::Path(path)) => path,
+                _ => return Err(Error::bad_state("the scene names no built-in flight")),
+            },
+            FlightSource::Log(_) => {
+                return Err(Error::bad_state("the flight of the scene is a log; read that"));
+            }
+        };
+        path.start.ellipsoid = self.options.ellipsoid;
+        Ok(path)
+    }
+
+    /// How long the flight is flown [s]: the scene's own duration, which the flight has to have, else that of the built-in
+    /// scene, else the whole flight.
+    pub fn flown_s(&self) -> Result<f64, Error> {
+        let flight_s = self.path()?.length_s()?;
+        let of_builtin = || match &self.flight {
+            FlightSource::Builtin(name) => builtin(name).and_then(|scene| scene.duration_s),
+            _ => None,
+        };
+        match self.duration_s.or_else(of_builtin) {
+            // What a program's arithmetic may leave of the same duration.
+            Some(wanted_s) if wanted_s > flight_s * (1.0 + 1e-9) => {
+                let rule = Rule::WordsAnd("must be at most the duration of the flight:", flight_s);
+                Err(Error::invalid("flight.duration_s", wanted_s, rule))
+            }
+            Some(wanted_s) => Ok(wanted_s.min(flight_s)),
+            None => Ok(flight_s),
+        }
+    }
+}

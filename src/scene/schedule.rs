@@ -1,0 +1,65 @@
+//! What a scene does over the time of its flight: temperature and failures.
+
+use super::{Failing, Scene, Temperature};
+use crate::Simulator;
+use crate::error::Error;
+use crate::sensors::SensorOutput;
+use crate::truth::FlightSample;
+
+impl Failing {
+    /// Whether both have a moment in common.
+    pub fn meets(&self, other: &Self) -> bool {
+        self.from_s < other.until_s && other.from_s < self.until_s
+    }
+
+    fn has(&self, time_s: f64) -> bool {
+        self.from_s <= time_s && time_s < self.until_s
+    }
+}
+
+impl Temperature {
+    /// At `time_s` [s] since the start of the flight [°C].
+    pub fn at(&self, time_s: f64) -> f64 {
+        self.at_start_c + self.change_c_s * time_s
+    }
+}
+
+/// What rounding of time stamps may leave of the time of a failure, in intervals.
+const ROUNDING: f64 = 1e-9;
+
+impl Scene {
+    /// Makes ready for the interval that `sample` ends: call it for each sample before that is pushed, and step before the next.
+    /// `start_s` is the time stamp of the flight's first sample. The sample gets the scene's temperature; a failure
+    /// begins, or ends, with the first interval that starts at its time or later. Outputs for which the scene plans no failure
+    /// are left alone.
+    pub fn prepare(
+        &self,
+        simulator: &mut Simulator,
+        start_s: f64,
+        sample: &mut FlightSample,
+    ) -> Result<(), Error> {
+        if let Some(temperature) = &self.temperature {
+            sample.temperature_c = Some(temperature.at(sample.time_s - start_s));
+        }
+        // A flight's first sample ends no interval; its failures begin with the interval behind it.
+        let Some(begin_s) = simulator.last_sample_time_s() else { return Ok(()) };
+        let time_s = begin_s - start_s + ROUNDING * (sample.time_s - begin_s);
+        for (index, planned) in self.failures.iter().enumerate() {
+            let output = planned.output;
+            if self.failures[..index].iter().any(|other| other.output == output) {
+                continue;
+            }
+            let due = self.failures.iter().find(|other| other.output == output && other.failing.has(time_s));
+            let due = due.map(|planned| planned.failure);
+            if simulator.failure(output) != due {
+                simulator.set_failure(output, due)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether any failure is planned for `output`.
+    pub fn plans_failure_of(&self, output: SensorOutput) -> bool {
+        self.failures.iter().any(|planned| planned.output == output)
+    }
+}

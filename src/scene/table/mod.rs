@@ -1,0 +1,144 @@
+//! The keys of a scene, in the order in which they are read and written.
+
+mod failure;
+mod flight;
+mod options;
+mod sensors;
+mod surroundings;
+
+use super::key::{Key, Places, Section, Shape, Target, Unit};
+
+/// Every key.
+pub const KEYS: &[Key] = &{
+    let parts = [
+        flight::FLIGHT,
+        flight::MANOEUVRE,
+        flight::SINUSOID,
+        options::OPTIONS,
+        sensors::GYRO,
+        sensors::ACCELEROMETER,
+        surroundings::ALTIMETER,
+        surroundings::START,
+        surroundings::MOUNTING,
+        surroundings::GRAVITY,
+        failure::FAILURE,
+        options::OUTPUT,
+    ];
+    let mut keys = [flight::FLIGHT[0]; COUNT];
+    let (mut part, mut place) = (0, 0);
+    while part < parts.len() {
+        let mut index = 0;
+        while index < parts[part].len() {
+            keys[place] = parts[part][index];
+            (place, index) = (place + 1, index + 1);
+        }
+        part += 1;
+    }
+    keys
+};
+
+const COUNT: usize = flight::FLIGHT.len()
+    + flight::MANOEUVRE.len()
+    + flight::SINUSOID.len()
+    + options::OPTIONS.len()
+    + sensors::GYRO.len()
+    + sensors::ACCELEROMETER.len()
+    + surroundings::ALTIMETER.len()
+    + surroundings::START.len()
+    + surroundings::MOUNTING.len()
+    + surroundings::GRAVITY.len()
+    + failure::FAILURE.len()
+    + options::OUTPUT.len();
+
+/// The keys of a section with their places in [`KEYS`].
+pub fn of_section(section: Section) -> impl Iterator<Item = (usize, &'static Key)> {
+    KEYS.iter().enumerate().filter(move |(_, key)| key.section == section)
+}
+
+/// Of a key of [[failure]] whose unit belongs to another sensor, the key of the same quantity for `sensor`.
+pub fn of_sensor(key: &Key, sensor: usize) -> Option<&'static str> {
+    let names = failure::BY_SENSOR.iter().find(|names| names.contains(&key.name))?;
+    (names[sensor] != key.name).then_some(names[sensor])
+}
+
+/// A unit, and its SI value.
+const fn unit(text: &'static str, si: f64) -> Unit {
+    Unit { text, si }
+}
+
+/// The words of a table of words and what each of them uses.
+const fn first_words<const N: usize>(
+    table: [(&'static str, &'static [&'static str]); N],
+) -> [&'static str; N] {
+    let mut words = [""; N];
+    let mut index = 0;
+    while index < N {
+        words[index] = table[index].0;
+        index += 1;
+    }
+    words
+}
+
+const PURE: Unit = unit("", 1.0);
+
+/// A key of numbers, whose limits are the library's.
+const fn numbers(
+    section: Section,
+    (name, unit, doc): (&'static str, Unit, &'static str),
+    shape: Shape,
+    field: &'static str,
+    places: fn(&mut super::draft::Draft) -> Places<'_>,
+) -> Key {
+    Key { section, name, doc, target: Target::Numbers { field, unit, shape, limits: None, places } }
+}
+
+/// A number that is the scene's own, with its limits in its unit.
+const fn within(
+    section: Section,
+    (name, unit, doc): (&'static str, Unit, &'static str),
+    (low, high): (f64, f64),
+    field: &'static str,
+    places: fn(&mut super::draft::Draft) -> Places<'_>,
+) -> Key {
+    let target = Target::Numbers { field, unit, shape: Shape::Number, limits: Some((low, high)), places };
+    Key { section, name, doc, target }
+}
+
+/// A key of words, each for one value of a place in the draft.
+macro_rules! choice {
+    ($section:expr, $name:literal, $doc:literal, $field:literal, $($place:ident).+, [$($word:literal => $value:expr),+ $(,)?]) => {
+        Key {
+            section: $section,
+            name: $name,
+            doc: $doc,
+            target: Target::Choice {
+                field: $field,
+                words: &[$($word),+],
+                get: |draft| [$($value),+].iter().position(|value| *value == draft.$($place).+).unwrap_or(0),
+                set: |draft, index| draft.$($place).+ = [$($value),+][index],
+            },
+        }
+    };
+}
+use choice;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_keys_of_a_section_share_a_name() {
+        for section in Section::ALL {
+            let names: Vec<&str> =
+                of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten().collect();
+            for (index, name) in names.iter().enumerate() {
+                assert!(!names[..index].contains(name), "{}.{name}", section.name());
+            }
+        }
+    }
+
+    #[test]
+    fn keys_stand_in_the_order_of_their_sections() {
+        assert!(KEYS.is_sorted_by_key(|key| key.section));
+    }
+}

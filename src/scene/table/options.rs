@@ -1,0 +1,154 @@
+//! The simulator and what a program writes: `[options]`, `[output]`.
+
+use super::super::key::{Key, Section, Shape, Target, one};
+use super::{choice, numbers, unit, within};
+use crate::earth::{Ellipsoid, GravityModel};
+use crate::mechanization::{Frame, Scheme, VerticalMode};
+use crate::state::BodyAxes;
+
+const O: Section = Section::Options;
+const P: Section = Section::Output;
+const N: Shape = Shape::Number;
+
+const fn count(
+    name: &'static str,
+    doc: &'static str,
+    field: &'static str,
+    get: fn(&super::super::draft::Draft) -> u64,
+    set: fn(&mut super::super::draft::Draft, u64),
+) -> Key {
+    Key { section: O, name, doc, target: Target::Count { field, get, set } }
+}
+
+pub const OPTIONS: &[Key] = &[
+    choice!(O, "scheme", "mechanization", "options.scheme", scene.options.scheme, [
+        "exact" => Scheme::Exact,
+        "paper" => Scheme::Paper,
+        "polynomial" => Scheme::Polynomial,
+    ]),
+    choice!(O, "frame", "axes to navigate in", "options.frame", scene.options.frame, [
+        "earth" => Frame::EarthFixed,
+        "geographic" => Frame::Geographic,
+    ]),
+    count(
+        "subsamples",
+        "sub-increments of an update, 1 to 5",
+        "options.subsamples",
+        |d| d.scene.options.subsamples as u64,
+        |d, n| {
+            d.scene.options.subsamples = usize::try_from(n).unwrap_or(usize::MAX);
+        },
+    ),
+    count(
+        "updates_per_sample",
+        "updates in a sample interval, 1 to 16",
+        "options.updates_per_sample",
+        |d| d.scene.options.updates_per_sample as u64,
+        |d, n| d.scene.options.updates_per_sample = usize::try_from(n).unwrap_or(usize::MAX),
+    ),
+    choice!(O, "vertical", "vertical channel", "options.vertical", scene.options.vertical, [
+        "damped" => VerticalMode::Damped,
+        "follow" => VerticalMode::FollowTruth,
+        "free" => VerticalMode::Free,
+    ]),
+    choice!(O, "error_model", "error data 1", "options.error_model", scene.options.error_model, [
+        "off" => false,
+        "rk4" => true,
+    ]),
+    choice!(O, "earth", "ellipsoid", "options.earth", scene.options.ellipsoid, [
+        "wgs84" => Ellipsoid::Wgs84,
+        "cgcs2000" => Ellipsoid::Cgcs2000,
+        "grs80" => Ellipsoid::Grs80,
+        "krassovsky" => Ellipsoid::Krassovsky1940,
+    ]),
+    choice!(O, "gravity", "gravity", "options.gravity", scene.options.gravity, [
+        "normal" => GravityModel::Normal,
+        "somigliana" => GravityModel::Somigliana,
+    ]),
+    choice!(O, "axes", "sensor axes: right-forward-up or forward-right-down", "options.axes", scene.options.axes, [
+        "rfu" => BodyAxes::RightForwardUp,
+        "frd" => BodyAxes::ForwardRightDown,
+    ]),
+    choice!(O, "signal", "ideal signals, or with a trim that holds an error-free navigator", "options.signal", closed_loop, [
+        "physical" => false,
+        "closed-loop" => true,
+    ]),
+    numbers(
+        O,
+        ("closed_loop_time_s", unit("s", 1.0), "time constant of that trim"),
+        N,
+        "options.closed_loop_time_s",
+        |d| one(&mut d.closed_loop_time_s),
+    ),
+    count(
+        "seed",
+        "seed of all random streams",
+        "options.seed",
+        |d| d.scene.options.key.seed,
+        |d, n| d.scene.options.key.seed = n,
+    ),
+    count(
+        "run",
+        "number of the run in an ensemble",
+        "options.run",
+        |d| d.scene.options.key.run,
+        |d, n| d.scene.options.key.run = n,
+    ),
+    numbers(
+        O,
+        ("sample_period_s", unit("s", 1.0), "stated period of a log; default its own time stamps"),
+        N,
+        "options.sample_period_s",
+        |d| one(&mut d.sample_period_s),
+    ),
+    numbers(
+        O,
+        ("max_gap_s", unit("s", 1.0), "longest interval between samples"),
+        N,
+        "options.max_gap_s",
+        |d| one(&mut d.scene.options.intake.max_gap_s),
+    ),
+    numbers(
+        O,
+        (
+            "max_acceleration_m_s2",
+            unit("m/s2", 1.0),
+            "mean acceleration between two samples beyond which truth has jumped",
+        ),
+        N,
+        "options.max_acceleration_m_s2",
+        |d| one(&mut d.scene.options.intake.max_acceleration_m_s2),
+    ),
+];
+
+const fn text(
+    name: &'static str,
+    example: &'static str,
+    doc: &'static str,
+    place: fn(&mut super::super::draft::Draft) -> &mut String,
+) -> Key {
+    Key { section: P, name, doc, target: Target::Text { example, place } }
+}
+
+pub const OUTPUT: &[Key] = &[
+    text("folder", "sins_out", "folder of the output files", |d| &mut d.scene.output.folder),
+    text("name", "patrol", "base name of the output files; default from the scene", |d| {
+        &mut d.scene.output.name
+    }),
+    text("imu", "imu.csv", "file of the measured increments of every sample interval", |d| {
+        &mut d.scene.output.imu
+    }),
+    within(
+        P,
+        ("every_s", unit("s", 1.0), "spacing of the records; default about 2000 of them"),
+        (5e-5, 1e7),
+        "output.every_s",
+        |d| one(&mut d.every_s),
+    ),
+    Key {
+        section: P,
+        name: "quiet",
+        doc: "neither progress nor summary table",
+        target: Target::Flag { get: |d| d.scene.output.quiet, set: |d, quiet| d.scene.output.quiet = quiet },
+    },
+];

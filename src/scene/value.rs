@@ -1,0 +1,209 @@
+//! Values of a scene's text, and how they get into a draft and out of it.
+
+use toml::de::{DeInteger, DeValue};
+
+use super::draft::Draft;
+use super::fault::excerpt;
+use super::key::{Key, Shape, Target};
+
+/// What stands behind a key.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    Text(String),
+    Flag(bool),
+    /// A whole number that is not negative; also a number.
+    Whole(u64),
+    Number(f64),
+    Numbers(Vec<f64>),
+    /// Anything that no key takes, by its name.
+    Other(&'static str),
+}
+
+impl Value {
+    pub fn of(value: &DeValue<'_>) -> Self {
+        match value {
+            DeValue::String(text) => Self::Text(text.to_string()),
+            DeValue::Boolean(flag) => Self::Flag(*flag),
+            DeValue::Integer(integer) => u64::from_str_radix(integer.as_str(), integer.radix()).map_or_else(
+                |_| finite(number(value)).map_or(Self::Other("a number without a value"), Self::Number),
+                Self::Whole,
+            ),
+            DeValue::Float(_) => {
+                finite(number(value)).map_or(Self::Other("a number without a value"), Self::Number)
+            }
+            DeValue::Array(array) => {
+                let numbers = array.iter().map(|element| finite(number(element.get_ref()))).collect();
+                let numbers: Option<Vec<f64>> = numbers;
+                numbers.map_or(Self::Other("an array of other things than numbers"), Self::Numbers)
+            }
+            DeValue::Datetime(_) => Self::Other("a date"),
+            DeValue::Table(_) => Self::Other("a table"),
+        }
+    }
+
+    /// As it can stand in a sentence.
+    fn shown(&self) -> String {
+        match self {
+            Self::Text(text) => format!("\"{}\"", excerpt(text)),
+            Self::Flag(flag) => flag.to_string(),
+            Self::Whole(whole) => whole.to_string(),
+            Self::Number(number) => number.to_string(),
+            Self::Numbers(numbers) => format!("an array of {}", numbers.len()),
+            Self::Other(name) => (*name).to_owned(),
+        }
+    }
+
+    fn numbers(&self) -> Option<Vec<f64>> {
+        match self {
+            Self::Whole(whole) => Some(vec![*whole as f64]),
+            Self::Number(number) => Some(vec![*number]),
+            Self::Numbers(numbers) => Some(numbers.clone()),
+            _ => None,
+        }
+    }
+}
+
+/// The number of a number; NaN of anything else.
+fn number(value: &DeValue<'_>) -> f64 {
+    match value {
+        DeValue::Integer(integer) => whole_number(integer),
+        DeValue::Float(float) => float.as_str().parse().unwrap_or(f64::NAN),
+        _ => f64::NAN,
+    }
+}
+
+fn whole_number(integer: &DeInteger<'_>) -> f64 {
+    if integer.radix() == 10 {
+        return integer.as_str().parse().unwrap_or(f64::NAN);
+    }
+    u64::from_str_radix(integer.as_str(), integer.radix()).map_or(f64::NAN, |whole| whole as f64)
+}
+
+fn finite(number: f64) -> Option<f64> {
+    number.is_finite().then_some(number)
+}
+
+/// Puts `value` where `key` says, in the key's unit or in SI; on an error what was expected.
+pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(), String> {
+    let refused = |expected: String| format!("{} = {}: expected {expected}", key.path(), value.shown());
+    match key.target {
+        Target::Numbers { shape, unit, limits, places, .. } => {
+            let expected = || {
+                let range = limits.map_or(String::new(), |(low, high)| format!(", from {low} to {high}"));
+                let unit = if unit.text.is_empty() { String::new() } else { format!(" [{}]", unit.text) };
+                format!("{}{range}{unit}", shape.expected())
+            };
+            let numbers = value.numbers().and_then(|numbers| elements(shape, value, &numbers));
+            let Some(numbers) = numbers else { return Err(refused(expected())) };
+            let unit_si = if in_si { 1.0 } else { unit.si };
+            if let Some((low, high)) = limits {
+                let in_unit = |number: &f64| (low..=high).contains(&(number * (unit_si / unit.si)));
+                if !numbers.iter().all(in_unit) {
+                    return Err(refused(expected()));
+                }
+            }
+            for (place, number) in places(draft).into_iter().zip(numbers) {
+                *place = number * unit_si;
+            }
+        }
+        Target::Choice { words, set, .. } => {
+            let found = match value {
+                Value::Text(text) => words.iter().position(|word| word == text),
+                _ => None,
+            };
+            let Some(index) = found else { return Err(refused(words.join(", "))) };
+            set(draft, index);
+        }
+        Target::Count { set, .. } => {
+            let Value::Whole(whole) = value else { return Err(refused("a whole number".to_owned())) };
+            set(draft, *whole);
+        }
+        Target::Text { example, place } => match value {
+            Value::Text(text) if !text.is_empty() => place(draft).clone_from(text),
+            _ => return Err(refused(format!("a text, as \"{example}\""))),
+        },
+        Target::Flag { set, .. } => {
+            let Value::Flag(flag) = value else { return Err(refused("true or false".to_owned())) };
+            set(draft, *flag);
+        }
+    }
+    Ok(())
+}
+
+/// All numbers of a shape, where a single one may stand for several.
+fn elements(shape: Shape, value: &Value, numbers: &[f64]) -> Option<Vec<f64>> {
+    if let Value::Numbers(_) = value {
+        // A number alone is written without brackets.
+        return (shape != Shape::Number && numbers.len() == shape.count()).then(|| numbers.to_vec());
+    }
+    let [single] = numbers else { return None };
+    (0..shape.count()).map(|index| Some(if shape.single_sets(index)? { *single } else { 0.0 })).collect()
+}
+
+/// The value of `key` in TOML, and whether it is in SI: as short as it can be, and such that it reads back to the bit.
+pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
+    match key.target {
+        Target::Numbers { shape, unit, places, .. } => {
+            let numbers: Vec<f64> = places(draft).into_iter().map(|place| *place).collect();
+            let in_unit: Option<Vec<f64>> = numbers.iter().map(|&number| divided(number, unit.si)).collect();
+            match in_unit {
+                Some(in_unit) => (numbers_text(shape, &in_unit), false),
+                None => (numbers_text(shape, &numbers), true),
+            }
+        }
+        Target::Choice { words, get, .. } => (format!("\"{}\"", words[get(draft)]), false),
+        Target::Count { get, .. } => (get(draft).to_string(), false),
+        Target::Text { place, .. } => (text_in_quotes(place(draft)), false),
+        Target::Flag { get, .. } => (get(draft).to_string(), false),
+    }
+}
+
+/// The number that `unit` [SI] times is `number` to the bit, of few digits if there is one.
+fn divided(number: f64, unit: f64) -> Option<f64> {
+    if unit == 1.0 {
+        return Some(number);
+    }
+    let quotient = number / unit;
+    // Few digits first: what a person wrote, before rounding went over it.
+    let short = (1..17).filter_map(|digits| format!("{quotient:.digits$e}").parse().ok());
+    let near = [quotient, quotient.next_up(), quotient.next_down()];
+    short.chain(near).find(|candidate: &f64| (candidate * unit).to_bits() == number.to_bits())
+}
+
+fn numbers_text(shape: Shape, numbers: &[f64]) -> String {
+    let single = numbers.iter().enumerate().find(|(index, _)| shape.single_sets(*index) == Some(true));
+    if let Some((_, &single)) = single {
+        let fits = |(index, number): (usize, &f64)| {
+            let expected = if shape.single_sets(index) == Some(true) { single } else { 0.0 };
+            number.to_bits() == expected.to_bits()
+        };
+        if numbers.iter().enumerate().all(fits) {
+            return number_text(single);
+        }
+    }
+    let numbers: Vec<String> = numbers.iter().map(|&number| number_text(number)).collect();
+    format!("[{}]", numbers.join(", "))
+}
+
+/// The shortest text that reads back to the bit; TOML wants digits on both sides of a point.
+fn number_text(number: f64) -> String {
+    let size = number.abs();
+    if size != 0.0 && !(1e-5..1e15).contains(&size) {
+        return format!("{number:e}");
+    }
+    let text = number.to_string();
+    if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { text }
+}
+
+fn text_in_quotes(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            _ if letter.is_control() => quoted.push_str(&format!("\\u{:04X}", letter as u32)),
+            _ => quoted.push(letter),
+        }
+    }
+    quoted.push('"');
+    quoted
+}

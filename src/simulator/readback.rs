@@ -1,0 +1,51 @@
+//! What the host set, read back: before a flight, in flight, and from a loaded snapshot.
+
+use super::Simulator;
+use crate::mounting::MountingParameters;
+use crate::sensors::{
+    AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, SensorOutput,
+    TriadParameters,
+};
+use crate::truth::TruthPoint;
+
+impl Simulator {
+    /// Errors of the gyros, as they were set.
+    pub fn gyro(&self) -> &TriadParameters {
+        self.sensors.gyro_parameters()
+    }
+
+    /// Errors of the accelerometers, as they were set.
+    pub fn accel(&self) -> &TriadParameters {
+        self.sensors.accel_parameters()
+    }
+
+    /// Errors of the altimeter, as they were set.
+    pub fn altimeter(&self) -> &AltimeterParameters {
+        self.sensors.altimeter_parameters()
+    }
+
+    /// Errors with which the navigation starts, as they were set.
+    pub fn initial_errors(&self) -> &InitialErrorParameters {
+        &self.sensors.initial
+    }
+
+    /// Where the sensor block sits, as it was set.
+    pub fn mounting(&self) -> MountingParameters {
+        self.sensors.mounting().copied().unwrap_or_default()
+    }
+
+    /// True less normal gravity, as it was set.
+    pub fn gravity_disturbance(&self) -> &GravityDisturbanceParameters {
+        self.sensors.gravity.parameters()
+    }
+
+    /// The failure of an output; `None`: it is sound.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        self.sensors.failure(output)
+    }
+
+    /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
+    pub fn last_sample_time_s(&self) -> Option<f64> {
+        self.intake.newest().map(|point: &TruthPoint| point.sample.time_s)
+    }
+}
