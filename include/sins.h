@@ -1284,6 +1284,9 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
+/* Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too. */
+SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_params *params);
+
 /*
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
  * effects do not move; processes that were active go on from where they are.
@@ -1292,6 +1295,9 @@ SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gy
  */
 SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
 
+/* Reads the accelerometer errors, as they were set last: at any moment, after sins_snapshot_load() too. */
+SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_params *params);
+
 /*
  * Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
  * on.
@@ -1299,6 +1305,9 @@ SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_a
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct sins_altimeter_params *params);
+
+/* Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too. */
+SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_altimeter_params *params);
 
 /*
  * Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
@@ -1318,11 +1327,23 @@ SINS_API sins_status SINS_CALL sins_set_failure(
     sins_sim *sim, int32_t sensor, int32_t axis, const struct sins_failure *failure);
 
 /*
+ * Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
+ * axis as in sins_set_failure().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such output.
+ */
+SINS_API sins_status SINS_CALL sins_get_failure(
+    sins_sim *sim, int32_t sensor, int32_t axis, struct sins_failure *failure);
+
+/*
  * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
+
+/* Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too. */
+SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sins_initial_errors *errors);
 
 /*
  * Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
@@ -1332,6 +1353,9 @@ SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const stru
  */
 SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sins_mounting *mounting);
 
+/* Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too. */
+SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, struct sins_mounting *mounting);
+
 /*
  * Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
  * same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
@@ -1340,6 +1364,9 @@ SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sin
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const struct sins_gravity_params *params);
+
+/* Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too. */
+SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
 
 /*
  * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a

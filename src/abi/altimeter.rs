@@ -1,7 +1,7 @@
 //! `sins_altimeter_params`.
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::AltimeterParameters;
@@ -31,6 +31,14 @@ pub struct sins_altimeter_params {
 interface_struct!(sins_altimeter_params, "altimeter", 56);
 
 impl sins_altimeter_params {
+    /// The struct with `parameters`.
+    pub(super) fn from_parameters(parameters: &AltimeterParameters) -> Self {
+        let AltimeterParameters { bias_m, markov_sigma_m, markov_time_s, noise_m, scale_factor, lag_s } =
+            *parameters;
+        let struct_size = size_of::<Self>() as u32;
+        Self { struct_size, reserved: 0, bias_m, markov_sigma_m, markov_time_s, noise_m, scale_factor, lag_s }
+    }
+
     pub(super) fn to_parameters(self) -> Result<AltimeterParameters, Failure> {
         check_reserved("altimeter.reserved", self.reserved)?;
         Ok(AltimeterParameters {
@@ -57,6 +65,20 @@ pub unsafe extern "C" fn sins_set_altimeter(
         // SAFETY: the host's promise.
         let params = unsafe { read(params, "params")? };
         simulator.set_altimeter(&params.to_parameters()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_altimeter(
+    sim: *mut sins_sim,
+    params: *mut sins_altimeter_params,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(params, "params")? };
+        output.write(&sins_altimeter_params::from_parameters(simulator.altimeter()));
         Ok(SINS_OK)
     })
 }

@@ -1,7 +1,7 @@
 //! `sins_gravity_params`.
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{GravityDisturbanceParameters, GravityField};
@@ -64,6 +64,24 @@ pub unsafe extern "C" fn sins_set_gravity_disturbance(
 }
 
 impl sins_gravity_params {
+    /// The struct with `parameters`.
+    pub(super) fn from_parameters(parameters: &GravityDisturbanceParameters) -> Self {
+        let GravityDisturbanceParameters { deflection_north, deflection_east, anomaly } = parameters;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            deflection_north_rad: deflection_north.mean,
+            deflection_north_sigma_rad: deflection_north.sigma,
+            deflection_north_distance_m: deflection_north.distance_m,
+            deflection_east_rad: deflection_east.mean,
+            deflection_east_sigma_rad: deflection_east.sigma,
+            deflection_east_distance_m: deflection_east.distance_m,
+            anomaly_m_s2: anomaly.mean,
+            anomaly_sigma_m_s2: anomaly.sigma,
+            anomaly_distance_m: anomaly.distance_m,
+        }
+    }
+
     pub(super) fn to_parameters(self) -> Result<GravityDisturbanceParameters, Failure> {
         check_reserved("gravity.reserved", self.reserved)?;
         let field = |mean, sigma, distance_m| GravityField { mean, sigma, distance_m };
@@ -81,4 +99,18 @@ impl sins_gravity_params {
             anomaly: field(self.anomaly_m_s2, self.anomaly_sigma_m_s2, self.anomaly_distance_m),
         })
     }
+}
+
+/// Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_gravity_disturbance(
+    sim: *mut sins_sim,
+    params: *mut sins_gravity_params,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(params, "params")? };
+        output.write(&sins_gravity_params::from_parameters(simulator.gravity_disturbance()));
+        Ok(SINS_OK)
+    })
 }

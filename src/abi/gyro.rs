@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::TriadParameters;
@@ -149,6 +149,17 @@ pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_g
         // SAFETY: the host's promise.
         let params = unsafe { read(params, "params")? };
         simulator.set_gyro(&params.to_parameters()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_gyro(sim: *mut sins_sim, params: *mut sins_gyro_params) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(params, "params")? };
+        output.write(&sins_gyro_params::from_parameters(simulator.gyro()));
         Ok(SINS_OK)
     })
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{Alignment, InitialErrorParameters};
@@ -44,6 +44,25 @@ pub struct sins_initial_errors {
 interface_struct!(sins_initial_errors, "initial", 160);
 
 impl sins_initial_errors {
+    /// The struct with `parameters`.
+    pub(super) fn from_parameters(parameters: &InitialErrorParameters) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            position_enu_m: parameters.position_n.into(),
+            velocity_enu_m_s: parameters.velocity_n.into(),
+            misalignment_enu_rad: parameters.misalignment_n.into(),
+            position_sigma_enu_m: parameters.position_sigma_n.into(),
+            velocity_sigma_enu_m_s: parameters.velocity_sigma_n.into(),
+            misalignment_sigma_enu_rad: parameters.misalignment_sigma_n.into(),
+            alignment: match parameters.alignment {
+                Alignment::Given => SINS_ALIGNMENT_GIVEN,
+                Alignment::LevelAndGyrocompass => SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS,
+            },
+            reserved2: 0,
+        }
+    }
+
     pub(super) fn to_parameters(self) -> Result<InitialErrorParameters, Failure> {
         check_reserved("initial.reserved", self.reserved)?;
         check_reserved("initial.reserved2", self.reserved2)?;
@@ -80,6 +99,20 @@ pub unsafe extern "C" fn sins_set_initial_errors(
         // SAFETY: the host's promise.
         let errors = unsafe { read(errors, "errors")? };
         simulator.set_initial_errors(&errors.to_parameters()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_initial_errors(
+    sim: *mut sins_sim,
+    errors: *mut sins_initial_errors,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(errors, "errors")? };
+        output.write(&sins_initial_errors::from_parameters(simulator.initial_errors()));
         Ok(SINS_OK)
     })
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::math::Euler;
@@ -55,6 +55,19 @@ pub unsafe extern "C" fn sins_set_mounting(
 }
 
 impl sins_mounting {
+    /// The struct with `parameters`.
+    pub(super) fn from_parameters(parameters: &MountingParameters) -> Self {
+        let angles = |euler: &Euler| [euler.roll, euler.pitch, euler.heading];
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            lever_arm_m: parameters.lever_arm_m.into(),
+            boresight_rad: angles(&parameters.boresight),
+            lever_arm_error_m: parameters.lever_arm_error_m.into(),
+            boresight_error_rad: angles(&parameters.boresight_error),
+        }
+    }
+
     pub(super) fn to_parameters(self) -> Result<MountingParameters, Failure> {
         check_reserved("mounting.reserved", self.reserved)?;
         let angles = |[roll, pitch, heading]: [f64; 3]| Euler { roll, pitch, heading };
@@ -65,4 +78,15 @@ impl sins_mounting {
             boresight_error: angles(self.boresight_error_rad),
         })
     }
+}
+
+/// Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_mounting(sim: *mut sins_sim, mounting: *mut sins_mounting) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(mounting, "mounting")? };
+        output.write(&sins_mounting::from_parameters(&simulator.mounting()));
+        Ok(SINS_OK)
+    })
 }

@@ -1,7 +1,7 @@
 //! `sins_failure`.
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
@@ -61,7 +61,39 @@ pub struct sins_failure {
 interface_struct!(sins_failure, "failure", 56);
 
 impl sins_failure {
-    fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
+    /// The struct with `failure`; without one SINS_FAILURE_NONE.
+    pub(super) fn from_failure(failure: Option<&sensors::Failure>) -> Self {
+        use sensors::Failure::{BiasStep, Dead, Noise, PeriodicDropOuts, RandomDropOuts, Spikes, Stuck};
+        let none = Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            kind: SINS_FAILURE_NONE,
+            reserved2: 0,
+            size: 0.0,
+            density: 0.0,
+            interval_s: 0.0,
+            duration_s: 0.0,
+            probability: 0.0,
+        };
+        match failure.copied() {
+            None => none,
+            Some(Stuck) => Self { kind: SINS_FAILURE_STUCK, ..none },
+            Some(Dead) => Self { kind: SINS_FAILURE_DEAD, ..none },
+            Some(BiasStep { size }) => Self { kind: SINS_FAILURE_BIAS_STEP, size, ..none },
+            Some(Spikes { size, interval_s, duration_s }) => {
+                Self { kind: SINS_FAILURE_SPIKES, size, interval_s, duration_s, ..none }
+            }
+            Some(Noise { density }) => Self { kind: SINS_FAILURE_NOISE, density, ..none },
+            Some(RandomDropOuts { probability }) => {
+                Self { kind: SINS_FAILURE_DROP_OUTS, probability, ..none }
+            }
+            Some(PeriodicDropOuts { interval_s }) => {
+                Self { kind: SINS_FAILURE_DROP_OUTS, interval_s, ..none }
+            }
+        }
+    }
+
+    pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
         check_reserved("failure.reserved", self.reserved)?;
         check_reserved("failure.reserved2", self.reserved2)?;
         let Self { size, density, interval_s, duration_s, probability, .. } = self;
@@ -115,7 +147,7 @@ impl sins_failure {
 }
 
 /// The output that sensor and axis name.
-fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
+pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
     const AXES: [(i32, Axis); 3] = [(0, Axis::X), (1, Axis::Y), (2, Axis::Z)];
     let axis_of_triad = || one_of("axis", axis, &AXES, "must be 0, 1 or 2: x, y or z");
     match sensor {
@@ -151,6 +183,25 @@ pub unsafe extern "C" fn sins_set_failure(
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
         simulator.set_failure(output(sensor, axis)?, failure.to_failure()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
+/// axis as in sins_set_failure().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such output.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_failure(
+    sim: *mut sins_sim,
+    sensor: i32,
+    axis: i32,
+    failure: *mut sins_failure,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let place = unsafe { Output::new(failure, "failure")? };
+        place.write(&sins_failure::from_failure(simulator.failure(output(sensor, axis)?).as_ref()));
         Ok(SINS_OK)
     })
 }
