@@ -288,6 +288,25 @@ public:
         return options;
     }
 
+    /* What was set, read back: to show it, or to change one field and set it again. */
+    sins_gyro_params gyro() const { return read_back<sins_gyro_params>(sins_get_gyro); }
+    sins_accel_params accel() const { return read_back<sins_accel_params>(sins_get_accel); }
+    sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_get_altimeter); }
+    sins_initial_errors initial_errors() const { return read_back<sins_initial_errors>(sins_get_initial_errors); }
+    sins_mounting mounting() const { return read_back<sins_mounting>(sins_get_mounting); }
+    sins_gravity_params gravity_disturbance() const
+    {
+        return read_back<sins_gravity_params>(sins_get_gravity_disturbance);
+    }
+
+    /* SINS_SENSOR_..., and its axis. */
+    sins_failure failure(int32_t sensor, int32_t axis) const
+    {
+        sins_failure failure = make<sins_failure>();
+        done(sins_get_failure(sim_, sensor, axis, &failure));
+        return failure;
+    }
+
     void start_navigation(const sins_navigation &navigation) { done(sins_start_navigation(sim_, &navigation)); }
     void push_imu(const sins_imu_increment &increment) { done(sins_push_imu(sim_, &increment)); }
 
@@ -318,6 +337,14 @@ public:
 
 private:
     bool done(sins_status status) const { return detail::done(status, sim_); }
+
+    template <class Params>
+    Params read_back(sins_status(SINS_CALL *get)(sins_sim *, Params *)) const
+    {
+        Params params = make<Params>();
+        done(get(sim_, &params));
+        return params;
+    }
 
     sins_sim *sim_ = nullptr;
 };

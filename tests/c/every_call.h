@@ -52,6 +52,13 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_set_mounting(sim, &mounting));
     EVERY_CALL(sins_set_gravity_disturbance(sim, &gravity));
     EVERY_CALL(sins_get_options(sim, &options));
+    EVERY_CALL(sins_get_gyro(sim, &gyro));
+    EVERY_CALL(sins_get_accel(sim, &accel));
+    EVERY_CALL(sins_get_altimeter(sim, &altimeter));
+    EVERY_CALL(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, &failure));
+    EVERY_CALL(sins_get_initial_errors(sim, &initial));
+    EVERY_CALL(sins_get_mounting(sim, &mounting));
+    EVERY_CALL(sins_get_gravity_disturbance(sim, &gravity));
     EVERY_CALL(sins_push_sample(sim, &sample));
     EVERY_CALL(sins_step(sim));
     sample.time_s = 0.01;

@@ -95,6 +95,13 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_set_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_set_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_run(sim, NULL, 1, 0, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_run(sim, &next, 1, 1, NULL, 1, NULL) == SINS_ERROR_NULL_POINTER);

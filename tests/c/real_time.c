@@ -84,6 +84,13 @@ static void read_everything(sins_sim *sim, int flown)
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
     sins_record record = {.struct_size = sizeof record};
     sins_options options = {.struct_size = sizeof options};
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
+    sins_failure failure = {.struct_size = sizeof failure};
+    sins_initial_errors initial = {.struct_size = sizeof initial};
+    sins_mounting mounting = {.struct_size = sizeof mounting};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity};
     char text[200];
     size_t needed;
     FRAME_CHECK(is_answer(sins_get_truth(sim, &navigation), flown));
@@ -94,6 +101,13 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(is_answer(sins_get_accuracy(sim, &accuracy), flown));
     FRAME_CHECK(is_answer(sins_get_record(sim, &record), flown));
     FRAME_CHECK(sins_get_options(sim, &options) == SINS_OK);
+    FRAME_CHECK(sins_get_gyro(sim, &gyro) == SINS_OK);
+    FRAME_CHECK(sins_get_accel(sim, &accel) == SINS_OK);
+    FRAME_CHECK(sins_get_altimeter(sim, &altimeter) == SINS_OK);
+    FRAME_CHECK(sins_get_failure(sim, SINS_SENSOR_GYRO, 1, &failure) == SINS_OK);
+    FRAME_CHECK(sins_get_initial_errors(sim, &initial) == SINS_OK);
+    FRAME_CHECK(sins_get_mounting(sim, &mounting) == SINS_OK);
+    FRAME_CHECK(sins_get_gravity_disturbance(sim, &gravity) == SINS_OK);
     FRAME_CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_OK);
 }
 

@@ -229,6 +229,13 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_get_gyro(sim, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_get_accel(sim, pointer));
+    OUTPUT_SIZES(sins_altimeter_params, sins_get_altimeter(sim, pointer));
+    OUTPUT_SIZES(sins_failure, sins_get_failure(sim, SINS_SENSOR_ACCEL, 2, pointer));
+    OUTPUT_SIZES(sins_initial_errors, sins_get_initial_errors(sim, pointer));
+    OUTPUT_SIZES(sins_mounting, sins_get_mounting(sim, pointer));
+    OUTPUT_SIZES(sins_gravity_params, sins_get_gravity_disturbance(sim, pointer));
     OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
