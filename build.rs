@@ -32,7 +32,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 29] = [
     "version",
     "failure",
     "options",
@@ -54,6 +54,11 @@ const SOURCES: [&str; 24] = [
     "preset",
     "manoeuvre",
     "flight",
+    "fault_report",
+    "scene",
+    "scene_settings",
+    "scene_flight",
+    "log",
     "recommend",
     "budget",
     "budget_answer",
@@ -109,7 +114,12 @@ fn header(root: &Path) -> String {
         },
         export: cbindgen::ExportConfig {
             // Declared in the preamble: opaque.
-            exclude: vec!["sins_sim".to_owned(), "sins_flight".to_owned()],
+            exclude: vec![
+                "sins_sim".to_owned(),
+                "sins_flight".to_owned(),
+                "sins_scene".to_owned(),
+                "sins_log".to_owned(),
+            ],
             ..Default::default()
         },
         ..Default::default()

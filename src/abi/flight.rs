@@ -108,11 +108,20 @@ pub unsafe extern "C" fn sins_flight_create(
             pitch_rad: start.pitch_rad,
             ellipsoid: sins_options::ellipsoid("start.earth", start.earth)?,
         };
-        let key = FLIGHTS.insert(Flight::new(&start, &list)?)?;
-        // SAFETY: the host's promise.
-        unsafe { put(flight, core::ptr::without_provenance_mut(key), "flight")? };
-        Ok(SINS_OK)
+        // SAFETY: the host's promise; not null.
+        unsafe { hand_out(Flight::new(&start, &list)?, flight) }
     })
+}
+
+/// Gives the host a handle of a flight.
+///
+/// # Safety
+/// `place` is not null and writable.
+pub(super) unsafe fn hand_out(flight: Flight, place: *mut *mut sins_flight) -> Result<sins_status, Failure> {
+    let key = FLIGHTS.insert(flight)?;
+    // SAFETY: as this function.
+    unsafe { put(place, core::ptr::without_provenance_mut(key), "flight")? };
+    Ok(SINS_OK)
 }
 
 /// Length of the flight [s].

@@ -225,6 +225,22 @@ pub(super) unsafe fn bytes_of<'a>(
     Ok(unsafe { core::slice::from_raw_parts(pointer, size) })
 }
 
+/// The bytes of a terminated string of the host, without the terminator.
+///
+/// # Safety
+/// `text` is null or points to a terminated string, which nobody writes while the slice lives.
+#[cfg(feature = "scenes")]
+pub(super) unsafe fn text_of<'a>(
+    text: *const core::ffi::c_char,
+    name: &'static str,
+) -> Result<&'a [u8], Failure> {
+    if text.is_null() {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not null, and terminated.
+    Ok(unsafe { core::ffi::CStr::from_ptr(text) }.to_bytes())
+}
+
 /// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
 ///
 /// # Safety

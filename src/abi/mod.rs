@@ -21,11 +21,15 @@ mod budget_answer;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
+#[cfg(feature = "scenes")]
+mod fault_report;
 mod flight;
 mod fpu;
 mod gravity;
 mod gyro;
 mod initial;
+#[cfg(feature = "scenes")]
+mod log;
 mod manoeuvre;
 mod memory;
 mod mounting;
@@ -37,6 +41,12 @@ mod record;
 mod registry;
 mod run;
 mod sample;
+#[cfg(feature = "scenes")]
+mod scene;
+#[cfg(feature = "scenes")]
+mod scene_flight;
+#[cfg(feature = "scenes")]
+mod scene_settings;
 mod sensor_failure;
 mod simulator;
 mod snapshot;
@@ -51,10 +61,14 @@ pub use budget_answer::*;
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
+#[cfg(feature = "scenes")]
+pub use fault_report::sins_fault;
 pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;
 pub use initial::*;
+#[cfg(feature = "scenes")]
+pub use log::*;
 pub use manoeuvre::*;
 pub use mounting::*;
 pub use navigator::*;
@@ -64,6 +78,12 @@ pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
 pub use run::sins_run;
 pub use sample::*;
+#[cfg(feature = "scenes")]
+pub use scene::*;
+#[cfg(feature = "scenes")]
+pub use scene_flight::*;
+#[cfg(feature = "scenes")]
+pub use scene_settings::*;
 pub use sensor_failure::*;
 pub use simulator::*;
 pub use snapshot::*;

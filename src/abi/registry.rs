@@ -12,7 +12,7 @@ use crate::memory::room;
 /// Handles of a kind that can live at once.
 const SLOTS: usize = 4096;
 const SLOT_BITS: u32 = SLOTS.trailing_zeros();
-const KIND_BITS: u32 = 2;
+const KIND_BITS: u32 = 3;
 /// Generations of a slot; one that has used them all is never used again, so that no key returns.
 const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
 /// Below every first generation: small made-up numbers are no keys.
@@ -76,7 +76,7 @@ impl<T> Slot<T> {
 }
 
 impl<T> Registry<T> {
-    /// An empty table for objects of `kind` (1 or 2).
+    /// An empty table for objects of `kind` (1 to 4).
     pub const fn new(kind: usize) -> Self {
         Self {
             kind,

@@ -35,6 +35,32 @@ pub(super) fn with_simulator(
     })
 }
 
+/// The same where the host's state is set aside already.
+#[cfg(feature = "scenes")]
+pub(super) fn on_simulator(
+    sim: *const sins_sim,
+    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
+) -> sins_status {
+    SIMULATORS.with(sim.addr(), |place| match &mut **place {
+        [simulator] => body(simulator),
+        _ => Ok(SINS_ERROR_INTERNAL),
+    })
+}
+
+/// Gives the host a handle of a simulator.
+///
+/// # Safety
+/// `sim` is not null and writable.
+pub(super) unsafe fn hand_out(
+    simulator: Box<[Simulator]>,
+    sim: *mut *mut sins_sim,
+) -> Result<sins_status, Failure> {
+    let key = SIMULATORS.insert(simulator)?;
+    // SAFETY: as this function.
+    unsafe { put(sim, core::ptr::without_provenance_mut(key), "sim")? };
+    Ok(SINS_OK)
+}
+
 /// Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
 ///
 /// On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
@@ -51,10 +77,8 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
             // SAFETY: the host's promise.
             unsafe { read(options, "options")? }.to_options()?
         };
-        let key = SIMULATORS.insert(heap_simulator(&options)?)?;
-        // SAFETY: the host's promise.
-        unsafe { put(sim, core::ptr::without_provenance_mut(key), "sim")? };
-        Ok(SINS_OK)
+        // SAFETY: the host's promise; not null.
+        unsafe { hand_out(heap_simulator(&options)?, sim) }
     })
 }
 

@@ -1,7 +1,7 @@
 //! The list of keys, for those who write a scene.
 
-use super::key::{Key, Target};
-use super::table::KEYS;
+use super::key::{Key, Section, Target};
+use super::table::{KEYS, of_section};
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,6 +25,29 @@ pub struct KeyLine {
 /// Every key of a scene, in the order in which a scene is written.
 pub fn keys() -> Vec<KeyLine> {
     KEYS.iter().map(line).collect()
+}
+
+/// Every section and key as a page of text.
+pub fn keys_text() -> String {
+    let mut text = String::new();
+    for section in Section::ALL {
+        let brackets = if section.is_list() { ("[[", "]]") } else { ("[", "]") };
+        let newline = if text.is_empty() { "" } else { "\n" };
+        text.push_str(&format!(
+            "{newline}{}{}{}  {}\n",
+            brackets.0,
+            section.name(),
+            brackets.1,
+            section.doc()
+        ));
+        for (_, key) in of_section(section) {
+            let KeyLine { name, si_name, takes, unit, doc, .. } = line(key);
+            let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+            let si = si_name.map_or(String::new(), |si_name| format!("; in SI {si_name}"));
+            text.push_str(&format!("  {name}: {doc}; {takes}{unit}{si}\n"));
+        }
+    }
+    text
 }
 
 fn line(key: &Key) -> KeyLine {

@@ -18,7 +18,7 @@ mod write;
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::{Fault, MAX_FAULTS};
 pub(crate) use fault::{excerpt, nearest};
-pub use list::{KeyLine, keys};
+pub use list::{KeyLine, keys, keys_text};
 
 use crate::error::{Error, Rule, check_range};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};

@@ -9,7 +9,7 @@ use super::fault::{Fault, Faults, excerpt, nearest};
 use super::key::{Key, Section, Target};
 use super::table::{self, KEYS};
 use super::value::{Value, put};
-use super::{BUILTIN_SCENES, MAX_TEXT, PlannedFailure, Scene};
+use super::{BUILTIN_SCENES, MAX_TEXT, Scene};
 use crate::error::{Error, Rule};
 use crate::flight::{Channel, MAX_MANOEUVRES, MAX_SINUSOIDS, Manoeuvre};
 use crate::mechanization::VerticalMode;
@@ -37,9 +37,6 @@ impl Item {
         self.keys.iter().find(|(index, _)| sets(&KEYS[*index])).map(|(index, span)| (&KEYS[*index], span))
     }
 }
-
-/// Planned failures at the most.
-pub const MAX_FAILURES: usize = 4096;
 
 impl Scene {
     /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
@@ -239,24 +236,13 @@ impl Reader<'_> {
             }
         }
         match failure.to_planned() {
-            Ok(Some(planned)) => self.take_failure(&head, planned),
+            Ok(Some(planned)) => {
+                if let Err(error) = self.draft.scene.add_failure(planned) {
+                    self.faults.add(&head, error.to_string());
+                }
+            }
             Ok(None) => {}
             Err(error) => self.add_error(&error, &item),
-        }
-    }
-
-    fn take_failure(&mut self, head: &Span, planned: PlannedFailure) {
-        let is_first =
-            |other: &PlannedFailure| other.output == planned.output && other.failing.meets(&planned.failing);
-        if let Some(other) = self.draft.scene.failures.iter().find(|other| is_first(other)) {
-            let from_s = other.failing.from_s;
-            let sentence =
-                format!("[[failure]]: overlaps in time with that from {from_s} s on, of the same output");
-            self.faults.add(head, sentence);
-        } else if self.draft.scene.failures.len() == MAX_FAILURES {
-            self.faults.add(head, format!("[[failure]]: more than {MAX_FAILURES}"));
-        } else {
-            self.draft.scene.failures.push(planned);
         }
     }
 

@@ -1,9 +1,8 @@
 //! What a scene does over the time of its flight: temperature and failures.
 
-use super::{Failing, Scene, Temperature};
+use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
-use crate::error::Error;
-use crate::sensors::SensorOutput;
+use crate::error::{Error, Rule, check_range};
 use crate::truth::FlightSample;
 
 impl Failing {
@@ -23,6 +22,9 @@ impl Temperature {
         self.at_start_c + self.change_c_s * time_s
     }
 }
+
+/// Planned failures at the most.
+const MAX_FAILURES: usize = 4096;
 
 /// What rounding of time stamps may leave of the time of a failure, in intervals.
 const ROUNDING: f64 = 1e-9;
@@ -58,8 +60,19 @@ impl Scene {
         Ok(())
     }
 
-    /// Whether any failure is planned for `output`.
-    pub fn plans_failure_of(&self, output: SensorOutput) -> bool {
-        self.failures.iter().any(|planned| planned.output == output)
+    /// Plans one failure more, which has been validated; those of one output do not overlap in time.
+    pub fn add_failure(&mut self, planned: PlannedFailure) -> Result<(), Error> {
+        check_range("failures of the scene", (self.failures.len() + 1) as f64, 0.0, MAX_FAILURES as f64)?;
+        let meets =
+            |other: &&PlannedFailure| other.output == planned.output && other.failing.meets(&planned.failing);
+        if let Some(other) = self.failures.iter().find(meets) {
+            let rule = Rule::WordsAnd(
+                "overlaps in time with a failure of the same output from",
+                other.failing.from_s,
+            );
+            return Err(Error::invalid("failure.from_s", planned.failing.from_s, rule));
+        }
+        self.failures.push(planned);
+        Ok(())
     }
 }

@@ -1,0 +1,161 @@
+//! `sins_log`: flight logs.
+
+use core::ffi::c_char;
+
+use super::boundary::{enter, enter_without_simulator, remember};
+use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
+use super::fault_report::sins_fault;
+use super::memory::{Output, bytes_of, interface_struct, put};
+use super::registry::Registry;
+use super::sample::sins_flight_sample;
+use crate::error::{Error, Rule};
+use crate::log::{FlightLog, LogError};
+
+/// A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one.
+#[repr(C)]
+pub struct sins_log {
+    _opaque: [u8; 0],
+}
+
+/// What a flight log holds.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_log_info {
+    /// sizeof(sins_log_info)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Samples.
+    pub samples: u64,
+    /// From the first to the last of them [s].
+    pub duration_s: f64,
+    /// The comment in the first line of the log, UTF-8, terminated; empty: none.
+    pub title: [c_char; 192],
+}
+
+interface_struct!(sins_log_info, "info", 216);
+
+static LOGS: Registry<FlightLog> = Registry::new(4);
+
+fn with_log(
+    log: *const sins_log,
+    body: impl FnOnce(&FlightLog) -> Result<sins_status, Failure>,
+) -> sins_status {
+    enter(|| told(LOGS.with(log.addr(), |log| body(log).inspect_err(|&failure| remember(failure)))))
+}
+
+/// Leaves a sentence of a bad handle, which has no failure of its own.
+fn told(status: sins_status) -> sins_status {
+    if status == SINS_ERROR_BAD_HANDLE {
+        remember(Failure::bad_handle("log"));
+    }
+    status
+}
+
+/// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
+/// order; columns of other names are passed over:
+///
+///   time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
+///   heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+///   rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+///
+/// Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
+/// ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
+/// *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_log_parse(
+    text: *const c_char,
+    size: usize,
+    log: *mut *mut sins_log,
+    fault: *mut sins_fault,
+) -> sins_status {
+    enter_without_simulator(|| {
+        if log.is_null() {
+            return Err(Failure::null("log"));
+        }
+        // SAFETY: the host's promise.
+        let output = if fault.is_null() { None } else { Some(unsafe { Output::new(fault, "fault")? }) };
+        // SAFETY: the host's promise.
+        let text = unsafe { bytes_of(text.cast(), size, "text")? };
+        match FlightLog::parse(text) {
+            Ok(found) => {
+                let key = LOGS.insert(found)?;
+                // SAFETY: the host's promise.
+                unsafe { put(log, core::ptr::without_provenance_mut(key), "log")? };
+                Ok(SINS_OK)
+            }
+            Err(LogError::Memory(error)) => Err(error.into()),
+            Err(LogError::Fault(found)) => {
+                if let Some(output) = output {
+                    output.write(&sins_fault::new(&found, 1));
+                }
+                let rule = Rule::Words("the text is no flight log; sins_fault tells why");
+                remember(Error::invalid("line", found.line as f64, rule).into());
+                Ok(SINS_ERROR_INVALID_ARGUMENT)
+            }
+        }
+    })
+}
+
+/// Tells how many samples a log has, how long it is, and its title.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins_log_info) -> sins_status {
+    with_log(log, |log| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(info, "info")? };
+        let mut title = [0; 192];
+        let mut length = log.title.len().min(title.len() - 1);
+        while !log.title.is_char_boundary(length) {
+            length -= 1;
+        }
+        for (place, byte) in title.iter_mut().zip(&log.title.as_bytes()[..length]) {
+            *place = *byte as c_char;
+        }
+        output.write(&sins_log_info {
+            struct_size: size_of::<sins_log_info>() as u32,
+            reserved: 0,
+            samples: log.samples().len() as u64,
+            duration_s: log.duration_s(),
+            title,
+        });
+        Ok(SINS_OK)
+    })
+}
+
+/// The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the text
+/// on which it stands, from 1. No allocation.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such sample.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_log_get_sample(
+    log: *const sins_log,
+    index: usize,
+    sample: *mut sins_flight_sample,
+    line: *mut u64,
+) -> sins_status {
+    with_log(log, |log| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(sample, "sample")? };
+        let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
+            let rule =
+                Rule::WordsAnd("must be less than the samples of the log:", log.samples().len() as f64);
+            return Err(Error::invalid("index", index as f64, rule).into());
+        };
+        output.write(&sins_flight_sample::from_sample(found));
+        if !line.is_null() {
+            // SAFETY: not null.
+            unsafe { put(line, found_line, "line")? };
+        }
+        Ok(SINS_OK)
+    })
+}
+
+/// Destroys a flight log.
+///
+/// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_log_destroy(log: *mut sins_log) -> sins_status {
+    enter(|| told(LOGS.remove(log.addr())))
+}

@@ -1,0 +1,272 @@
+//! `sins_scene`: scenes read, written and flown.
+
+use core::ffi::c_char;
+
+use super::boundary::{enter, enter_without_simulator, remember};
+use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
+use super::fault_report::sins_fault;
+use super::flight::{self, sins_flight};
+use super::memory::{Output, bytes_of, put, put_text, read, text_of};
+use super::registry::Registry;
+use super::sample::sins_flight_sample;
+use super::simulator::{self, on_simulator, sins_sim};
+use crate::error::{Error, Rule};
+use crate::scene::{BUILTIN_SCENES, Fault, Scene, builtin, keys_text};
+
+/// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.
+#[repr(C)]
+pub struct sins_scene {
+    _opaque: [u8; 0],
+}
+
+/// What a text was: a scene, or what is wrong with it.
+enum Content {
+    Scene(Box<Scene>),
+    Faults(Vec<Fault>),
+}
+
+static SCENES: Registry<Content> = Registry::new(3);
+
+fn with_content(
+    scene: *const sins_scene,
+    body: impl FnOnce(&mut Content) -> Result<sins_status, Failure>,
+) -> sins_status {
+    enter(|| {
+        told(SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
+    })
+}
+
+/// Runs `body` on the scene of a handle, as the inside of an exported function.
+pub(super) fn with_scene(
+    scene: *const sins_scene,
+    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
+) -> sins_status {
+    with_content(scene, |content| match content {
+        Content::Scene(scene) => body(scene),
+        Content::Faults(_) => {
+            Err(Error::bad_state("the text of the scene has faults: sins_scene_get_fault()").into())
+        }
+    })
+}
+
+/// Leaves a sentence of a bad handle, which has no failure of its own.
+fn told(status: sins_status) -> sins_status {
+    if status == SINS_ERROR_BAD_HANDLE {
+        remember(Failure::bad_handle("scene"));
+    }
+    status
+}
+
+/// # Safety
+/// `scene` is not null and writable.
+unsafe fn hand_out(content: Content, scene: *mut *mut sins_scene) -> Result<(), Failure> {
+    let key = SCENES.insert(content)?;
+    // SAFETY: as this function.
+    unsafe { put(scene, core::ptr::without_provenance_mut(key), "scene") }
+}
+
+/// Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
+/// height 0, sampled at 100 Hz.
+///
+/// On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
+/// SINS_ERROR_OUT_OF_MEMORY: 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for a real-time
+/// frame. Where there is no memory for a few kilobytes of text, those that read, copy or write a scene end the process.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
+    enter_without_simulator(|| {
+        if scene.is_null() {
+            return Err(Failure::null("scene"));
+        }
+        // SAFETY: the host's promise; not null.
+        unsafe { hand_out(Content::Scene(Box::default()), scene)? };
+        Ok(SINS_OK)
+    })
+}
+
+/// Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+///
+/// SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
+/// that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
+/// sins_scene_create().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_parse(
+    text: *const c_char,
+    size: usize,
+    scene: *mut *mut sins_scene,
+) -> sins_status {
+    enter_without_simulator(|| {
+        if scene.is_null() {
+            return Err(Failure::null("scene"));
+        }
+        // SAFETY: the host's promise.
+        let text = unsafe { bytes_of(text.cast(), size, "text")? };
+        let (content, status) = match Scene::parse(text) {
+            Ok(scene) => (Content::Scene(Box::new(scene)), SINS_OK),
+            Err(faults) => (Content::Faults(faults), SINS_SCENE_HAS_FAULTS),
+        };
+        // SAFETY: the host's promise; not null.
+        unsafe { hand_out(content, scene)? };
+        Ok(status)
+    })
+}
+
+/// Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_fault(
+    scene: *const sins_scene,
+    index: usize,
+    fault: *mut sins_fault,
+) -> sins_status {
+    with_content(scene, |content| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(fault, "fault")? };
+        let faults = match content {
+            Content::Scene(_) => &[],
+            Content::Faults(faults) => faults.as_slice(),
+        };
+        let Some(found) = faults.get(index) else {
+            let rule = Rule::WordsAnd("must be less than the faults of the scene:", faults.len() as f64);
+            return Err(Error::invalid("index", index as f64, rule).into());
+        };
+        output.write(&sins_fault::new(found, faults.len()));
+        Ok(SINS_OK)
+    })
+}
+
+/// Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
+/// "over_the_pole", "coning", "commuter".
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_create_builtin(
+    name: *const c_char,
+    scene: *mut *mut sins_scene,
+) -> sins_status {
+    enter_without_simulator(|| {
+        if scene.is_null() {
+            return Err(Failure::null("scene"));
+        }
+        // SAFETY: the host's promise.
+        let name = unsafe { text_of(name, "name")? };
+        let Some(found) = core::str::from_utf8(name).ok().and_then(builtin) else {
+            let rule = Rule::WordsAnd(
+                "must be the name of a built-in scene; there are",
+                BUILTIN_SCENES.len() as f64,
+            );
+            return Err(Error { field: "name", value: None, ..Error::invalid("name", 0.0, rule) }.into());
+        };
+        // SAFETY: the host's promise; not null.
+        unsafe { hand_out(Content::Scene(Box::new(found)), scene)? };
+        Ok(SINS_OK)
+    })
+}
+
+/// Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
+///
+/// needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
+/// SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_write(
+    scene: *const sins_scene,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    // SAFETY: the host's promise.
+    with_scene(scene, |scene| Ok(unsafe { put_text(scene.write().as_bytes(), buffer, capacity, needed) }))
+}
+
+/// Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+/// needed as in sins_scene_write().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_write_keys(
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    // SAFETY: the host's promise.
+    enter(|| unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) })
+}
+
+/// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
+/// their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_create().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_create_simulator(
+    scene: *const sins_scene,
+    sim: *mut *mut sins_sim,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        if sim.is_null() {
+            return Err(Failure::null("sim"));
+        }
+        // SAFETY: the host's promise; not null.
+        unsafe { simulator::hand_out(scene.simulator()?, sim) }
+    })
+}
+
+/// Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
+/// up to sins_scene_setup.flown_s.
+///
+/// SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
+/// sins_flight_create().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_create_flight(
+    scene: *const sins_scene,
+    flight: *mut *mut sins_flight,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        if flight.is_null() {
+            return Err(Failure::null("flight"));
+        }
+        // SAFETY: the host's promise; not null.
+        unsafe { flight::hand_out(scene.flight()?, flight) }
+    })
+}
+
+/// Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+/// next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
+/// interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+/// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+///
+/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges. SINS_ERROR_BAD_STATE: as
+/// sins_scene_parse().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_prepare(
+    scene: *const sins_scene,
+    sim: *mut sins_sim,
+    flight_start_s: f64,
+    sample: *mut sins_flight_sample,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let mut prepared = unsafe { read(sample.cast_const(), "sample")? }.to_sample()?;
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(sample, "sample")? };
+        let mut result = Ok(SINS_OK);
+        let status = on_simulator(sim, |simulator| {
+            result = scene.prepare(simulator, flight_start_s, &mut prepared).map(|()| SINS_OK);
+            Ok(result?)
+        });
+        if status == SINS_OK {
+            output.write(&sins_flight_sample::from_sample(&prepared));
+        }
+        match result {
+            Err(error) => Err(error.into()),
+            Ok(_) if status == SINS_ERROR_BAD_HANDLE => Err(Failure::bad_handle("sim")),
+            Ok(_) => Ok(status),
+        }
+    })
+}
+
+/// Destroys a scene. Simulators and flights that were made of it live on.
+///
+/// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_destroy(scene: *mut sins_scene) -> sins_status {
+    enter(|| told(SCENES.remove(scene.addr())))
+}

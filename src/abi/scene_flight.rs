@@ -1,0 +1,366 @@
+//! What a scene sets beside the simulator: its flight, its failures, its texts.
+
+use core::ffi::c_char;
+
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::{Output, interface_struct, put_text, read, text_of};
+use super::options::one_of;
+use super::scene::{sins_scene, with_scene};
+use super::sensor_failure::{output, sins_failure};
+use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
+use crate::error::{Error, Rule, check_range, check_temperature};
+use crate::scene::{Failing, FlightSource, PlannedFailure, Scene, Temperature};
+use crate::sensors::SensorOutput;
+
+/// The flight of the scene is composed of manoeuvres.
+pub const SINS_SCENE_FLIGHT_MANOEUVRES: i32 = 0;
+/// That of a built-in scene, SINS_SCENE_TEXT_BUILTIN.
+pub const SINS_SCENE_FLIGHT_BUILTIN: i32 = 1;
+/// A flight log, SINS_SCENE_TEXT_LOG.
+pub const SINS_SCENE_FLIGHT_LOG: i32 = 2;
+
+/// The scene in words.
+pub const SINS_SCENE_TEXT_TITLE: i32 = 0;
+/// Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
+pub const SINS_SCENE_TEXT_LOG: i32 = 1;
+/// Name of the built-in scene whose flight is flown; setting it makes the flight that.
+pub const SINS_SCENE_TEXT_BUILTIN: i32 = 2;
+/// Folder of the files that a program writes.
+pub const SINS_SCENE_TEXT_FOLDER: i32 = 3;
+/// Base name of those files.
+pub const SINS_SCENE_TEXT_NAME: i32 = 4;
+/// File of the measured increments.
+pub const SINS_SCENE_TEXT_IMU: i32 = 5;
+
+/// What a scene says of its flight and of its output.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_scene_setup {
+    /// sizeof(sins_scene_setup)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// SINS_SCENE_FLIGHT_...; read only: a set call passes over it.
+    pub flight: i32,
+    /// 1: samples get the temperature below; 0: none.
+    pub has_temperature: i32,
+    /// How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s].
+    pub duration_s: f64,
+    /// How long that is; 0 of a log, whose length the log tells; read only [s].
+    pub flown_s: f64,
+    /// Sample rate, 1e-3 to 2e4; of a log none [Hz].
+    pub rate_hz: f64,
+    /// Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C].
+    pub temperature_c: f64,
+    /// Its change, -300 to 300 [deg C/s].
+    pub temperature_change_c_s: f64,
+    /// Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
+    pub every_s: f64,
+}
+
+interface_struct!(sins_scene_setup, "setup", 64);
+
+/// A failure that a scene plans.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_planned_failure {
+    /// sizeof(sins_planned_failure)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// SINS_SENSOR_...
+    pub sensor: i32,
+    /// 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
+    pub axis: i32,
+    /// When it begins, 0 to 1e9 since the start of the flight [s].
+    pub from_s: f64,
+    /// When it ends, likewise; 0: at the end of the flight [s].
+    pub until_s: f64,
+    /// SINS_FAILURE_..., but not SINS_FAILURE_NONE.
+    pub kind: i32,
+    /// Must be 0.
+    pub reserved2: u32,
+    /// This and the following as in sins_failure.
+    pub size: f64,
+    /// See sins_failure.
+    pub density: f64,
+    /// See sins_failure [s].
+    pub interval_s: f64,
+    /// See sins_failure [s].
+    pub duration_s: f64,
+    /// See sins_failure.
+    pub probability: f64,
+}
+
+interface_struct!(sins_planned_failure, "failure", 80);
+
+/// Reads what a scene says of its flight and of its output.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_setup(
+    scene: *const sins_scene,
+    setup: *mut sins_scene_setup,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(setup, "setup")? };
+        output.write(&sins_scene_setup {
+            struct_size: size_of::<sins_scene_setup>() as u32,
+            reserved: 0,
+            flight: match scene.flight {
+                FlightSource::Path(_) => SINS_SCENE_FLIGHT_MANOEUVRES,
+                FlightSource::Builtin(_) => SINS_SCENE_FLIGHT_BUILTIN,
+                FlightSource::Log(_) => SINS_SCENE_FLIGHT_LOG,
+            },
+            has_temperature: i32::from(scene.temperature.is_some()),
+            duration_s: scene.duration_s.unwrap_or(0.0),
+            flown_s: if scene.is_log() { 0.0 } else { scene.flown_s()? },
+            rate_hz: scene.rate_hz,
+            temperature_c: scene.temperature.map_or(0.0, |temperature| temperature.at_start_c),
+            temperature_change_c_s: scene.temperature.map_or(0.0, |temperature| temperature.change_c_s),
+            every_s: scene.output.every_s.unwrap_or(0.0),
+        });
+        Ok(SINS_OK)
+    })
+}
+
+/// Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_set_setup(
+    scene: *mut sins_scene,
+    setup: *const sins_scene_setup,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let setup = unsafe { read(setup, "setup")? };
+        super::options::check_reserved("setup.reserved", setup.reserved)?;
+        let has_temperature = one_of(
+            "setup.has_temperature",
+            setup.has_temperature,
+            &[(0, false), (1, true)],
+            "must be 0 or 1",
+        )?;
+        let optional = |field, value: f64, low, high| match value {
+            0.0 => Ok(None),
+            _ => check_range(field, value, low, high).map(|()| Some(value)),
+        };
+        let mut changed = scene.clone();
+        changed.duration_s = optional("setup.duration_s", setup.duration_s, 1e-2, 1e9)?;
+        check_range("setup.rate_hz", setup.rate_hz, 1e-3, 2e4)?;
+        changed.rate_hz = setup.rate_hz;
+        changed.output.every_s = optional("setup.every_s", setup.every_s, 5e-5, 1e7)?;
+        changed.temperature = None;
+        if has_temperature {
+            check_temperature("setup.temperature_c", setup.temperature_c)?;
+            check_range("setup.temperature_change_c_s", setup.temperature_change_c_s, -300.0, 300.0)?;
+            let (at_start_c, change_c_s) = (setup.temperature_c, setup.temperature_change_c_s);
+            changed.temperature = Some(Temperature { at_start_c, change_c_s });
+        }
+        if !changed.is_log() {
+            changed.flown_s()?;
+        }
+        *scene = changed;
+        Ok(SINS_OK)
+    })
+}
+
+/// The text of a scene that SINS_SCENE_TEXT_... names.
+fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
+    Ok(match which {
+        SINS_SCENE_TEXT_TITLE => &scene.title,
+        SINS_SCENE_TEXT_LOG => match &scene.flight {
+            FlightSource::Log(name) => name,
+            _ => "",
+        },
+        SINS_SCENE_TEXT_BUILTIN => match &scene.flight {
+            FlightSource::Builtin(name) => name,
+            _ => "",
+        },
+        SINS_SCENE_TEXT_FOLDER => &scene.output.folder,
+        SINS_SCENE_TEXT_NAME => &scene.output.name,
+        SINS_SCENE_TEXT_IMU => &scene.output.imu,
+        _ => return one_of("which", which, &[], "must be a SINS_SCENE_TEXT_ constant, 0 to 5"),
+    })
+}
+
+/// Reads a text of the scene, SINS_SCENE_TEXT_...; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such text.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_text(
+    scene: *const sins_scene,
+    which: i32,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    // SAFETY: the host's promise.
+    with_scene(scene, |scene| {
+        Ok(unsafe { put_text(text(scene, which)?.as_bytes(), buffer, capacity, needed) })
+    })
+}
+
+/// Sets a text of the scene: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_set_text(
+    scene: *mut sins_scene,
+    which: i32,
+    text: *const c_char,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let bytes = unsafe { text_of(text, "text")? };
+        let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Words(words)) };
+        let Ok(text) = core::str::from_utf8(bytes) else { return Err(refused("must be UTF-8").into()) };
+        check_range("bytes of text", text.len() as f64, 0.0, 4096.0)?;
+        if text.chars().any(char::is_control) {
+            return Err(refused("must not have control characters").into());
+        }
+        let flight = |source: FlightSource| {
+            if text.is_empty() {
+                Err(refused("must not be empty: it is the scene's flight"))
+            } else {
+                Ok(source)
+            }
+        };
+        match which {
+            SINS_SCENE_TEXT_TITLE => scene.title = text.to_owned(),
+            SINS_SCENE_TEXT_LOG => scene.flight = flight(FlightSource::Log(text.to_owned()))?,
+            SINS_SCENE_TEXT_BUILTIN => {
+                if crate::scene::builtin(text).is_none() {
+                    return Err(refused("must be the name of a built-in scene").into());
+                }
+                scene.flight = flight(FlightSource::Builtin(text.to_owned()))?;
+            }
+            SINS_SCENE_TEXT_FOLDER => scene.output.folder = text.to_owned(),
+            SINS_SCENE_TEXT_NAME if text.contains(['/', '\\']) => {
+                return Err(refused("must be a name without a folder").into());
+            }
+            SINS_SCENE_TEXT_NAME => scene.output.name = text.to_owned(),
+            SINS_SCENE_TEXT_IMU => scene.output.imu = text.to_owned(),
+            _ => return one_of("which", which, &[], "must be a SINS_SCENE_TEXT_ constant, 0 to 5"),
+        }
+        Ok(SINS_OK)
+    })
+}
+
+/// How many failures the scene plans.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_failure_count(
+    scene: *const sins_scene,
+    count: *mut usize,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        unsafe { super::memory::put(count, scene.failures.len(), "count")? };
+        Ok(SINS_OK)
+    })
+}
+
+/// Planned failure `index`, from 0.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_failure(
+    scene: *const sins_scene,
+    index: usize,
+    failure: *mut sins_planned_failure,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(failure, "failure")? };
+        let Some(planned) = scene.failures.get(index) else {
+            let rule =
+                Rule::WordsAnd("must be less than the failures of the scene:", scene.failures.len() as f64);
+            return Err(Error::invalid("index", index as f64, rule).into());
+        };
+        output.write(&sins_planned_failure::new(planned));
+        Ok(SINS_OK)
+    })
+}
+
+/// Plans one failure more.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_add_failure(
+    scene: *mut sins_scene,
+    failure: *const sins_planned_failure,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let planned = unsafe { read(failure, "failure")? }.to_planned()?;
+        scene.add_failure(planned)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Plans no failure any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_clear_failures(scene: *mut sins_scene) -> sins_status {
+    with_scene(scene, |scene| {
+        scene.failures.clear();
+        Ok(SINS_OK)
+    })
+}
+
+impl sins_planned_failure {
+    fn new(planned: &PlannedFailure) -> Self {
+        let (sensor, axis) = match planned.output {
+            SensorOutput::Gyro(axis) => (SINS_SENSOR_GYRO, axis as i32),
+            SensorOutput::Accelerometer(axis) => (SINS_SENSOR_ACCEL, axis as i32),
+            SensorOutput::Altimeter => (SINS_SENSOR_ALTIMETER, 0),
+        };
+        let Failing { from_s, until_s } = planned.failing;
+        let sins_failure { kind, size, density, interval_s, duration_s, probability, .. } =
+            sins_failure::from_failure(Some(&planned.failure));
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            sensor,
+            axis,
+            from_s,
+            until_s: if until_s.is_infinite() { 0.0 } else { until_s },
+            kind,
+            reserved2: 0,
+            size,
+            density,
+            interval_s,
+            duration_s,
+            probability,
+        }
+    }
+
+    fn to_planned(self) -> Result<PlannedFailure, Failure> {
+        let Self { kind, size, density, interval_s, duration_s, probability, .. } = self;
+        super::options::check_reserved("failure.reserved", self.reserved)?;
+        let failure = sins_failure {
+            struct_size: size_of::<sins_failure>() as u32,
+            reserved: 0,
+            kind,
+            reserved2: self.reserved2,
+            size,
+            density,
+            interval_s,
+            duration_s,
+            probability,
+        };
+        let output = output(self.sensor, self.axis)?;
+        let Some(failure) = failure.to_failure()? else {
+            let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
+            return Err(Error::invalid("failure.kind", f64::from(kind), rule).into());
+        };
+        failure.validate(output)?;
+        check_range("failure.from_s", self.from_s, 0.0, 1e9)?;
+        check_range("failure.until_s", self.until_s, 0.0, 1e9)?;
+        let until_s = if self.until_s == 0.0 { f64::INFINITY } else { self.until_s };
+        if until_s <= self.from_s {
+            let rule = Rule::WordsAnd("must be more than failure.from_s =", self.from_s);
+            return Err(Error::invalid("failure.until_s", self.until_s, rule).into());
+        }
+        Ok(PlannedFailure { output, failing: Failing { from_s: self.from_s, until_s }, failure })
+    }
+}
