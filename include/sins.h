@@ -255,9 +255,13 @@ typedef struct sins_flight sins_flight;
  */
 #define SINS_FAILURE_DROP_OUTS 6
 
-/* The misalignment at the start is the given one. */
+/* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
 #define SINS_ALIGNMENT_GIVEN 0
-/* Added to it, what levelling and gyrocompassing at rest leave with the sensor errors of the start. */
+/*
+ * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
+ * the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
+ * heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+ */
 #define SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS 1
 
 /* The sample carries angular_rate_rad_s. */
@@ -278,6 +282,13 @@ typedef struct sins_flight sins_flight;
 #define SINS_NAVIGATION_VERTICAL_UNAIDED 2
 /* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
 #define SINS_NAVIGATION_INCONSISTENT 4
+/*
+ * The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
+ * rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
+ * accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
+ * horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+ */
+#define SINS_NAVIGATION_NORTH_UNKNOWN 8
 
 /* Navigation minus truth: the paper's error data 2. */
 #define SINS_ERRORS_NAVIGATION 0
@@ -663,7 +674,10 @@ typedef struct sins_initial_errors {
     double position_enu_m[3];
     /* Velocity [m/s]. */
     double velocity_enu_m_s[3];
-    /* Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. -pi to pi. */
+    /*
+     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
+     * east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+     */
     double misalignment_enu_rad[3];
     /* Standard deviation of position [m]. */
     double position_sigma_enu_m[3];
@@ -892,7 +906,10 @@ typedef struct sins_errors {
     double height_m;
     /* Velocity [m/s]: difference of the components, each in its own east-north-up. */
     double velocity_enu_m_s[3];
-    /* Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. */
+    /*
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
+     * has it to first order, computed C = (I - [phi x]) C.
+     */
     double misalignment_enu_rad[3];
     /* Roll, wrapped [rad]. */
     double roll_rad;

@@ -165,16 +165,21 @@ fn an_alignment_with_the_sensors_leaves_them_balanced() {
     simulator.set_initial_errors(&initial).unwrap();
     simulator.push_sample(&resting_sample(0.0)).unwrap();
     let error = errors(&simulator);
-    // Level: φ = nabla / g; azimuth: the east gyro over the Earth's horizontal rate, and the level error's share.
+    // Level: φ = nabla / g; azimuth: the arc tangent of the levelled rates.
     let north = 7.292_115e-5 * (39.9 * DEG).cos();
     let level = 1e-4 * G / 9.801_6;
+    let drift = 0.01 * DEG_PER_HOUR;
+    // The levelled rates: those of the gyros, and the upward one's share by the tilt.
+    let of_up = (north * (39.9 * DEG).tan() + drift) * level;
+    let azimuth = -(drift - of_up).atan2(north + drift + of_up);
+    // Level first, then azimuth: as one rotation vector half the product turns the tilt.
     assert!(
-        (error.misalignment_n.xy() - Vector3::repeat(level).xy()).norm() < 1e-8,
+        (error.misalignment_n.xy() - Vector3::repeat(level).xy()).norm() < 1e-8 + level * azimuth.abs(),
         "{}",
         error.misalignment_n
     );
-    let azimuth = -0.01 * DEG_PER_HOUR / north + (39.9 * DEG).tan() * level;
-    assert!((error.misalignment_n.z - azimuth).abs() < 1e-8, "{} {azimuth}", error.misalignment_n.z);
+    let off = (error.misalignment_n.z - azimuth).abs();
+    assert!(off < 1e-8 + level * level, "{} {azimuth}", error.misalignment_n.z);
     // In balance: after a minute the velocity is that of the north gyro's drift alone, g·eps·t²/2 = 0.9 mm/s; out of
     // balance 1e-4 g would make 60 mm/s of it.
     fly(&mut simulator, resting(10.0, 60.0).skip(1));

@@ -27,6 +27,7 @@
 //!
 //! Every random process is discretised exactly, whatever the length of the increments.
 
+mod alignment;
 mod altimeter;
 mod asymmetry;
 mod bandwidth;
@@ -58,10 +59,11 @@ mod triad;
 mod validation;
 mod xoshiro;
 
+pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use failure::{Axis, Failure, SensorOutput};
 pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
-pub use initial::{Alignment, InitialErrorParameters, alignment_error};
+pub use initial::{Alignment, InitialErrorParameters};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};
 pub use stream::StreamKey;

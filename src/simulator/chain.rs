@@ -9,7 +9,7 @@ use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
 use super::interval::LastInterval;
 use super::mounted::block_at_start;
-use super::start::{start_errors, with_errors};
+use super::start::{Start, with_errors};
 use super::views::Views;
 use super::{ErrorSource, ImuFlags, ImuInterval, Options, SensorSuite, Solution, singular};
 use crate::earth::Earth;
@@ -36,6 +36,8 @@ pub(super) struct Chain {
     /// Updates of the last interval.
     updates: usize,
     last: LastInterval,
+    /// The alignment at the start could not find north.
+    north_unknown: bool,
     /// The sensors' block, where it does not sit at the reference point.
     block: Option<Block>,
     /// True less normal gravity, where it is other.
@@ -80,20 +82,21 @@ impl Chain {
             sensors.gravity.is_on().then(|| Disturbance::new(sensors.gravity.at(&earth, first)));
         let at = (first, &sensors_state);
         let disturbance_e = disturbance.as_ref().map(Disturbance::at_last_e);
-        let start = start_errors(options, &earth, at, &truth, disturbance_e, sensors)?;
-        let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
+        let start = Start::new(options, &earth, at, &truth, disturbance_e, sensors)?;
+        let state = with_errors(&earth, options, &truth, &start.errors).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         mechanization.check()?;
         let beside = Beside { block, disturbance, sensors_state };
-        Ok(Self::new(options, earth, first, &start, mechanization, start != StateErrors::NONE, beside))
+        let with_shadow = start.errors != StateErrors::NONE;
+        Ok(Self::new(options, earth, first, &start, mechanization, with_shadow, beside))
     }
 
-    /// A chain at the truth `first` whose navigator is `mechanization`, off the truth by `start`.
+    /// A chain at the truth `first` whose navigator is `mechanization`, started as `start` has it.
     fn new(
         options: &Options,
         earth: Earth,
         first: &TruthPoint,
-        start: &StateErrors,
+        start: &Start,
         mechanization: Mechanization,
         with_shadow: bool,
         Beside { block, disturbance, sensors_state }: Beside,
@@ -102,9 +105,9 @@ impl Chain {
             let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
             ClosedLoop::new(time_constant_s, first.time_s, with_shadow.then(at_truth))
         });
-        let error_model = options
-            .error_model
-            .then(|| ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, start));
+        let error_model = options.error_model.then(|| {
+            ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, &start.errors)
+        });
         Self {
             options: *options,
             earth,
@@ -113,6 +116,7 @@ impl Chain {
             measured: [Increment::ZERO; MAX_INCREMENTS],
             updates: options.updates_per_sample,
             last: LastInterval::None,
+            north_unknown: start.north_unknown,
             is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
             block,
             disturbance,
@@ -250,7 +254,11 @@ impl Chain {
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
         let vertical_unaided =
             self.last.vertical_unaided().unwrap_or(self.options.vertical == VerticalMode::Free);
-        Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, *self.navigated_view()) }
+        Solution {
+            vertical_unaided,
+            north_unknown: self.north_unknown,
+            ..Solution::new(&self.earth, truth.time_s, *self.navigated_view())
+        }
     }
 
     pub fn ideal_increments(&self) -> &[Increment] {
