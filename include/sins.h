@@ -542,6 +542,13 @@ typedef struct sins_gyro_params {
     double scale_factor_temperature_per_k[3];
     /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
     double scale_factor_temperature2_per_k2[3];
+    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
+    double scale_factor_sigma[3];
+    /*
+     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
+     * diagonal is 0.
+     */
+    double misalignment_sigma_rad[9];
 } sins_gyro_params;
 
 /*
@@ -613,6 +620,13 @@ typedef struct sins_accel_params {
     double scale_factor_temperature_per_k[3];
     /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
     double scale_factor_temperature2_per_k2[3];
+    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
+    double scale_factor_sigma[3];
+    /*
+     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
+     * diagonal is 0.
+     */
+    double misalignment_sigma_rad[9];
 } sins_accel_params;
 
 /* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
@@ -1446,7 +1460,7 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4 KiB
+ * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.25 KiB
  * with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
  * besides; up to 145 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
  */

@@ -73,6 +73,7 @@ impl Random {
                 range: self.vector(0.0, 1e6),
                 bandwidth_hz: self.vector(0.0, 1e6),
                 dead_zone: self.vector(0.0, limit),
+                scale_factor_sigma: self.vector(0.0, 1.0),
                 ..Default::default()
             };
             match sensor {

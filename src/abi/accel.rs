@@ -72,6 +72,11 @@ pub struct sins_accel_params {
     pub scale_factor_temperature_per_k: [f64; 3],
     /// Scale factor error of this times T2, -1 to 1 [1/K2].
     pub scale_factor_temperature2_per_k2: [f64; 3],
+    /// Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1.
+    pub scale_factor_sigma: [f64; 3],
+    /// Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
+    /// diagonal is 0.
+    pub misalignment_sigma_rad: [f64; 9],
 }
 
 interface_struct!(sins_accel_params, "accel", 536);
@@ -103,6 +108,8 @@ impl sins_accel_params {
             bias_temperature2: Vector3::from(self.bias_temperature2_m_s2_per_k2),
             scale_factor_temperature: Vector3::from(self.scale_factor_temperature_per_k),
             scale_factor_temperature2: Vector3::from(self.scale_factor_temperature2_per_k2),
+            scale_factor_sigma: Vector3::from(self.scale_factor_sigma),
+            misalignment_sigma: Matrix3::from_row_slice(&self.misalignment_sigma_rad),
             ..Default::default()
         })
     }
@@ -135,6 +142,8 @@ impl sins_accel_params {
             bias_temperature2_m_s2_per_k2: parameters.bias_temperature2.into(),
             scale_factor_temperature_per_k: parameters.scale_factor_temperature.into(),
             scale_factor_temperature2_per_k2: parameters.scale_factor_temperature2.into(),
+            scale_factor_sigma: parameters.scale_factor_sigma.into(),
+            misalignment_sigma_rad: row_major(&parameters.misalignment_sigma),
         }
     }
 }

@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | what the proof mass feels | size effect | ω'×r + ω×(ω×r) at each accelerometer, along its axis |
 //! | | bandwidth | second-order Butterworth filter, exact for a signal constant over an increment |
-//! | scale-type errors of that | scale factor, misalignment | K s |
+//! | scale-type errors of that | scale factor, misalignment, given and drawn at turn-on | K s |
 //! | | asymmetry | a/2 \|s\| |
 //! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
 //! | | g-sensitivity | G f |

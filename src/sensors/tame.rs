@@ -32,6 +32,7 @@ impl TriadParameters {
         let largest = self.bias.abs() + self.ramp.abs() * LONGEST_S + random * 10.0 + thermal;
         // Ones everywhere in scale factor and misalignment have the norm 3.
         let gain = (self.misalignment + Matrix3::from_diagonal(&self.scale_factor)).norm()
+            + 10.0 * self.linear_sigma().norm()
             + 0.5 * self.scale_factor_asymmetry.amax()
             + thermal_scale.amax();
         largest.amax() <= TAME_SIGNAL
@@ -70,6 +71,8 @@ mod tests {
                 scale_factor: one * 0.9,
                 ..ideal
             },
+            TriadParameters { scale_factor_sigma: one * 0.2, ..ideal },
+            TriadParameters { misalignment_sigma: Matrix3::repeat(0.2), ..ideal },
             TriadParameters { scale_factor_nonlinearity: Vector3::x() * 1e-9, ..ideal },
             TriadParameters { vibration_rectification_s2_m: Vector3::z() * -1e-9, ..ideal },
             TriadParameters { g_sensitivity: Matrix3::identity(), ..ideal },
@@ -103,6 +106,8 @@ mod tests {
             bias_temperature2: one * 1e-6,
             scale_factor_temperature: one * 1e-4,
             scale_factor_temperature2: one * 1e-7,
+            scale_factor_sigma: one * 0.03,
+            misalignment_sigma: Matrix3::repeat(0.02),
             ..ideal
         };
         assert!(of_the_laboratory.is_tame());

@@ -84,7 +84,7 @@ impl Triad {
             sensor,
             size_effect: SizeEffect::new(),
             bandwidth: Bandwidth::new(),
-            linear: Linear::new(),
+            linear: Linear::new(key, sensor),
             asymmetry: Asymmetry::new(),
             quadratic: Quadratic::new(),
             g_sensitivity: GSensitivity::new(),
