@@ -320,17 +320,20 @@ typedef struct sins_flight sins_flight;
 #define SINS_SNAPSHOT_MAX_SIZE 8192
 
 /*
- * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
- * random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+ * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
+ * angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
  */
 #define SINS_GRADE_STRATEGIC 1
-/* Navigation: Honeywell HG9900. */
+/* Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated. */
 #define SINS_GRADE_NAVIGATION 2
-/* Tactical: Honeywell HG1700. */
+/* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
 #define SINS_GRADE_TACTICAL 3
-/* Industrial: Analog Devices ADIS16475-1. Its range is 125 deg/s and 8 g. */
+/*
+ * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
+ * range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+ */
 #define SINS_GRADE_INDUSTRIAL 4
-/* Consumer: InvenSense MPU-6050, uncalibrated. */
+/* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
 #define SINS_GRADE_CONSUMER 5
 /*
  * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
@@ -1490,8 +1493,8 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
- * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases that a source gives as a standard deviation are drawn at
- * turn-on; what it does not state is 0.
+ * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases, scale factor errors and misalignments are drawn at turn-on
+ * with the standard deviations that the source states; what it does not state is 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */

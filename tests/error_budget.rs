@@ -315,7 +315,7 @@ fn nothing_set_has_no_rows_and_the_same_question_the_same_answer() {
     let (gyro, accel) = Grade::Industrial.parameters();
     let parameters = ErrorParameters { gyro, accel, ..Default::default() };
     let first = budget_of(&options, samples, &parameters, &limits(1.0, 0.0, 0.0));
-    assert_eq!(first.rows.len(), 8);
+    assert_eq!(first.rows.len(), 7);
     assert_eq!(budget_of(&options, samples, &parameters, &limits(1.0, 0.0, 0.0)), first);
     // Neither the error model nor the limits take part in the figures.
     let other = Options { error_model: true, ..options };
