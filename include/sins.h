@@ -1097,7 +1097,7 @@ typedef struct sins_cost {
     double share;
     /* Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by. */
     double instructions_per_step;
-    /* Measured here and now, in the options that were written and with ideal sensors: push and step of one sample [ns]. */
+    /* Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns]. */
     double ns_per_step;
     /* Algorithms that were tried, the recommended one among them. */
     uint64_t tried;
@@ -1510,16 +1510,18 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
  * are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
  *
- * On entry options are those that the host flies with (all zero: the recommended simulator), on return the same with scheme,
- * subsamples and updates_per_sample of the answer, ready for sins_create(). What these three were does not matter; the
- * others are kept.
+ * configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
+ * the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
+ * reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
+ * for sins_create(); what these three were does not matter.
  *
- * Each algorithm flies the piece with ideal sensors, and its solution is compared at every sample with that of a reference,
- * 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. So it is the error of the
- * algorithm alone, without those of sensors and without a host's own contradictions; with SINS_SIGNAL_CLOSED_LOOP, which
- * would hide it, on the signals without that. For a duration beyond the piece its errors go on as steady rates, through
- * Schuler's pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error
- * counts as one of height, which grows by e every 569 s.
+ * Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
+ * of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
+ * that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+ * alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
+ * error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
+ * pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
+ * one of height, which grows by e every 569 s.
  *
  * The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
  * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
@@ -1531,8 +1533,8 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
  */
 SINS_API sins_status SINS_CALL sins_recommend(
-    const struct sins_flight_sample *samples, size_t count, const struct sins_requirement *requirement,
-    struct sins_options *options, struct sins_cost *cost);
+    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
+    const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
 
 /*
  * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left

@@ -49,6 +49,11 @@ impl MountingParameters {
         check_angles("mounting.boresight_error_rad", &self.boresight_error, pi)
     }
 
+    /// The same mounting, of which the INS believes the truth.
+    pub(crate) fn believed(&self) -> Self {
+        Self { lever_arm_m: self.lever_arm_m, boresight: self.boresight, ..Self::default() }
+    }
+
     /// Whether the INS believes the truth.
     pub fn is_believed(&self) -> bool {
         self.lever_arm_error_m == Vector3::zeros() && self.boresight_error == Euler::default()
