@@ -15,6 +15,7 @@ const STEPS: usize = 1000;
 /// Time of a step of the whole chain with ideal sensors, push and step, over the first samples [ns].
 ///
 /// The one figure here that is not the same every time.
+#[inline(never)]
 pub fn step_time_ns(setup: &Setup, samples: &[FlightSample]) -> Result<f64, Error> {
     let stretch = &samples[..samples.len().min(STEPS + 1)];
     let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
