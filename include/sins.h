@@ -696,7 +696,7 @@ typedef struct sins_mounting {
     double lever_arm_m[3];
     /*
      * Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-     * down, nose up, nose to the right; any angles [rad].
+     * down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
@@ -1094,7 +1094,7 @@ typedef struct sins_cost {
     double reference_velocity_m_s;
     /* Attitude [rad]. */
     double reference_attitude_rad;
-    /* Predicted error times margin over its limit, the largest of the three: met up to 1. */
+    /* Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100. */
     double share;
     /* Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by. */
     double instructions_per_step;
@@ -1482,7 +1482,8 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
  *
  * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
- * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+ * value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
+ * index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
  * 200000 pieces (which take 3 s), or 4096 flights that live.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(

@@ -7,8 +7,8 @@ mod mounting;
 mod support;
 
 use sins::abi::{
-    SINS_OK, sins_cost, sins_create, sins_destroy, sins_flight_sample, sins_mounting, sins_options,
-    sins_recommend, sins_requirement, sins_set_mounting, sins_status,
+    SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_cost, sins_create, sins_destroy, sins_flight_sample,
+    sins_mounting, sins_options, sins_recommend, sins_requirement, sins_set_mounting, sins_status,
 };
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::math::{relative_rotation, rotation_vector};
@@ -276,6 +276,31 @@ fn an_impossible_requirement_gets_the_best_there_is() {
             }
         }
     }
+}
+
+/// Nothing meets a limit beyond all rounding, down to the smallest of numbers. The best there is does not depend on how small it is,
+/// and what is told of it are numbers, after the fastest growth and with the largest margin too.
+#[test]
+fn the_smallest_limits_get_the_best_there_is() {
+    let Scene { options, samples, .. } = scenes().swap_remove(2);
+    let samples = &samples[..100];
+    let ask = |position_m| Requirement { position_m, ..Default::default() };
+    let best = recommend(&options.into(), samples, &ask(1e-30)).unwrap();
+    for limit in [1e-100, 1e-200, f64::MIN_POSITIVE, 5e-324] {
+        let answer = recommend(&options.into(), samples, &ask(limit)).unwrap();
+        assert_eq!(
+            (answer.met, answer.rung, answer.predicted),
+            (false, best.rung, best.predicted),
+            "{limit:e}"
+        );
+        assert!(answer.share.is_finite() && answer.share > best.share, "{limit:e}: {answer:?}");
+        let (status, _, cost) = asked_through_the_interface(samples, &options.into(), &ask(limit));
+        assert_eq!((status, cost.share), (SINS_REQUIREMENT_NOT_MET, answer.share));
+    }
+    let free = Options { vertical: VerticalMode::Free, ..options };
+    let hardest = Requirement { duration_s: Requirement::MAX_DURATION_S, margin: 1e6, ..ask(5e-324) };
+    let answer = recommend(&free.into(), &samples[..3], &hardest).unwrap();
+    assert!(!answer.met && answer.share.is_finite(), "{answer:?}");
 }
 
 /// A requirement that the margin alone decides: with more of it the answer costs more.

@@ -58,7 +58,7 @@ pub struct sins_cost {
     pub reference_velocity_m_s: f64,
     /// Attitude [rad].
     pub reference_attitude_rad: f64,
-    /// Predicted error times margin over its limit, the largest of the three: met up to 1.
+    /// Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
     pub share: f64,
     /// Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
     pub instructions_per_step: f64,

@@ -43,10 +43,12 @@ impl SolutionError {
     }
 
     /// The largest share of a limit that it takes up, of those that are not 0.
+    ///
+    /// A limit below 1e-100 counts as 1e-100: no solution is so good, and the share of the largest predicted error stays finite.
     pub fn share_of(&self, limits: &Self) -> f64 {
         let errors = [self.position_m, self.velocity_m_s, self.attitude_rad];
         let limits = [limits.position_m, limits.velocity_m_s, limits.attitude_rad];
-        let share = |(error, limit): (f64, f64)| if limit > 0.0 { error / limit } else { 0.0 };
+        let share = |(error, limit): (f64, f64)| if limit > 0.0 { error / limit.max(1e-100) } else { 0.0 };
         errors.into_iter().zip(limits).map(share).fold(0.0, f64::max)
     }
 
