@@ -31,7 +31,8 @@
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
- *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
+ *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it. Before the library is unloaded every handle is
+ *   destroyed and every call has returned.
  * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
  *   call, unless the handle is in use in another thread. (If the library was loaded at run time, the loader allocates in the
  *   first call of each thread: make one before the frame.) The library prints nothing, reads no environment and no file, and
@@ -726,7 +727,7 @@ typedef struct sins_mounting {
     double lever_arm_m[3];
     /*
      * Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-     * down, nose up, nose to the right; any angles [rad].
+     * down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
@@ -1127,11 +1128,11 @@ typedef struct sins_cost {
     double reference_velocity_m_s;
     /* Attitude [rad]. */
     double reference_attitude_rad;
-    /* Predicted error times margin over its limit, the largest of the three: met up to 1. */
+    /* Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100. */
     double share;
     /* Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by. */
     double instructions_per_step;
-    /* Measured here and now, in the options that were written and with ideal sensors: push and step of one sample [ns]. */
+    /* Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns]. */
     double ns_per_step;
     /* Algorithms that were tried, the recommended one among them. */
     uint64_t tried;
@@ -1515,7 +1516,8 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
  *
  * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
- * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+ * value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
+ * index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
  * 200000 pieces (which take 3 s), or 4096 flights that live.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(
@@ -1544,16 +1546,18 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
  * are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
  *
- * On entry options are those that the host flies with (all zero: the recommended simulator), on return the same with scheme,
- * subsamples and updates_per_sample of the answer, ready for sins_create(). What these three were does not matter; the
- * others are kept.
+ * configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
+ * the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
+ * reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
+ * for sins_create(); what these three were does not matter.
  *
- * Each algorithm flies the piece with ideal sensors, and its solution is compared at every sample with that of a reference,
- * 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. So it is the error of the
- * algorithm alone, without those of sensors and without a host's own contradictions; with SINS_SIGNAL_CLOSED_LOOP, which
- * would hide it, on the signals without that. For a duration beyond the piece its errors go on as steady rates, through
- * Schuler's pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error
- * counts as one of height, which grows by e every 569 s.
+ * Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
+ * of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
+ * that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+ * alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
+ * error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
+ * pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
+ * one of height, which grows by e every 569 s.
  *
  * The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
  * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
@@ -1565,8 +1569,8 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
  */
 SINS_API sins_status SINS_CALL sins_recommend(
-    const struct sins_flight_sample *samples, size_t count, const struct sins_requirement *requirement,
-    struct sins_options *options, struct sins_cost *cost);
+    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
+    const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
 
 /*
  * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left

@@ -23,13 +23,14 @@ fn sentences_name_field_value_and_limit() {
 /// What a later function or struct must not forget.
 #[test]
 fn every_function_and_struct_is_in_the_programs() {
-    let [header, calls, nulls, sizes, states, scene] = [
+    let [header, calls, nulls, sizes, states, scene, stack] = [
         "include/sins.h",
         "tests/c/every_call.h",
         "tests/c/misuse.c",
         "tests/c/struct_sizes.c",
         "tests/c/float_environment.c",
         "tests/c/scene.h",
+        "tests/c/stack.c",
     ]
     .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
     let fuzzed = ["host", "main", "scenes"].map(|file| {
@@ -48,11 +49,15 @@ fn every_function_and_struct_is_in_the_programs() {
         if ![&states, &scene, &calls].iter().any(|program| program.contains(&format!("{name}("))) {
             missing.push(format!("{name} in float_environment.c"));
         }
+        if !stack.contains(&format!("{name}(")) {
+            missing.push(format!("{name} in stack.c"));
+        }
         if !fuzzed.iter().any(|source| source.contains(&format!("{name}("))) {
             missing.push(format!("{name} in the fuzz target calls"));
         }
         let may_be_null: &[&str] = match name {
             "sins_create" => &["*options"],
+            "sins_recommend" => &["*configured"],
             "sins_error_budget" => &[
                 "*options",
                 "*gyro",
@@ -120,6 +125,11 @@ fn the_library_comes_and_goes_and_two_copies_of_it_are_strangers() {
     let folder = library_folder("unload");
     let copies = ["libsins.so", "libsins.so.1"].map(|name| folder.join(name));
     succeed(test_program("unload", &folder).args(copies));
+}
+
+#[test]
+fn every_call_fits_on_a_small_stack() {
+    run_test_program("stack");
 }
 
 #[test]

@@ -71,6 +71,15 @@ impl Failure {
         Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of the other kind")
     }
 
+    /// A handle, an argument under `name`, was refused with `status`.
+    pub fn of_handle(status: sins_status, name: &'static str) -> Self {
+        match status {
+            SINS_ERROR_BAD_HANDLE => Self::bad_handle(name),
+            SINS_ERROR_INTERNAL => Self::internal(),
+            _ => Self::words(status, name, "takes no call now"),
+        }
+    }
+
     pub fn no_handle() -> Self {
         Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: 4096 of a kind can live at once")
     }

@@ -26,7 +26,7 @@ pub struct sins_mounting {
     /// From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     pub lever_arm_m: [f64; 3],
     /// Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-    /// down, nose up, nose to the right; any angles [rad].
+    /// down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
     pub boresight_rad: [f64; 3],
     /// Believed less true lever arm, -100 to 100 [m].
     pub lever_arm_error_m: [f64; 3],

@@ -31,7 +31,8 @@
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
- *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
+ *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it. Before the library is unloaded every handle is
+ *   destroyed and every call has returned.
  * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
  *   call, unless the handle is in use in another thread. (If the library was loaded at run time, the loader allocates in the
  *   first call of each thread: make one before the frame.) The library prints nothing, reads no environment and no file, and

@@ -35,6 +35,20 @@ pub(super) fn with_simulator(
     })
 }
 
+/// What `view` makes of a simulator that is an argument under `name` of a function of its own; its sentence stays.
+pub(super) fn look_at<T>(
+    sim: *const sins_sim,
+    name: &'static str,
+    view: impl FnOnce(&Simulator) -> T,
+) -> Result<T, Failure> {
+    let mut seen = None;
+    let status = SIMULATORS.with(sim.addr(), |place| {
+        seen = place.first().map(view);
+        Ok(SINS_OK)
+    });
+    seen.ok_or_else(|| Failure::of_handle(status, name))
+}
+
 /// Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
 ///
 /// On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no

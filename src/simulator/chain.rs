@@ -148,6 +148,13 @@ impl Chain {
         self.fly_watched(recent, sensors)
     }
 
+    /// Flies the first interval. A new chain and `sensors` of its own are of no use after an error: nothing is kept to go back to.
+    pub fn advance_first(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
+        self.check_truth(recent.next)?;
+        self.fly(recent, sensors);
+        self.mechanization.check()
+    }
+
     /// Flies, and goes back where the solution left its limits. Kept apart for the stack that the copies take.
     #[cold]
     #[inline(never)]

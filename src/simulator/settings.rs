@@ -71,6 +71,11 @@ impl Simulator {
         Ok(())
     }
 
+    /// The mounting that is set.
+    pub fn mounting(&self) -> MountingParameters {
+        self.sensors.mounting().copied().unwrap_or_default()
+    }
+
     /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host have felt their
     /// own.
     pub fn set_gravity_disturbance(

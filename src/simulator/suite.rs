@@ -105,6 +105,8 @@ impl Stored for SensorSuite {
 }
 
 impl SensorSuite {
+    /// Not inlined, for the stack: made in its place.
+    #[inline(never)]
     pub fn new(options: &Options) -> Self {
         Self {
             gyro: Triad::new(options.key, Sensor::Gyro),

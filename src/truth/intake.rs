@@ -49,9 +49,22 @@ pub struct Intake {
 }
 
 impl Intake {
-    /// An empty intake.
-    pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Self {
-        Self { earth, axes, limits, ring: Ring::EMPTY, first_time_s: 0.0, ticks: 0.0 }
+    /// An empty intake. The one allocation of its life.
+    pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Result<Self, Error> {
+        Ok(Self { earth, axes, limits, ring: Ring::new()?, first_time_s: 0.0, ticks: 0.0 })
+    }
+
+    /// Forgets all samples.
+    pub fn clear(&mut self) {
+        self.ring.clear();
+        (self.first_time_s, self.ticks) = (0.0, 0.0);
+    }
+
+    /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first, it is checked by itself alone.
+    pub fn restart(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        sample.validate()?;
+        self.clear();
+        self.push(sample)
     }
 
     /// Number of points that wait.

@@ -10,3 +10,4 @@ pub use intake::{Intake, IntakeLimits};
 pub use point::TruthPoint;
 pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;
+pub(crate) use sample::check_height;

@@ -101,8 +101,8 @@ static void work(sins_record records[SCENE_COUNT - 1])
     CHECK(memcmp(&sample, &samples[7], sizeof sample) == 0);
     sim = scene_simulator(NULL, 4);
     scene_fly(sim, samples, records);
+    CHECK(sins_recommend(sim, samples, 129, &requirement, &options, &cost) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK);
-    CHECK(sins_recommend(samples, 129, &requirement, &options, &cost) == SINS_OK);
 }
 
 /* Two copies: each has its own handles, and the one stays when the other goes. */

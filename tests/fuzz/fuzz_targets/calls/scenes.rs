@@ -134,13 +134,17 @@ impl Host<'_> {
         let mut samples: Vec<sins_flight_sample> = (0..2).map(|_| self.plausible_sample()).collect();
         samples[1].heading_rad += self.input.number();
         let mut requirement = self.input.changed(sins_requirement { position_m: 1.0, ..init() });
-        let mut options = self.input.changed(init::<sins_options>());
-        let mut cost = Block::of(&init::<sins_cost>());
-        // SAFETY: as many bytes as they say.
-        let status = unsafe {
-            sins_recommend(samples.as_ptr(), 2, requirement.pointer(), options.pointer(), cost.pointer())
-        };
-        if checked(status) >= 0 {
+        let (mut options, mut cost) = (Block::of(&init::<sins_options>()), Block::of(&init::<sins_cost>()));
+        let (options, cost_out) = (options.pointer(), cost.pointer());
+        let configured = self.sim();
+        let mut status = SINS_OK;
+        Self::changing(configured, |configured| {
+            let (samples, requirement) = (samples.as_ptr(), requirement.pointer());
+            // SAFETY: as many bytes as they say.
+            status = unsafe { sins_recommend(configured, samples, 2, requirement, options, cost_out) };
+            status
+        });
+        if status >= 0 {
             assert!(cost.is_finite());
         }
     }
