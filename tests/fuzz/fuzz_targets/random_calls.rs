@@ -90,7 +90,8 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
         if is_last || told.elapsed() > REPORT {
             told = Instant::now();
             println!(
-                "{calls} calls of seeds {} to {} in {:.0} s, {:.0} a second; failures: {kinds:?}",
+                "{calls} calls ({} of functions) of seeds {} to {} in {:.0} s, {:.0} a second; failures: {kinds:?}",
+                trace::calls(),
                 arguments.first,
                 seed - 1,
                 elapsed.as_secs_f64(),

@@ -60,12 +60,12 @@ impl Host {
                 let place = self.place();
                 look_at_all(self.sims[place].handle);
             }
-            208 => self.create_flight(),
+            208 if self.input.one_in(4) => self.create_flight(),
             209..211 => self.board(),
             211 => self.sample_flight(),
             212..214 => self.hear(),
             214 => names(i32::from(self.input.byte() as i8)),
-            215 if self.dear_calls > 0 && self.input.one_in(64) => {
+            215 if self.dear_calls > 0 && self.input.one_in(256) => {
                 self.dear_calls -= 1;
                 if self.input.byte() < 128 { self.recommend() } else { self.budget() }
             }

@@ -233,7 +233,7 @@ pub fn some_manoeuvre(input: &mut Input) -> sins_manoeuvre {
     let mut manoeuvre: sins_manoeuvre = init();
     manoeuvre.kind = kind;
     manoeuvre.duration_s =
-        if kind == SINS_MANOEUVRE_TURN { 0.0 } else { input.pick(&[20.0, 20.0, 100.0, 0.5, 1e-3]) };
+        if kind == SINS_MANOEUVRE_TURN { 0.0 } else { input.pick(&[20.0, 20.0, 100.0, 0.5, 1e-3, 5.0]) };
     match kind {
         SINS_MANOEUVRE_TURN => {
             (manoeuvre.heading_change_rad, manoeuvre.bank_rad) = (1.0, input.pick(&[0.5, 1e-3, 1.5]));
@@ -248,7 +248,7 @@ pub fn some_manoeuvre(input: &mut Input) -> sins_manoeuvre {
             for term in 0..count {
                 manoeuvre.channel[term] = input.below(6) as i32;
                 manoeuvre.amplitude[term] = input.within((-1.5, 1.5));
-                manoeuvre.frequency_hz[term] = input.pick(&[0.2, 1.0, 5.0, 0.0]);
+                manoeuvre.frequency_hz[term] = input.pick(&[0.2, 0.2, 0.0, 1.0]);
             }
         }
         _ => {}

@@ -6,6 +6,7 @@ use sins::abi::sins_status;
 
 thread_local! {
     static TELLING: Cell<bool> = const { Cell::new(false) };
+    static CALLS: Cell<u64> = const { Cell::new(0) };
     static FORGED: Cell<bool> = const { Cell::new(false) };
     static NOTES: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
@@ -27,6 +28,11 @@ pub fn forge() {
     FORGED.set(true);
 }
 
+/// Functions of the interface that this thread has called.
+pub fn calls() -> u64 {
+    CALLS.get()
+}
+
 /// What is to be known of a failure.
 pub fn circumstances() -> &'static str {
     if FORGED.get() { ", after a forged snapshot" } else { "" }
@@ -41,6 +47,7 @@ pub fn note(text: impl FnOnce() -> String) {
 
 /// A call that was made.
 pub fn called(function: &str, status: sins_status) {
+    CALLS.set(CALLS.get() + 1);
     if TELLING.get() {
         println!("{function}({}) = {status}", NOTES.take().join(", "));
     }
