@@ -135,7 +135,8 @@ fn positions_alone_miss_the_first_velocity() {
 #[test]
 fn a_gap_in_positions_alone_costs_what_their_noise_does() {
     let half_step_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
-    for (rate_hz, gap_s) in [(100.0, 1.0), (100.0, 2.5), (50.0, 0.2), (50.0, 1.0), (50.0, 2.5), (1000.0, 2.5)] {
+    for (rate_hz, gap_s) in [(100.0, 1.0), (100.0, 2.5), (50.0, 0.2), (50.0, 1.0), (50.0, 2.5), (1000.0, 2.5)]
+    {
         let mut simulator = Simulator::new(&Options::default()).unwrap();
         let (mut time_s, mut worst_m): (f64, f64) = (0.0, 0.0);
         for k in 0..2000 {

@@ -29,7 +29,7 @@ fuzz() {
     if [ -n "${KEEP:-}" ]; then
         rm -rf "$folder/fewest"
         mkdir "$folder/fewest"
-        "$2" -merge=1 -verbosity=0 "$folder/fewest" "$kept" "$new"
+        "$2" -set_cover_merge=1 -use_counters=0 -verbosity=0 "$folder/fewest" "$kept" "$new"
         rm -f "$kept"/*
         cp "$folder"/fewest/* "$kept"
     fi

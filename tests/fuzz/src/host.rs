@@ -77,7 +77,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         // The seed is any word.
         6 => {
             call!(sins_get_options(sim, &mut init()));
-        },
+        }
         _ => drop(check::<sins_navigation>(|navigation| call!(sins_get_navigation(sim, navigation)))),
     }
 }
@@ -98,8 +98,13 @@ impl Host {
             is_mounted: false,
         };
         let sims = [sim(), sim(), sim()];
-        let mut host =
-            Self { input, sims, flights: [null_mut(); HANDLES], follower: Follower::default(), dear_calls: 1 };
+        let mut host = Self {
+            input,
+            sims,
+            flights: [null_mut(); HANDLES],
+            follower: Follower::default(),
+            dear_calls: 1,
+        };
         host.make(0, &mut Argument::of(&sins_options { error_model: SINS_ERROR_MODEL_RK4, ..init() }));
         host
     }

@@ -184,7 +184,8 @@ impl Argument {
     /// The struct, if it has the size of this release.
     pub fn value<T: Copy>(&self) -> Option<T> {
         // SAFETY: the structs of the interface are numbers.
-        (self.bytes.len() == size_of::<T>()).then(|| unsafe { self.bytes.as_ptr().cast::<T>().read_unaligned() })
+        (self.bytes.len() == size_of::<T>())
+            .then(|| unsafe { self.bytes.as_ptr().cast::<T>().read_unaligned() })
     }
 
     fn note<T: Copy + std::fmt::Debug>(&self) {

@@ -12,7 +12,8 @@ thread_local! {
 /// Keeps the words of a panic instead of printing them; to be called before any other function of the library.
 pub fn catch_failures() {
     set_hook(Box::new(|info| {
-        let place = info.location().map_or(String::new(), |place| format!("{}:{}", place.file(), place.line()));
+        let place =
+            info.location().map_or(String::new(), |place| format!("{}:{}", place.file(), place.line()));
         let words = info.payload_as_str().unwrap_or_default();
         MESSAGE.set(format!("{words}{} ({place})", trace::circumstances()));
     }));

@@ -39,8 +39,10 @@ impl Motion {
         };
         let latitude_rad = match input.byte() {
             0..128 => 0.7,
-            kind => input.pick(&[0.0, FRAC_PI_2, -FRAC_PI_2, FRAC_PI_2 - 1e-6, 1.5698, -1.5, 1e-9])
-                * if kind == 255 { 0.5 } else { 1.0 },
+            kind => {
+                input.pick(&[0.0, FRAC_PI_2, -FRAC_PI_2, FRAC_PI_2 - 1e-6, 1.5698, -1.5, 1e-9])
+                    * if kind == 255 { 0.5 } else { 1.0 }
+            }
         };
         let height_m = input.pick(&[1000.0, 1000.0, 0.0, -20e3, 2000e3, 100e3]);
         let speed_m_s: f64 = input.pick(&[100.0, 100.0, 0.0, 250.0, -8e3, 20e3, 1e-3]);

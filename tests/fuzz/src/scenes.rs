@@ -152,7 +152,11 @@ impl Host {
             latitude_rad: self.input.pick(&[0.7, 0.7, 0.0, 1.5, -std::f64::consts::FRAC_PI_2]),
             longitude_rad: self.input.pick(&[0.0, 100.0, 3.14]),
             height_m: self.input.pick(&[0.0, 0.0, 2000e3, -20e3]),
-            velocity_enu_m_s: [self.input.pick(&[0.0, 100.0, 20e3, -20e3]), 0.0, self.input.pick(&[0.0, 20e3])],
+            velocity_enu_m_s: [
+                self.input.pick(&[0.0, 100.0, 20e3, -20e3]),
+                0.0,
+                self.input.pick(&[0.0, 20e3]),
+            ],
             quaternion_nb: self.input.pick(&[
                 [1.0, 0.0, 0.0, 0.0],
                 [0.6, 0.0, 0.0, 0.8],
@@ -160,8 +164,7 @@ impl Host {
             ]),
             ..init()
         };
-        let status =
-            self.giving_to(place, start, |sim, start| call!(sins_start_navigation(sim, start)));
+        let status = self.giving_to(place, start, |sim, start| call!(sins_start_navigation(sim, start)));
         self.sims[place].is_navigating |= status == SINS_OK;
     }
 
@@ -180,8 +183,7 @@ impl Host {
                 increment.velocity_m_s[at] += self.input.within((-1e4, 1e4));
             }
         }
-        let status =
-            self.giving_to(place, increment, |sim, increment| call!(sins_push_imu(sim, increment)));
+        let status = self.giving_to(place, increment, |sim, increment| call!(sins_push_imu(sim, increment)));
         if status == SINS_OK {
             self.hold_to_limits(place);
         } else if status != SINS_ERROR_INVALID_ARGUMENT && self.input.byte() < 64 {
@@ -227,7 +229,10 @@ impl Host {
             ));
             assert!(written <= capacity);
             let (words, _) = bytes[..written * stride].as_chunks();
-            assert!(words.iter().all(|&word| f64::from_le_bytes(word).is_finite()), "a record without numbers");
+            assert!(
+                words.iter().all(|&word| f64::from_le_bytes(word).is_finite()),
+                "a record without numbers"
+            );
             (status, bytes)
         };
         let (status, records) = make(sim);

@@ -64,12 +64,7 @@ impl Follower {
     }
 
     /// The same call as of the leader.
-    pub fn follow(
-        &mut self,
-        place: usize,
-        status: sins_status,
-        call: impl Fn(*mut sins_sim) -> sins_status,
-    ) {
+    pub fn follow(&mut self, place: usize, status: sins_status, call: impl Fn(*mut sins_sim) -> sins_status) {
         if self.leader == Some(place) {
             assert!(call(self.handle) == status, "another answer from the simulator that was loaded");
             self.calls_left = self.calls_left.saturating_sub(1);
@@ -90,7 +85,8 @@ fn sentence(sim: *mut sins_sim) -> String {
     let mut text = [0_u8; 256];
     // SAFETY: as many bytes as it says.
     unsafe { sins_last_error(sim, text.as_mut_ptr().cast(), text.len(), null_mut()) };
-    let text = String::from_utf8_lossy(&text[..text.iter().position(|&byte| byte == 0).unwrap_or(0)]).into_owned();
+    let text =
+        String::from_utf8_lossy(&text[..text.iter().position(|&byte| byte == 0).unwrap_or(0)]).into_owned();
     match text.split_once(" = ") {
         Some((field, rest)) => format!("{field} [{rest}]"),
         None => text,

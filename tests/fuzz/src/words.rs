@@ -28,7 +28,13 @@ pub fn snapshot_of(words: &[u64]) -> Vec<u8> {
         let mut sizes = 0;
         let mut bytes = Vec::new();
         for (place, &word) in group.iter().enumerate() {
-            let (size, length) = if word == 0 { (0, 0) } else if word <= 0xff { (1, 1) } else { (2, 8) };
+            let (size, length) = if word == 0 {
+                (0, 0)
+            } else if word <= 0xff {
+                (1, 1)
+            } else {
+                (2, 8)
+            };
             sizes |= size << (2 * place);
             bytes.extend_from_slice(&word.to_le_bytes()[..length]);
         }
