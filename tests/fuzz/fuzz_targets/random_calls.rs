@@ -2,7 +2,7 @@
 //!
 //!     random_calls [--calls N] [--seconds S] [--first SEED] [--folder FOLDER] [FILE...]
 //!
-//! Sequence after sequence, from SEED (0) on: seed k makes the same calls on every machine, so that two processes share a
+//! Sequence after sequence, from SEED (0) on: seed k makes the same calls every time, so that two processes can share a
 //! range. Each kind of failure is told once, with its seed and the fewest calls that show it, and kept in FOLDER (.), where
 //! random_calls.seed has the seed at work, should the process die. FILE: the calls of a kept sequence are told.
 
