@@ -75,7 +75,6 @@ pub fn without_zeros(debug: &str) -> String {
 
 /// Calls a function of the interface, which answers a status that the interface knows and that no defect is behind.
 #[macro_export]
-#[allow(clippy::macro_metavars_in_unsafe, reason = "arguments are pointers and numbers")]
 macro_rules! call {
     ($function:ident($($argument:expr),* $(,)?)) => {{
         // SAFETY: every pointer has as many bytes as its struct says; handles may be anything.
