@@ -33,10 +33,10 @@ fn every_function_and_struct_is_in_the_programs() {
         "tests/c/stack.c",
     ]
     .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
-    let fuzzed = ["host", "main", "scenes"].map(|file| {
-        let path = format!("tests/fuzz/fuzz_targets/calls/{file}.rs");
-        std::fs::read_to_string(project_file(&path)).unwrap()
-    });
+    let fuzzed: Vec<String> = std::fs::read_dir(project_file("tests/fuzz/src"))
+        .unwrap()
+        .map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap())
+        .collect();
     let mut missing = Vec::new();
     for prototype in header.split("sins_status SINS_CALL ").skip(1) {
         let (name, rest) = prototype.split_once('(').unwrap();

@@ -99,7 +99,8 @@ impl SignalGenerator {
     /// The motion of the interval that `recent` ends; the intervals come in order.
     ///
     /// Derivatives from four points, backward: at both ends the error is then the same, and cancels at the middle of the
-    /// interval. While there are fewer, both ends take all there are.
+    /// interval. While there are fewer, both ends take all there are. Behind a gap T in positions alone it is three points: the
+    /// fourth makes of velocity errors δ at intervals t δ T/t² of acceleration.
     pub fn advance<'a>(&mut self, recent: &Recent<'a>) -> IntervalMotion<'a> {
         let Recent { next, current, before } = *recent;
         let against_earth = relative_rotation(&current.state.q_eb, &next.state.q_eb);
@@ -110,7 +111,8 @@ impl SignalGenerator {
         let since_second = turn.angle + self.turns[0].angle;
         let since_third = since_second + self.turns[1].angle;
         let second = before[0].filter(|_| since_second < MAX_STENCIL_ROTATION);
-        let third = before[1].filter(|_| since_third < MAX_STENCIL_ROTATION);
+        let is_noisy = current.sample.v_n.is_none() && next.ends_gap(current);
+        let third = before[1].filter(|_| since_third < MAX_STENCIL_ROTATION && !is_noisy);
         let end = match (given(next), second, third) {
             (Some(given), ..) => given,
             (None, Some(second), Some(third)) if since_third < MAX_SERIES_ROTATION => {

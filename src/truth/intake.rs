@@ -210,14 +210,16 @@ impl Intake {
         Ok((time_s, interval_s, ticks))
     }
 
-    /// Derivative at `point` of the polynomial through its position and up to three before it [m/s].
+    /// Derivative at `point` of the polynomial through its position and up to three before it, two behind a gap [m/s]: the
+    /// third makes of position errors ε before a gap T, at intervals t, ε T/t² of the velocity.
     fn velocity_from_positions(&self, point: &TruthPoint) -> Vector3<f64> {
         // Relative to this position, so that the large part of the coordinates does not enter.
         let before = |back: usize| {
             let past = self.ring.pushed(back)?;
             Some((past.time_s - point.time_s, past.state.r_e - point.state.r_e))
         };
-        match (before(0), before(1), before(2)) {
+        let third = || before(2).filter(|_| !self.ring.pushed(0).is_some_and(|last| point.ends_gap(last)));
+        match (before(0), before(1), third()) {
             (Some(a), Some(b), Some(c)) => weighted([a, b, c]),
             (Some(a), Some(b), None) => weighted([a, b]),
             (Some(a), None, _) => weighted([a]),

@@ -7,6 +7,7 @@ mod sample;
 mod steps;
 
 pub use intake::{Intake, IntakeLimits};
+pub(crate) use point::GAP;
 pub use point::TruthPoint;
 pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;
