@@ -147,6 +147,7 @@ pub fn some_gyro(input: &mut Input) -> sins_gyro_params {
     let mut gyro: sins_gyro_params = filled(input, GYRO);
     gyro.markov_time_s = markov_times(input);
     off_diagonal(&mut gyro.misalignment_rad);
+    off_diagonal(&mut gyro.misalignment_sigma_rad);
     gyro
 }
 
@@ -154,6 +155,7 @@ pub fn some_accel(input: &mut Input) -> sins_accel_params {
     let mut accel: sins_accel_params = filled(input, ACCEL);
     accel.markov_time_s = markov_times(input);
     off_diagonal(&mut accel.misalignment_rad);
+    off_diagonal(&mut accel.misalignment_sigma_rad);
     accel
 }
 
