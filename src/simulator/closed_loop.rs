@@ -102,6 +102,11 @@ impl ClosedLoop {
         self.shadow.as_mut()
     }
 
+    /// Checks the shadow's solution.
+    pub fn check(&self) -> Result<(), Error> {
+        self.shadow.as_ref().map_or(Ok(()), Mechanization::check)
+    }
+
     /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow
     /// against `truth`, the state of its sensors at `time_s` [s].
     pub fn observe(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {
