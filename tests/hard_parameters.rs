@@ -9,6 +9,7 @@ mod fields;
 mod moments;
 mod support;
 
+use moments::{reads, snapshot};
 use nalgebra::{Matrix3, Vector3};
 use sins::earth::Geodetic;
 use sins::math::Euler;
@@ -16,7 +17,6 @@ use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
-use moments::{reads, snapshot};
 use support::{options_at, resting_sample};
 
 const RUNS: u32 = if cfg!(feature = "long-tests") { 20_000 } else { 400 };

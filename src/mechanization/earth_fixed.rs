@@ -23,7 +23,7 @@ pub struct EarthFixed {
     track: VerticalTrack,
 }
 
-stored!(EarthFixed { r_e: 1e9, v_e: 1e9, q_eb: 2.0, gravity_e: 1e3, track });
+stored!(EarthFixed { r_e: 1e9, v_e: 1e9, q_eb: 2.0, gravity_e: 1e18, track });
 
 impl EarthFixed {
     /// Starts from `state`.

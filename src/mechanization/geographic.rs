@@ -8,7 +8,7 @@ use super::{BodyMotion, Mechanization, VerticalCorrection, renormalize};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
-use crate::snapshot::stored;
+use crate::snapshot::{NO_SQUARE, stored};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Latitude, longitude, height, velocity and attitude in east-north-up.
@@ -28,7 +28,9 @@ pub struct Geographic {
 /// No flight goes round the Earth so many times [rad].
 const MAX_LONGITUDE_RAD: f64 = 1e9;
 
-stored!(Geographic { place: MAX_LONGITUDE_RAD, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1e30 });
+stored!(Geographic { place: MAX_LONGITUDE_RAD, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1.0 } then |state, from| {
+    from.require(state.turn2 >= 0.0, state.turn2, NO_SQUARE)
+});
 
 /// What the navigation axes and the Earth do at a place.
 #[derive(Clone, Copy)]
@@ -208,7 +210,7 @@ impl Geographic {
             return singular("cosine of the navigated latitude", cos, words, least);
         }
         let (turn, most) = (self.turn2.sqrt(), Mechanization::MAX_TURN_RAD);
-        if !(turn <= most) {
+        if turn > most {
             let words = "this close to a pole needs shorter updates or Earth-fixed axes; must be at most";
             return singular("turn of the geographic axes in an update", turn, words, most);
         }

@@ -246,10 +246,10 @@ fn diverged(height: f64, speed2: f64, norm_error: f64) -> Result<(), Error> {
     let (low, high) = HEIGHTS_M;
     let (field, value, rule) = if !(height > low && height < high) {
         ("navigated height_m", height, Rule::Between(low, high))
-    } else if !(speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S) {
-        ("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S))
-    } else {
+    } else if speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S {
         ("navigated attitude: squared norm of the quaternion", 1.0 + norm_error, Rule::Words("must be 1"))
+    } else {
+        ("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S))
     };
     Err(Error::of(ErrorKind::Diverged, field, value, rule))
 }

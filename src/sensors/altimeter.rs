@@ -8,7 +8,7 @@ use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
-use crate::snapshot::{ANY, stored};
+use crate::snapshot::{ANY, SIGNALS, stored};
 
 /// Errors of the barometric height. All zero is an ideal altimeter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -76,7 +76,7 @@ struct Heights {
     indicated_m: Option<f64>,
 }
 
-stored!(Heights { true_m: 1e9, lagged_m: 1e9, indicated_m: 1e12 });
+stored!(Heights { true_m: 1e9, lagged_m: 1e9, indicated_m: SIGNALS });
 
 stored!(Altimeter {
     x: DEVIATES,

@@ -6,7 +6,7 @@ use super::kept::Kept;
 use super::parameters::TriadParameters;
 use crate::error::Error;
 use crate::math::{exp, sin_cos};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
 
 /// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is taken constant over
 /// each increment, at its mean; for that the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
@@ -35,7 +35,7 @@ struct Filter {
     state: Kept<Option<(f64, f64)>>,
 }
 
-stored!(Filter { state: 1e12 } rebuilt { rate, cos, sin });
+stored!(Filter { state: SIGNALS } rebuilt { rate, cos, sin });
 
 /// Which axes have a filter follows from the parameters.
 impl Stored for Bandwidth {

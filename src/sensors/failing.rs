@@ -6,7 +6,7 @@ use super::failure::{Axis, Failure, SensorOutput};
 use super::kept::Kept;
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
+use crate::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
 
 /// Share of a sample interval by which a loss may be early for the interval: sums of intervals round.
 const SLACK: f64 = 1e-6;
@@ -54,7 +54,7 @@ impl Stored for FailingOutput {
         if kind & FAILED != 0 {
             failure.insert(Failure::default()).load(from)?;
             Numbers::load(phase_s, from, 1e12)?;
-            Numbers::load(held, from, 1e12)?;
+            Numbers::load(held, from, SIGNALS)?;
         }
         if *has_drawn {
             stream.load(from)?;

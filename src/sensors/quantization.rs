@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::kept::Kept;
 use super::parameters::TriadParameters;
-use crate::snapshot::stored;
+use crate::snapshot::{SIGNALS, stored};
 
 /// The output is a whole number of pulses of q [u s], to the nearest; what is left over, at most q/2, is carried to the next
 /// increment, so that the integral is never wrong by more. The quantization noise of IEEE Std 952 is Q = q/√12.
@@ -16,7 +16,7 @@ pub(super) struct Quantization {
     residual: Kept<Vector3<f64>>,
 }
 
-stored!(Quantization { residual: 1.0 } rebuilt { pulse });
+stored!(Quantization { residual: SIGNALS } rebuilt { pulse });
 
 impl Quantization {
     pub fn new() -> Self {

@@ -5,7 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::kept::Kept;
 use super::parameters::TriadParameters;
 use crate::mounting::{centripetal, lever_arm_velocity};
-use crate::snapshot::stored;
+use crate::signal::MAX_INCREMENTS;
+use crate::snapshot::{SIGNALS, stored};
+use crate::truth::INTERVALS_S;
 
 /// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
 /// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`]; ω at an end is the derivative of the cubic
@@ -31,8 +33,11 @@ struct Past {
     mean: Vector3<f64>,
 }
 
-stored!(SizeEffect { past, rate: 1e18 } rebuilt { arms });
-stored!(Past { dt: 1e3, mean: 1e12 });
+stored!(SizeEffect { past, rate: SIGNALS } rebuilt { arms });
+stored!(Past { dt: INTERVALS_S.1, mean: SIGNALS } then |past, from| {
+    let shortest_s = INTERVALS_S.0 / MAX_INCREMENTS as f64;
+    from.require(past.dt >= shortest_s, past.dt, "is no length of an increment")
+});
 
 impl SizeEffect {
     pub fn new() -> Self {

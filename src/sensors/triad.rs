@@ -28,8 +28,9 @@ use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
 use super::temperature::Temperature;
 use crate::error::Error;
-use crate::signal::Increment;
+use crate::signal::{Increment, MAX_INCREMENTS};
 use crate::snapshot::{Reader, Stored, stored};
+use crate::truth::INTERVALS_S;
 
 /// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,10 +69,12 @@ stored!(Triad {
     ramp,
     random_walk,
     quantization,
-    dt: 1e3,
+    dt: INTERVALS_S.1,
 } rebuilt {
     sensor, linear, asymmetry, quadratic, g_sensitivity, bias, dead_zone, range, plan, saturated, temperature, failing,
-} then |triad, _| {
+} then |triad, from| {
+    let shortest_s = INTERVALS_S.0 / MAX_INCREMENTS as f64;
+    from.require(*triad.dt == 0.0 || *triad.dt >= shortest_s, *triad.dt, "is no length of an increment")?;
     triad.set_interval(*triad.dt);
     Ok(())
 });

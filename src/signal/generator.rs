@@ -30,7 +30,10 @@ pub(crate) struct Derivatives {
     pub omega_ib_b: Vector3<f64>,
 }
 
-stored!(Derivatives { a_e: 1e18, omega_ib_b: 1e18 });
+/// Derivatives of accepted samples are smaller [m/s², rad/s]: the most that weights of 1/5e-5 s make of them is 1e14.
+pub(crate) const DERIVATIVES: f64 = 1e18;
+
+stored!(Derivatives { a_e: DERIVATIVES, omega_ib_b: DERIVATIVES });
 
 /// Another sample, seen from the one where derivatives are wanted.
 #[derive(Debug, Clone, Copy)]

@@ -41,7 +41,10 @@ pub(super) struct ClosedLoop {
     largest: TrimFigures,
 }
 
-stored!(TrimFigures { rate_rad_s: 1e12, force_m_s2: 1e12 });
+stored!(TrimFigures { rate_rad_s: 1e12, force_m_s2: 1e12 } then |trim, from| {
+    let least = trim.rate_rad_s.min(trim.force_m_s2);
+    from.require(least >= 0.0, least, "must not be negative")
+});
 
 /// Read over a loop that was made with a shadow.
 impl Stored for ClosedLoop {

@@ -281,7 +281,6 @@ fn no_temperature() -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Euler;
     use crate::sensors::Axis;
 
     #[test]

@@ -26,6 +26,9 @@ pub struct FlightSample {
     pub temperature_c: Option<f64>,
 }
 
+/// Time stamps are within ± this [s].
+pub(super) const LATEST_S: f64 = 1e10;
+
 /// Bits of what a stored sample has beyond or short of the usual: no velocity, a rate, a force, a
 /// temperature.
 const NO_VELOCITY: usize = 1;
@@ -75,7 +78,7 @@ impl Stored for FlightSample {
 impl FlightSample {
     /// Checks each field by itself.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("sample.time_s", self.time_s, -1e10, 1e10)?;
+        check_range("sample.time_s", self.time_s, -LATEST_S, LATEST_S)?;
         // A quarter turn that the host rounded up in degrees is still a pole.
         let quarter = core::f64::consts::FRAC_PI_2 + 1e-9;
         check_range("sample.latitude_rad", self.place.latitude_rad, -quarter, quarter)?;
