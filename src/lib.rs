@@ -78,6 +78,7 @@
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | nothing that a host does hurts the library, nor the library the host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
+//! | whatever a host does within its rules: no solution beyond the limits is good, a refused call changes nothing, each snapshot loads | `tests/any_use.rs` |
 //! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |

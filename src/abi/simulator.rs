@@ -131,7 +131,8 @@ pub unsafe extern "C" fn sins_push_sample(
 /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
 /// further one one more. No allocation, no system call.
 ///
-/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
+/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
+/// reference point or of the closed loop's own error-free navigator beyond -500 km or
 /// 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
 /// solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
 /// increments.

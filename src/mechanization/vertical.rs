@@ -5,6 +5,7 @@ use crate::earth::Earth;
 use crate::math::exp_m1;
 use crate::snapshot::{codes, stored};
 use crate::state::EarthFixedState;
+use crate::truth::INTERVALS_S;
 
 /// How the vertical channel is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -85,7 +86,8 @@ pub struct VerticalLoop {
     gains: [f64; 3],
 }
 
-stored!(VerticalLoop { bias_m_s2: 1e15, t: 1e3 } rebuilt { gains } then |channel, _| {
+stored!(VerticalLoop { bias_m_s2: 1e30, t: INTERVALS_S.1 } rebuilt { gains } then |channel, from| {
+    from.require(channel.t == 0.0 || channel.t >= INTERVALS_S.0, channel.t, "is no interval")?;
     if channel.t > 0.0 {
         channel.set_interval(channel.t);
     }

@@ -7,8 +7,8 @@ use crate::earth::Earth;
 use crate::math::{
     Euler, VectorPair, relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_vector,
 };
-use crate::signal::{Increment, IntervalMotion, MotionNode};
-use crate::snapshot::stored;
+use crate::signal::{DERIVATIVES, Increment, IntervalMotion, MotionNode};
+use crate::snapshot::{SIGNALS, stored};
 use crate::state::{BodyAxes, EarthFixedState};
 use crate::truth::TruthPoint;
 
@@ -26,7 +26,7 @@ pub struct Block {
     gyro_error_s: Vector3<f64>,
 }
 
-stored!(Block { rate_b: 1e6, gyro_error_s: 1e9 } rebuilt { earth_rate, placement, believed, to_block });
+stored!(Block { rate_b: DERIVATIVES, gyro_error_s: SIGNALS } rebuilt { earth_rate, placement, believed, to_block });
 
 /// Where an INS takes its block to sit, and how it takes it to turn.
 #[derive(Debug, Clone, Copy, PartialEq)]

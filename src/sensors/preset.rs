@@ -180,7 +180,7 @@ mod tests {
     const GRADES: [Grade; 5] =
         [Grade::Strategic, Grade::Navigation, Grade::Tactical, Grade::Industrial, Grade::Consumer];
 
-    /// Each grade is valid, tame, and noisier than the one before.
+    /// Each grade is valid, and noisier than the one before.
     #[test]
     fn grades_are_in_order() {
         let mut walks = Vec::new();
@@ -188,7 +188,6 @@ mod tests {
             let (gyro, accel) = grade.parameters();
             gyro.validate(Sensor::Gyro).unwrap();
             accel.validate(Sensor::Accelerometer).unwrap();
-            assert!(gyro.is_tame() && accel.is_tame(), "{grade:?}");
             walks.push(gyro.random_walk.x);
         }
         assert!(walks.is_sorted(), "{walks:?}");

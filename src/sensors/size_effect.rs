@@ -2,9 +2,12 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::kept::Kept;
 use super::parameters::TriadParameters;
 use crate::mounting::{centripetal, lever_arm_velocity};
-use crate::snapshot::stored;
+use crate::signal::MAX_INCREMENTS;
+use crate::snapshot::{SIGNALS, stored};
+use crate::truth::INTERVALS_S;
 
 /// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
 /// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`]; ω at an end is the derivative of the cubic
@@ -16,9 +19,9 @@ pub(super) struct SizeEffect {
     /// Row = place of an accelerometer [m].
     arms: Matrix3<f64>,
     /// The last increment and the one before, as far as there are any.
-    past: [Option<Past>; 2],
+    past: Kept<[Option<Past>; 2]>,
     /// ω at the end of the last [rad/s].
-    rate: Vector3<f64>,
+    rate: Kept<Vector3<f64>>,
 }
 
 /// An increment that has gone by.
@@ -30,12 +33,15 @@ struct Past {
     mean: Vector3<f64>,
 }
 
-stored!(SizeEffect { past, rate: 1e18 } rebuilt { arms });
-stored!(Past { dt: 1e3, mean: 1e12 });
+stored!(SizeEffect { past, rate: SIGNALS } rebuilt { arms });
+stored!(Past { dt: INTERVALS_S.1, mean: SIGNALS } then |past, from| {
+    let shortest_s = INTERVALS_S.0 / MAX_INCREMENTS as f64;
+    from.require(past.dt >= shortest_s, past.dt, "is no length of an increment")
+});
 
 impl SizeEffect {
     pub fn new() -> Self {
-        Self { arms: Matrix3::zeros(), past: [None; 2], rate: Vector3::zeros() }
+        Self { arms: Matrix3::zeros(), past: Kept::new([None; 2]), rate: Kept::new(Vector3::zeros()) }
     }
 
     /// Takes parameters; whether they call for the effect.
@@ -50,7 +56,7 @@ impl SizeEffect {
 
     /// The signal jumps: what went before is no guide to it.
     pub fn reposition(&mut self) {
-        self.past = [None; 2];
+        *self.past = [None; 2];
     }
 
     /// Error [m/s²] at the constant angular rate `rate` [rad/s].
@@ -63,16 +69,29 @@ impl SizeEffect {
     pub fn apply(&mut self, angle: &Vector3<f64>, dt: f64, felt: &mut Vector3<f64>) {
         let now = Past { dt, mean: angle / dt };
         let end = self.rate_at_end(&now);
-        let start = if self.past[0].is_some() { self.rate } else { end };
+        let start = if self.past[0].is_some() { *self.rate } else { end };
         let change = end - start;
         *felt += self.along_axes(|arm| lever_arm_velocity(&change, &now.mean, dt, arm));
-        self.past = [Some(now), self.past[0]];
-        self.rate = end;
+        *self.past = [Some(now), self.past[0]];
+        *self.rate = end;
+    }
+
+    /// An interval begins, which [`Self::undo`] takes back.
+    #[inline]
+    pub fn keep(&mut self) {
+        self.past.keep();
+        self.rate.keep();
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.past.undo();
+        self.rate.undo();
     }
 
     /// ω at the end of the increment `now`, by Newton's divided differences of the angle.
     fn rate_at_end(&self, now: &Past) -> Vector3<f64> {
-        let [Some(last), before] = self.past else { return now.mean };
+        let [Some(last), before] = *self.past else { return now.mean };
         let two = now.dt + last.dt;
         let second = (now.mean - last.mean) / two;
         let Some(before) = before else { return now.mean + second * now.dt };

@@ -23,14 +23,17 @@ const MAX_SMALL_TURN: f64 = 0.02;
 
 /// Derivatives of the motion at a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Derivatives {
+pub(crate) struct Derivatives {
     /// Acceleration against the Earth, Earth-fixed axes [m/s²].
     pub a_e: Vector3<f64>,
     /// Angular rate against inertial space, sensor axes [rad/s].
     pub omega_ib_b: Vector3<f64>,
 }
 
-stored!(Derivatives { a_e: 1e18, omega_ib_b: 1e18 });
+/// Derivatives of accepted samples are smaller [m/s², rad/s]: the most that weights of 1/5e-5 s make of them is 1e14.
+pub(crate) const DERIVATIVES: f64 = 1e18;
+
+stored!(Derivatives { a_e: DERIVATIVES, omega_ib_b: DERIVATIVES });
 
 /// Another sample, seen from the one where derivatives are wanted.
 #[derive(Debug, Clone, Copy)]
@@ -94,6 +97,19 @@ impl SignalGenerator {
             _ => Turn::NONE,
         };
         self.turns = [turn(points[0], points[1]), turn(points[1], points[2])];
+    }
+
+    /// What [`Self::go_back`] needs of the sample at hand.
+    #[inline]
+    pub(crate) fn settled(&self) -> Option<Derivatives> {
+        self.settled
+    }
+
+    /// The interval that `recent` ends has not been: back at its start, where [`Self::settled`] was `settled`.
+    pub(crate) fn go_back(&mut self, settled: Option<Derivatives>, recent: &Recent<'_>) {
+        let [second, third] = recent.before;
+        self.settled = settled;
+        self.look_back(&[Some(recent.current), second, third]);
     }
 
     /// The motion of the interval that `recent` ends; the intervals come in order.

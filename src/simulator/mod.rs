@@ -135,7 +135,7 @@ impl Simulator {
         let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
         let mut sensors = self.sensors.clone();
         sensors.reposition(first.current.sample.place.height_m);
-        chain.advance_first(&first, &mut sensors)?;
+        chain.advance(&first, &mut sensors)?;
         self.sensors = sensors;
         self.intake.take();
         self.intake.take();

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::ring::{LOOK_BACK, Ring};
+use super::sample::LATEST_S;
 use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
@@ -11,11 +12,18 @@ use crate::math::end_derivative_weights;
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::state::BodyAxes;
 
-/// Shortest interval between samples [s].
+/// Shortest interval between samples, and longest that a host may allow [s].
 const MIN_INTERVAL_S: f64 = 5e-5;
+pub(crate) const MAX_GAP_S: f64 = 1e3;
 
 /// What the difference of two time stamps may miss an interval by: four units in their last place.
 const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Shortest and longest interval that there can be [s].
+pub(crate) const INTERVALS_S: (f64, f64) = {
+    let rounding = STAMP_ROUNDING * LATEST_S;
+    (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
+};
 
 /// What separates a bad sample from a hard manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -170,7 +178,13 @@ impl Intake {
         let knows_velocity = |point: &TruthPoint| point.sample.v_n.is_some();
         if let Some(last) = self.ring.pushed(0).filter(|last| knows_velocity(last) && knows_velocity(&point))
         {
-            Steps { last, before: [self.ring.pushed(1), None] }.check(&point, &self.limits)?;
+            let steps = Steps { last, before: [self.ring.pushed(1), None] };
+            // Nor is the interval before the oldest, without which nobody knows what turn was to be foreseen.
+            if steps.before[0].is_some() {
+                steps.check(&point, &self.limits)?;
+            } else {
+                steps.check_without_foresight(&point, &self.limits)?;
+            }
         }
         self.ticks = ticks;
         self.ring.push(point);

@@ -6,6 +6,7 @@ mod ring;
 mod sample;
 mod steps;
 
+pub(crate) use intake::{INTERVALS_S, MAX_GAP_S};
 pub use intake::{Intake, IntakeLimits};
 pub(crate) use point::GAP;
 pub use point::TruthPoint;

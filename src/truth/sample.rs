@@ -26,6 +26,9 @@ pub struct FlightSample {
     pub temperature_c: Option<f64>,
 }
 
+/// Time stamps are within ± this [s].
+pub(super) const LATEST_S: f64 = 1e10;
+
 /// Checks a height above the ellipsoid [m], of a sample or of what samples are made of.
 pub(crate) fn check_height(field: &'static str, height_m: f64) -> Result<(), Error> {
     let (low, high) = FlightSample::HEIGHT_RANGE_M;
@@ -90,7 +93,7 @@ impl FlightSample {
 
     /// Checks each field by itself.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("sample.time_s", self.time_s, -1e10, 1e10)?;
+        check_range("sample.time_s", self.time_s, -LATEST_S, LATEST_S)?;
         // A quarter turn that the host rounded up in degrees is still a pole.
         let quarter = core::f64::consts::FRAC_PI_2 + 1e-9;
         check_range("sample.latitude_rad", self.place.latitude_rad, -quarter, quarter)?;

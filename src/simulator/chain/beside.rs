@@ -1,6 +1,7 @@
 //! What only some flights have beside the plain chain: a mounting, gravity beyond the normal field, a closed loop.
 
-use super::{Chain, navigate};
+use super::Chain;
+use super::fly::navigate;
 use crate::mechanization::VerticalAid;
 use crate::mounting::Block;
 use crate::signal::IntervalMotion;
@@ -18,9 +19,9 @@ impl Chain {
         recent: &Recent<'_>,
         sensors: &mut SensorSuite,
     ) {
-        let (count, next) = (self.increments(), recent.next);
+        let (parts, next) = (self.parts.clone(), recent.next);
         let t = next.interval_s;
-        let ideal = &mut self.ideal[..count];
+        let ideal = &mut self.ideal[parts];
         if let Some(block) = &mut self.block {
             block.mount(&self.earth, motion, recent.current, ideal);
         }
@@ -40,12 +41,11 @@ impl Chain {
 
     /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
     #[inline(never)]
-    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid) {
-        let (count, t) = (self.increments(), next.interval_s);
-        let sensors_were_ideal = self.last.sensors_were_ideal();
+    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
+        let (parts, t) = (self.parts.clone(), next.interval_s);
         if let Some(block) = &mut self.block {
             let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
-            block.observe(&self.ideal[..count], &increments[..count], t);
+            block.observe(&self.ideal[parts.clone()], &increments[parts], t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);

@@ -23,7 +23,7 @@ impl Stored for Chain {
             generator,
             ideal: _,
             measured: _,
-            updates: _,
+            parts: _,
             last: _,
             north_unknown,
             mechanization,
@@ -79,7 +79,7 @@ impl Stored for Chain {
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.load(from)?;
         }
-        Ok(())
+        self.check()
     }
 }
 
