@@ -181,7 +181,10 @@ typedef struct sins_flight sins_flight;
 /* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
 #define SINS_SCHEME_POLYNOMIAL 2
 
-/* Third-order loop on a barometric height, time constant 100 s. */
+/*
+ * Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
+ * the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+ */
 #define SINS_VERTICAL_DAMPED 0
 /* Height and vertical velocity set to the truth at each sample. */
 #define SINS_VERTICAL_FOLLOW_TRUTH 1

@@ -216,7 +216,7 @@ impl Mechanization {
     /// Keeps the vertical channel, at the end of an interval of length `t` [s].
     pub fn aid_vertical(&mut self, aid: &VerticalAid, t: f64) {
         if *aid == VerticalAid::None {
-            return;
+            return self.vertical.skip();
         }
         let (height, velocity_up) = match &mut self.axes {
             Axes::EarthFixed(axes) => axes.observe_vertical(&self.earth),

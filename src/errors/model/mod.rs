@@ -166,7 +166,7 @@ impl ErrorModel {
         }
         let t = motion.interval_s;
         let correction = match *aid {
-            VerticalAid::None => return,
+            VerticalAid::None => return self.vertical.skip(),
             VerticalAid::Truth { .. } => VerticalCorrection::to_truth(
                 -self.height_error(truth, block),
                 -self.velocity_up_error(truth, block),
