@@ -587,7 +587,8 @@ typedef struct sins_accel_params {
     double dead_zone_m_s2[3];
     /*
      * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-     * row = sensor (size effect).
+     * row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
+     * first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
      */
     double lever_arm_m[9];
     /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
@@ -688,6 +689,11 @@ typedef struct sins_initial_errors {
  * navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
  * Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
  * point, along body axes; so is the barometric height.
+ *
+ * Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of the
+ * first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval has
+ * it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
+ * sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is lacking.
  */
 typedef struct sins_mounting {
     /* sizeof(sins_mounting) */

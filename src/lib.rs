@@ -72,6 +72,7 @@
 //! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
 //! | temperature and failures too, and a failure cleared has moved no draw | `tests/temperature.rs`, `tests/failures.rs` |
 //! | a block off the reference point navigates as well as one at it | `tests/mounting.rs` |
+//! | a start in motion makes no spike of force, and the navigation knows no start | `tests/start_in_motion.rs` |
 //! | gravity beyond the normal field acts as in closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |

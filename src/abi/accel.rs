@@ -57,7 +57,8 @@ pub struct sins_accel_params {
     /// Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2].
     pub dead_zone_m_s2: [f64; 3],
     /// Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-    /// row = sensor (size effect).
+    /// row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
+    /// first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
     pub lever_arm_m: [f64; 9],
     /// Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2.
     pub vibration_rectification_s2_m: [f64; 3],

@@ -235,6 +235,14 @@ impl Mechanization {
         }
     }
 
+    /// Adds `dv_e` [m/s], Earth-fixed axes, to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        match &mut self.axes {
+            Axes::EarthFixed(axes) => axes.shift_velocity(dv_e),
+            Axes::Geographic(axes) => axes.shift_velocity(dv_e),
+        }
+    }
+
     /// The solution less `truth`.
     pub fn minus(&self, truth: &EarthFixedState) -> StateDifference {
         match &self.axes {

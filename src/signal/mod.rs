@@ -11,7 +11,7 @@ mod generator;
 mod motion;
 
 pub use generator::SignalGenerator;
-pub use motion::{IntervalMotion, MotionNode};
+pub use motion::{IntervalMotion, MotionNode, Turning};
 
 use nalgebra::Vector3;
 

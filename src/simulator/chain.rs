@@ -3,6 +3,8 @@
 mod beside;
 mod snapshot;
 
+use beside::conditions;
+
 use super::aid::vertical_aid;
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
@@ -195,7 +197,7 @@ impl Chain {
             ideal
         } else {
             let measured = &mut self.measured[..count];
-            sensors.begin_interval(t, || [recent.current.sample.temperature_c, next.sample.temperature_c]);
+            sensors.begin_interval(t, || conditions(recent, &motion, self.block.as_ref()));
             flags = sensors.sense(ideal, t / count as f64, measured);
             &*measured
         };
