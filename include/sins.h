@@ -478,6 +478,11 @@ typedef struct sins_flight_sample {
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
  * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
  * range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ *
+ * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
+ * sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
+ * that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean size
+ * (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -515,11 +520,11 @@ typedef struct sins_gyro_params {
     double misalignment_rad[9];
     /* g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force. */
     double g_sensitivity_rad_s_per_m_s2[9];
-    /* Range, where the mean rate of a sub-increment saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
+    /* Range, where the rate saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
     double range_rad_s[3];
     /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
     double bandwidth_hz[3];
-    /* Half the dead zone: mean rates of a sub-increment up to this size give 0 [rad/s]. */
+    /* Half the dead zone: rates up to this size give 0 [rad/s]. */
     double dead_zone_rad_s[3];
     /*
      * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
@@ -543,7 +548,8 @@ typedef struct sins_gyro_params {
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
  * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
- * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
+ * see sins_gyro_params.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -579,11 +585,11 @@ typedef struct sins_accel_params {
     double scale_factor_nonlinearity_s2_m[3];
     /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
     double misalignment_rad[9];
-    /* Range, where the mean force of a sub-increment saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
+    /* Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
     double range_m_s2[3];
     /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
     double bandwidth_hz[3];
-    /* Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2]. */
+    /* Half the dead zone: forces up to this size give 0 [m/s2]. */
     double dead_zone_m_s2[3];
     /*
      * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
