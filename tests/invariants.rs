@@ -12,7 +12,7 @@ use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, TriadParameters};
 use sins::state::BodyAxes;
-use sins::truth::{FlightSample, IntakeLimits};
+use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
 use support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
 
@@ -84,8 +84,8 @@ fn the_damped_channel_follows_the_barometer_and_finds_the_bias() {
     let error = errors(&simulator);
     // Coriolis made a Schuler swing of the climb, 1e-2 m/s; it comes back as 2 W v over the loop's λ² = 1e-4.
     assert!((error.position_n.z - 20.0).abs() < 1.5e-4 * 1e-2 / 1e-4, "{}", error.position_n.z);
-    // The loop corrects at the end of each interval: there the velocity is half of what the bias makes in one.
-    assert!((error.velocity_n.z + 0.5 * bias.z * 0.1).abs() < 1e-5, "{}", error.velocity_n.z);
+    // The bias is found and taken out; Coriolis, 2 W v of the swing, is within the tolerance.
+    assert!(error.velocity_n.z.abs() < 1e-5, "{}", error.velocity_n.z);
     // On the way the bias pulled it above the barometer.
     assert!(highest > 25.0, "{highest}");
 }
@@ -200,19 +200,5 @@ fn turns_beyond_half_a_turn_an_update_keep_the_norm() {
         fly(&mut simulator, resting(10.0, 60.0));
         let q = simulator.navigation().unwrap().unwrap().navigation.q_nb;
         assert!((q.norm() - 1.0).abs() < 1e-15, "{scheme:?} {frame:?}: {}", q.norm());
-    }
-}
-
-/// The loop's gains are those of its poles in steps of any length.
-#[test]
-fn the_damped_channel_is_stable_at_any_interval() {
-    for interval_s in [1.0, 20.0, 60.0, 300.0] {
-        let intake = IntakeLimits { max_gap_s: interval_s, ..Default::default() };
-        let mut simulator = Simulator::new(&Options { intake, ..Default::default() }).unwrap();
-        let position_n = Vector3::new(0.0, 0.0, 10.0);
-        simulator.set_initial_errors(&InitialErrorParameters { position_n, ..Default::default() }).unwrap();
-        fly(&mut simulator, resting(1.0 / interval_s, 100.0 * interval_s.max(100.0)));
-        let height = errors(&simulator).position_n.z;
-        assert!(height.abs() < 1e-3, "{interval_s} s: {height} m");
     }
 }

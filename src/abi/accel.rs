@@ -15,7 +15,8 @@ use crate::sensors::TriadParameters;
 ///
 /// Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
 /// nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
-/// zone, range, quantization. A range, a bandwidth or a quantization of 0 is none.
+/// zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
+/// see sins_gyro_params.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accel_params {
@@ -50,14 +51,15 @@ pub struct sins_accel_params {
     pub scale_factor_nonlinearity_s2_m: [f64; 3],
     /// Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0.
     pub misalignment_rad: [f64; 9],
-    /// Range, where the mean force of a sub-increment saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu.
+    /// Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu.
     pub range_m_s2: [f64; 3],
     /// Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval.
     pub bandwidth_hz: [f64; 3],
-    /// Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2].
+    /// Half the dead zone: forces up to this size give 0 [m/s2].
     pub dead_zone_m_s2: [f64; 3],
     /// Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-    /// row = sensor (size effect).
+    /// row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
+    /// first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
     pub lever_arm_m: [f64; 9],
     /// Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2.
     pub vibration_rectification_s2_m: [f64; 3],

@@ -110,6 +110,11 @@ impl EarthFixed {
         self.v_e.add(&dv);
     }
 
+    /// Adds `dv_e` [m/s] to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        self.v_e.add(dv_e);
+    }
+
     /// The state less `truth`, with what the sums still carry.
     pub fn minus(&self, truth: &EarthFixedState) -> StateDifference {
         StateDifference::new(self.r_e.minus(&truth.r_e), self.v_e.minus(&truth.v_e), &self.q(), truth)

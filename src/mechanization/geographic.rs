@@ -242,6 +242,12 @@ impl Geographic {
         self.v_n.add(&(Vector3::new(0.0, 0.0, correction.velocity_up_m_s) - coriolis));
     }
 
+    /// Adds `dv_e` [m/s], Earth-fixed axes, to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        let place = &self.place.value;
+        self.v_n.add(&rotate_inverse(&navigation_axes(place.x, place.y), dv_e));
+    }
+
     /// The state in Earth-fixed axes.
     pub fn state(&self, earth: &Earth) -> EarthFixedState {
         self.navigation(BodyAxes::default()).earth_fixed(earth)

@@ -170,7 +170,7 @@ impl Mechanization {
     /// Keeps the vertical channel, at the end of an interval of length `t` [s].
     pub fn aid_vertical(&mut self, aid: &VerticalAid, t: f64) {
         if *aid == VerticalAid::None {
-            return;
+            return self.solution.vertical.skip();
         }
         let Solution { axes, vertical } = &mut self.solution;
         let mut correct = |height: f64, velocity_up: f64| match *aid {
@@ -189,6 +189,14 @@ impl Mechanization {
                 let (height, velocity_up) = axes.observe_vertical();
                 axes.shift_vertical(&self.earth, &correct(height, velocity_up));
             }
+        }
+    }
+
+    /// Adds `dv_e` [m/s], Earth-fixed axes, to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        match &mut self.solution.axes {
+            Axes::EarthFixed(axes) => axes.shift_velocity(dv_e),
+            Axes::Geographic(axes) => axes.shift_velocity(dv_e),
         }
     }
 

@@ -28,7 +28,7 @@ use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
 use super::temperature::Temperature;
 use crate::error::Error;
-use crate::signal::{Increment, MAX_INCREMENTS};
+use crate::signal::{Increment, MAX_INCREMENTS, Turning};
 use crate::snapshot::{Reader, Stored, stored};
 use crate::truth::INTERVALS_S;
 
@@ -171,10 +171,16 @@ impl Triad {
         self.failing.are_silent()
     }
 
-    /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends where they are known. Needed where
-    /// an effect of temperature or a failure is set.
-    pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>) {
+    /// Whether the accelerometers are off each other.
+    pub fn has_size_effect(&self) -> bool {
+        self.size_effect.is_active()
+    }
+
+    /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends and the motion that its increments are
+    /// of, as far as they are known. Needed where an effect of temperature, the size effect or a failure is set.
+    pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>, turning: Option<Turning>) {
         self.failing.begin_interval(t);
+        self.size_effect.begin_interval(turning);
         if let Some(ends_c) = ends_c {
             self.temperature.begin_interval(ends_c);
         }
@@ -187,7 +193,6 @@ impl Triad {
 
     /// The signals jump: filters settle at once where they are next. Noise goes on.
     pub fn reposition(&mut self) {
-        self.size_effect.reposition();
         self.bandwidth.reposition();
     }
 
@@ -229,7 +234,6 @@ impl Triad {
     fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         for step in self.plan.before_felt() {
             match self.plan.effect(step) {
-                Effect::LeverArms => self.size_effect.keep(),
                 Effect::Bandwidth => self.bandwidth.keep(),
                 _ => {}
             }

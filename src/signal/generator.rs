@@ -76,18 +76,26 @@ pub struct SignalGenerator {
     earth_rate: f64,
     /// At the last sample, once they come from as many points as a stencil ever has, or from the host.
     settled: Option<Derivatives>,
+    /// Whether derivatives at the start of an interval have been others than those that the one before ended with.
+    start_is_revised: bool,
     /// Of the last two intervals, newest first.
     turns: [Turn; 2],
     /// Of the last stencil: even samples have the same again and again.
     stencil: Stencil,
 }
 
-stored!(SignalGenerator { settled } rebuilt { earth_rate, turns, stencil });
+stored!(SignalGenerator { settled } rebuilt { earth_rate, start_is_revised, turns, stencil });
 
 impl SignalGenerator {
     /// Starts on an Earth that turns at `earth_rate` [rad/s].
     pub fn new(earth_rate: f64) -> Self {
-        Self { earth_rate, settled: None, turns: [Turn::NONE; 2], stencil: Stencil::NONE }
+        Self {
+            earth_rate,
+            settled: None,
+            start_is_revised: false,
+            turns: [Turn::NONE; 2],
+            stencil: Stencil::NONE,
+        }
     }
 
     /// Takes the turns of the last intervals from the points at their ends, newest first, as if they had been flown.
@@ -140,6 +148,7 @@ impl SignalGenerator {
             _ => derivatives_at(next, &earth_rate_b, neighbours_behind(next, current, second, third)),
         };
         let start = self.settled.unwrap_or_else(|| {
+            self.start_is_revised = true;
             let interval = next.interval_s;
             let ahead = Neighbour { v_e: next.state.v_e, offset_s: interval, rotation: turn.vector };
             let behind = before[0]
@@ -155,6 +164,12 @@ impl SignalGenerator {
         self.settled = (given(next).is_some() || third.is_some()).then_some(end);
         self.turns = [turn, self.turns[0]];
         IntervalMotion::new(current, next, &[start, end], &rotation, self.earth_rate)
+    }
+
+    /// Whether derivatives at the start of an interval have been others than at the end of the one before since this was asked
+    /// last: while there are few samples, the next one tells more of them.
+    pub fn take_revised(&mut self) -> bool {
+        core::mem::take(&mut self.start_is_revised)
     }
 
     /// Rotation vectors from the newest of four samples back to the three before, from those between them, the last of

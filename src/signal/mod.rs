@@ -12,7 +12,7 @@ mod motion;
 
 pub(crate) use generator::DERIVATIVES;
 pub use generator::SignalGenerator;
-pub use motion::{IntervalMotion, MotionNode};
+pub use motion::{IntervalMotion, MotionNode, Turning};
 
 use nalgebra::Vector3;
 

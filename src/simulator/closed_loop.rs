@@ -110,6 +110,13 @@ impl ClosedLoop {
         self.shadow.as_ref().map_or(Ok(()), Mechanization::check)
     }
 
+    /// The truth has had the velocity `dv_e` [m/s] more: so has the shadow, if there is one.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        if let Some(shadow) = &mut self.shadow {
+            shadow.shift_velocity(dv_e);
+        }
+    }
+
     /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow
     /// against `truth`, the state of its sensors at `time_s` [s].
     pub fn observe(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {

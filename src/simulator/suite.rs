@@ -7,8 +7,17 @@ use crate::sensors::{
     Altimeter, AltimeterParameters, Failure, GravityDisturbance, GravityDisturbanceParameters,
     InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
-use crate::signal::Increment;
+use crate::signal::{Increment, Turning};
 use crate::snapshot::{Reader, Stored, Writer};
+
+/// What an interval brings to the sensors beside their increments.
+#[derive(Default)]
+pub(super) struct IntervalConditions {
+    /// Temperatures at its ends [°C]; without one at its start that at its end.
+    pub temperatures_c: [Option<f64>; 2],
+    /// How the block turns, along its axes; `None` of foreign increments.
+    pub turning: Option<Turning>,
+}
 
 /// Sensor models and what the host set of them.
 #[derive(Debug, Clone)]
@@ -192,8 +201,10 @@ impl SensorSuite {
             && self.mounting.as_ref().is_none_or(MountingParameters::is_believed);
         self.depend_on_temperature =
             self.gyro_parameters.depend_on_temperature() || self.accel_parameters.depend_on_temperature();
-        self.follow_intervals =
-            self.depend_on_temperature || self.gyro.has_failed() || self.accel.has_failed();
+        self.follow_intervals = self.depend_on_temperature
+            || self.gyro.has_failed()
+            || self.accel.has_failed()
+            || self.accel.has_size_effect();
         (self.gyro_is_silent, self.accel_is_silent) = (self.gyro.is_silent(), self.accel.is_silent());
     }
 
@@ -210,20 +221,21 @@ impl SensorSuite {
         Ok(())
     }
 
-    /// An interval of `t` [s] begins; `temperatures_c` gives those at its ends, without one at its start that at its end.
+    /// An interval of `t` [s] begins; `conditions` gives what is known of it.
     #[inline]
-    pub fn begin_interval(&mut self, t: f64, temperatures_c: impl FnOnce() -> [Option<f64>; 2]) {
+    pub fn begin_interval(&mut self, t: f64, conditions: impl FnOnce() -> IntervalConditions) {
         if self.follow_intervals {
-            self.follow_interval(t, temperatures_c());
+            self.follow_interval(t, conditions());
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn follow_interval(&mut self, t: f64, [start, end]: [Option<f64>; 2]) {
+    fn follow_interval(&mut self, t: f64, conditions: IntervalConditions) {
+        let [start, end] = conditions.temperatures_c;
         let ends_c = end.map(|end| [start.unwrap_or(end), end]);
-        self.gyro.begin_interval(t, ends_c);
-        self.accel.begin_interval(t, ends_c);
+        self.gyro.begin_interval(t, ends_c, None);
+        self.accel.begin_interval(t, ends_c, conditions.turning);
         self.gyro_is_silent = self.gyro.is_silent();
         self.accel_is_silent = self.accel.is_silent();
     }

@@ -202,7 +202,7 @@ impl ErrorModel {
     #[inline(always)]
     fn correct_vertical(&mut self, t: f64, truth: &TruthPoint, aid: &VerticalAid, block: Option<&Block>) {
         let correction = match *aid {
-            VerticalAid::None => return,
+            VerticalAid::None => return self.vertical.skip(),
             VerticalAid::Truth { .. } => VerticalCorrection::to_truth(
                 -self.height_error(truth, block),
                 -self.velocity_up_error(truth, block),

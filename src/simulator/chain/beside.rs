@@ -7,6 +7,7 @@ use crate::mounting::Block;
 use crate::signal::IntervalMotion;
 use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
+use crate::simulator::suite::IntervalConditions;
 use crate::truth::{Recent, TruthPoint};
 
 impl Chain {
@@ -23,7 +24,13 @@ impl Chain {
         let t = next.interval_s;
         let ideal = &mut self.ideal[parts];
         if let Some(block) = &mut self.block {
-            block.mount(&self.earth, motion, recent.current, ideal);
+            let revised = self.generator.take_revised();
+            if let Some(dv_e) = block.mount(&self.earth, motion, recent.current, revised, ideal) {
+                self.mechanization.shift_velocity(&dv_e);
+                if let Some(closed_loop) = &mut self.closed_loop {
+                    closed_loop.shift_velocity(&dv_e);
+                }
+            }
         }
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.trim(ideal, t);
@@ -53,5 +60,21 @@ impl Chain {
             let truth = self.block.as_ref().map_or(next.state, |block| block.state(next));
             closed_loop.observe(&self.mechanization, &truth, next.time_s);
         }
+    }
+}
+
+/// What the interval of `motion` brings to the sensors of `block`.
+#[cold]
+#[inline(never)]
+pub(super) fn conditions(
+    recent: &Recent<'_>,
+    motion: &IntervalMotion<'_>,
+    block: Option<&Block>,
+) -> IntervalConditions {
+    let turning = motion.turning();
+    let turning = block.map_or(turning, |block| turning.in_axes(|vector_b| block.in_block_axes(vector_b)));
+    IntervalConditions {
+        temperatures_c: [recent.current.sample.temperature_c, recent.next.sample.temperature_c],
+        turning: Some(turning),
     }
 }

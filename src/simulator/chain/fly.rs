@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use super::Chain;
+use super::beside::conditions;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::math::sin_cos;
@@ -112,7 +113,7 @@ impl Chain {
             ideal
         } else {
             let measured = &mut self.measured[parts.clone()];
-            sensors.begin_interval(t, || [recent.current.sample.temperature_c, next.sample.temperature_c]);
+            sensors.begin_interval(t, || conditions(recent, &motion, self.block.as_ref()));
             flags = sensors.sense(ideal, t / ideal.len() as f64, measured);
             &*measured
         };
