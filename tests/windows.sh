@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 programs="digests float_environment misuse sentences run threads destroyed"
 wine32=$PWD/target/wine32
 export WINEDEBUG=-all
+need g++ c++
 
 # dll PROCESSOR FOLDER: the DLL, the programs, and what wine lacks.
 dll() {
@@ -75,7 +76,7 @@ echo "== 32 bits"
 wine=$wine32/usr/lib/wine/wine
 if ! [ -x "$wine" ] && ! fetch_wine32; then
     could_not "32-bit Windows" "no 32-bit wine to be had"
-elif ! [ -e /lib/ld-linux.so.2 ] && ! install libc6-i386; then
+elif ! need lib32gcc-s1 /usr/lib32/libgcc_s.so.1; then # with the 32-bit C library; wine's threads end by it
     could_not "32-bit Windows" "no 32-bit C library to be had"
 elif ! "$wine" --version; then
     could_not "32-bit Windows" "the kernel runs no 32-bit programs"

@@ -57,7 +57,7 @@ fuzz_rust() {
     fuzz "$1" "target/sanitizers/$triple/release/$1"
 }
 
-need g++ g++
+need g++ c++
 for target in $targets; do
     if [ -d "tests/fuzz/$target" ]; then
         fuzz_c "$target"
