@@ -75,6 +75,14 @@ impl Failure {
         Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: 4096 of a kind can live at once")
     }
 
+    pub fn no_thread_locals() -> Self {
+        Self::words(
+            SINS_ERROR_OUT_OF_MEMORY,
+            "",
+            "no memory, or too few TLS indexes, for what the library keeps for a thread",
+        )
+    }
+
     pub fn internal() -> Self {
         Self::words(SINS_ERROR_INTERNAL, "", "a defect inside the library; destroy this handle")
     }
