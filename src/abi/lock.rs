@@ -36,7 +36,7 @@ impl<T> Lock<T> {
     pub fn lock(&self) -> Option<Guard<'_, T>> {
         let me = this_thread();
         let free = self.owner.compare_exchange(FREE, me, Ordering::Acquire, Ordering::Relaxed);
-        (free.is_ok() || self.wait(me)).then_some(Guard { lock: self })
+        (free.is_ok() || self.wait(me)).then(|| Guard { lock: self })
     }
 
     /// Takes the lock when it is released; false if that cannot be.
@@ -114,7 +114,7 @@ mod tests {
                 std::thread::spawn(|| {
                     for _ in 0..ROUNDS {
                         let mut value = LOCK.lock().unwrap();
-                        assert!(LOCK.is_mine() && LOCK.lock().is_none());
+                        assert!(LOCK.is_mine() && LOCK.lock().is_none() && LOCK.is_mine());
                         let before = *value;
                         std::hint::spin_loop();
                         *value = before + 1;
