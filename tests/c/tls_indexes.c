@@ -1,5 +1,5 @@
 /* Windows: a process without a TLS index is answered SINS_ERROR_OUT_OF_MEMORY where it was aborted; a library that was loaded
- * while there were some works, and its threads end. Argument: a copy of the library to load at run time. */
+ * while there were some works, and its threads end. Arguments: the library, and a copy of it to load at run time. */
 
 #include <string.h>
 
@@ -59,12 +59,12 @@ int main(int arguments, char **paths)
     __typeof__(&sins_get_truth) get_truth;
     __typeof__(&sins_flight_duration) flight_duration;
 
-    CHECK(arguments == 2);
+    CHECK(arguments == 3);
     take_all();
     CHECK(count > 1000);
     fly_in_a_thread();
 
-    late = open_library(paths[1]);
+    late = open_library(paths[2]);
     CHECK(late != NULL && late != (void *)GetModuleHandleA("sins.dll"));
     create = (__typeof__(create))symbol(late, "sins_create");
     destroy = (__typeof__(destroy))symbol(late, "sins_destroy");
