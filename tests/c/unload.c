@@ -191,7 +191,8 @@ static void leaves_nothing(int round)
         living = allocator_living;
     }
     if (strcmp(before, after) != 0 || living != allocator_living) {
-        fprintf(stderr, "round %d: %ld blocks, %ld before; before:\n%safter:\n%s", round, allocator_living, living, before, after);
+        fprintf(stderr, "round %d: %ld blocks, %ld before; before:\n%safter:\n%s", round, allocator_living, living, before,
+                after);
     }
     CHECK(strcmp(before, after) == 0 && living == allocator_living);
 }
