@@ -104,6 +104,11 @@ fn threads_are_serialised_by_handle() {
     run_test_program("threads");
 }
 
+#[test]
+fn a_handle_that_its_own_thread_is_inside_is_answered() {
+    run_test_program("reentry");
+}
+
 /// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
 #[test]
 fn digests_of_five_flights_are_the_pinned_ones() {

@@ -47,7 +47,7 @@ pub struct sins_flight_start {
 
 interface_struct!(sins_flight_start, "start", 72);
 
-static FLIGHTS: Registry<Flight> = Registry::new(2);
+pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
 
 /// Runs `body` on the flight of a handle, as the inside of an exported function.
 fn with_flight(

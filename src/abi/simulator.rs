@@ -19,7 +19,7 @@ pub struct sins_sim {
 }
 
 /// Each in a slice of one, which unlike a `Box` can be made without aborting.
-static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
+pub(super) static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
 
 /// Runs `body` on the simulator of a handle, as the inside of an exported function.
 #[inline(always)]
