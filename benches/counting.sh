@@ -1,6 +1,7 @@
 # Instructions a step, counted by callgrind; to be sourced.
 
 . ../tests/support/need.sh
+need g++ c++
 need valgrind valgrind
 
 # instructions COMMAND...: of a run that succeeds.

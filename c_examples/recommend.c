@@ -1,5 +1,5 @@
-/* Which options are good enough? Asks for 1 m an hour on two minutes of an embedded flight, and flies the answer for the
- * hour that it was asked for. A host takes a piece of its own flight instead. */
+/* Which options are good enough? Asks for 1 m an hour on two minutes of an embedded flight, for a sensor block in the nose, and
+ * flies the answer for the hour that it was asked for. A host takes a piece of its own flight instead. */
 
 #include <math.h>
 #include <stdio.h>
@@ -39,6 +39,18 @@ static sins_status make_flight(sins_flight **flight)
     return sins_flight_create(&start, &weave, 1, flight);
 }
 
+/* A simulator as the host flies it: its options, and its sensor block in the nose. */
+static sins_status configure(const sins_options *options, sins_sim **sim)
+{
+    sins_mounting mounting;
+    sins_status status = sins_create(options, sim);
+
+    SINS_INIT(mounting);
+    mounting.lever_arm_m[1] = 3.0;
+    mounting.lever_arm_m[2] = -0.8;
+    return status == SINS_OK ? sins_set_mounting(*sim, &mounting) : status;
+}
+
 /* The distance from the truth after the whole flight with ideal sensors: what the options leave, and the samples, which are
  * few for a shake of 2 Hz. */
 static sins_status fly(const sins_options *options, sins_flight *flight, double *distance_m)
@@ -46,7 +58,7 @@ static sins_status fly(const sins_options *options, sins_flight *flight, double 
     sins_sim *sim = NULL;
     sins_flight_sample sample;
     sins_errors errors;
-    sins_status status = sins_create(options, &sim);
+    sins_status status = configure(options, &sim);
     long k;
 
     SINS_INIT(sample);
@@ -76,6 +88,7 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
     sins_requirement requirement;
     sins_options options;
     sins_cost cost;
+    sins_sim *configured = NULL;
     double distance_m = 0.0;
     sins_status status = SINS_OK;
     size_t k;
@@ -91,8 +104,12 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
     options.sample_period_s = 1.0 / RATE_HZ;
     SINS_INIT(cost);
     if (status == SINS_OK) {
-        status = sins_recommend(piece, count, &requirement, &options, &cost);
+        status = configure(&options, &configured);
     }
+    if (status == SINS_OK) {
+        status = sins_recommend(configured, piece, count, &requirement, &options, &cost);
+    }
+    sins_destroy(configured); /* no handle was made: an error that does not matter */
     if (status < 0) {
         return status;
     }

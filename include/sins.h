@@ -27,15 +27,28 @@
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
  *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
  *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
- *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
+ *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
- *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
+ *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
+ *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE, without a sentence. A signal handler gets
+ *     this answer if it interrupted a call on that handle. It may call every function that takes a simulator, except
+ *     sins_destroy() and sins_snapshot_load(), which use the allocator.
+ *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
+ *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
+ *     ever; on Windows they get SINS_ERROR_BAD_STATE if the thread was terminated. The floating-point state is not put back.
+ *   fork(): a handle that another thread of the parent was inside is SINS_ERROR_BAD_STATE in the child. All others work there.
+ *     A process made in another way, as by vfork() or clone(), makes no call.
+ * Unloading. Every handle is destroyed and every call has returned before. A library that was built for windows-gnu stays in
+ *   memory from its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and
+ *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
+ *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
+ *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
- *   call, unless the handle is in use in another thread. (If the library was loaded at run time, the loader allocates in the
- *   first call of each thread: make one before the frame.) The library prints nothing, reads no environment and no file, and
- *   leaves the host's floating-point control state as it found it.
+ *   call, unless the handle is in use in another thread. The library prints nothing, reads no environment and no file, and
+ *   leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
  *   themselves, and the first create draws the numbers of its handles from the clock.)
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
@@ -45,8 +58,9 @@
  *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
  *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
  *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
- *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Have what is too much refused by a
- *     smaller max_gap_s.
+ *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Without velocities a gap costs up to 5
+ *     times the error of a position times the square of the number of intervals that were lost: 1 s lost in straight flight at
+ *     50 Hz in positions of 1 cm 23 m. Have what is too much refused by a smaller max_gap_s.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
  *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
@@ -150,7 +164,7 @@ typedef struct sins_log sins_log;
 #define SINS_ERROR_STRUCT_SIZE (-3)
 /* A value out of its range; sins_last_error() names field, value and limit. */
 #define SINS_ERROR_INVALID_ARGUMENT (-4)
-/* The right call at the wrong moment. */
+/* The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads). */
 #define SINS_ERROR_BAD_STATE (-5)
 /* A sample that is not later than the one before, or off the stated sample period. */
 #define SINS_ERROR_TIME_ORDER (-6)
@@ -164,7 +178,7 @@ typedef struct sins_log sins_log;
 #define SINS_ERROR_SINGULAR (-10)
 /* A buffer is too small for the result. */
 #define SINS_ERROR_BUFFER_TOO_SMALL (-11)
-/* No memory, or no free handle. */
+/* No memory, or no free handle; on Windows too few TLS indexes (see Unloading). */
 #define SINS_ERROR_OUT_OF_MEMORY (-12)
 /* The snapshot is damaged, foreign or newer. */
 #define SINS_ERROR_SNAPSHOT (-13)
@@ -186,7 +200,10 @@ typedef struct sins_log sins_log;
 /* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
 #define SINS_SCHEME_POLYNOMIAL 2
 
-/* Third-order loop on a barometric height, time constant 100 s. */
+/*
+ * Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
+ * the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+ */
 #define SINS_VERTICAL_DAMPED 0
 /* Height and vertical velocity set to the truth at each sample. */
 #define SINS_VERTICAL_FOLLOW_TRUTH 1
@@ -260,9 +277,13 @@ typedef struct sins_log sins_log;
  */
 #define SINS_FAILURE_DROP_OUTS 6
 
-/* The misalignment at the start is the given one. */
+/* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
 #define SINS_ALIGNMENT_GIVEN 0
-/* Added to it, what levelling and gyrocompassing at rest leave with the sensor errors of the start. */
+/*
+ * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
+ * the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
+ * heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+ */
 #define SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS 1
 
 /* The sample carries angular_rate_rad_s. */
@@ -283,6 +304,13 @@ typedef struct sins_log sins_log;
 #define SINS_NAVIGATION_VERTICAL_UNAIDED 2
 /* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
 #define SINS_NAVIGATION_INCONSISTENT 4
+/*
+ * The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
+ * rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
+ * accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
+ * horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+ */
+#define SINS_NAVIGATION_NORTH_UNKNOWN 8
 
 /* Navigation minus truth: the paper's error data 2. */
 #define SINS_ERRORS_NAVIGATION 0
@@ -314,17 +342,20 @@ typedef struct sins_log sins_log;
 #define SINS_SNAPSHOT_MAX_SIZE 8192
 
 /*
- * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, upper ends of the grade), angle
- * random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+ * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
+ * angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
  */
 #define SINS_GRADE_STRATEGIC 1
-/* Navigation: Honeywell HG9900. */
+/* Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated. */
 #define SINS_GRADE_NAVIGATION 2
-/* Tactical: Honeywell HG1700. */
+/* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
 #define SINS_GRADE_TACTICAL 3
-/* Industrial: Analog Devices ADIS16475-1. Its range is 125 deg/s and 8 g. */
+/*
+ * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
+ * range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+ */
 #define SINS_GRADE_INDUSTRIAL 4
-/* Consumer: InvenSense MPU-6050, uncalibrated. */
+/* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
 #define SINS_GRADE_CONSUMER 5
 /*
  * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
@@ -499,6 +530,11 @@ typedef struct sins_flight_sample {
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
  * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
  * range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ *
+ * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
+ * sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
+ * that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean size
+ * (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -536,11 +572,11 @@ typedef struct sins_gyro_params {
     double misalignment_rad[9];
     /* g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force. */
     double g_sensitivity_rad_s_per_m_s2[9];
-    /* Range, where the mean rate of a sub-increment saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
+    /* Range, where the rate saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
     double range_rad_s[3];
     /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
     double bandwidth_hz[3];
-    /* Half the dead zone: mean rates of a sub-increment up to this size give 0 [rad/s]. */
+    /* Half the dead zone: rates up to this size give 0 [rad/s]. */
     double dead_zone_rad_s[3];
     /*
      * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
@@ -555,6 +591,13 @@ typedef struct sins_gyro_params {
     double scale_factor_temperature_per_k[3];
     /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
     double scale_factor_temperature2_per_k2[3];
+    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
+    double scale_factor_sigma[3];
+    /*
+     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
+     * diagonal is 0.
+     */
+    double misalignment_sigma_rad[9];
 } sins_gyro_params;
 
 /*
@@ -564,7 +607,8 @@ typedef struct sins_gyro_params {
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
  * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
- * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
+ * see sins_gyro_params.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -600,15 +644,16 @@ typedef struct sins_accel_params {
     double scale_factor_nonlinearity_s2_m[3];
     /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
     double misalignment_rad[9];
-    /* Range, where the mean force of a sub-increment saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
+    /* Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
     double range_m_s2[3];
     /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
     double bandwidth_hz[3];
-    /* Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2]. */
+    /* Half the dead zone: forces up to this size give 0 [m/s2]. */
     double dead_zone_m_s2[3];
     /*
      * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-     * row = sensor (size effect).
+     * row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
+     * first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
      */
     double lever_arm_m[9];
     /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
@@ -626,6 +671,13 @@ typedef struct sins_accel_params {
     double scale_factor_temperature_per_k[3];
     /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
     double scale_factor_temperature2_per_k2[3];
+    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
+    double scale_factor_sigma[3];
+    /*
+     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
+     * diagonal is 0.
+     */
+    double misalignment_sigma_rad[9];
 } sins_accel_params;
 
 /* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
@@ -687,7 +739,10 @@ typedef struct sins_initial_errors {
     double position_enu_m[3];
     /* Velocity [m/s]. */
     double velocity_enu_m_s[3];
-    /* Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. -pi to pi. */
+    /*
+     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
+     * east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+     */
     double misalignment_enu_rad[3];
     /* Standard deviation of position [m]. */
     double position_sigma_enu_m[3];
@@ -709,6 +764,11 @@ typedef struct sins_initial_errors {
  * navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
  * Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
  * point, along body axes; so is the barometric height.
+ *
+ * Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of the
+ * first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval has
+ * it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
+ * sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is lacking.
  */
 typedef struct sins_mounting {
     /* sizeof(sins_mounting) */
@@ -719,7 +779,7 @@ typedef struct sins_mounting {
     double lever_arm_m[3];
     /*
      * Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-     * down, nose up, nose to the right; any angles [rad].
+     * down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
@@ -916,7 +976,10 @@ typedef struct sins_errors {
     double height_m;
     /* Velocity [m/s]: difference of the components, each in its own east-north-up. */
     double velocity_enu_m_s[3];
-    /* Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. */
+    /*
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
+     * has it to first order, computed C = (I - [phi x]) C.
+     */
     double misalignment_enu_rad[3];
     /* Roll, wrapped [rad]. */
     double roll_rad;
@@ -1201,11 +1264,11 @@ typedef struct sins_cost {
     double reference_velocity_m_s;
     /* Attitude [rad]. */
     double reference_attitude_rad;
-    /* Predicted error times margin over its limit, the largest of the three: met up to 1. */
+    /* Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100. */
     double share;
     /* Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by. */
     double instructions_per_step;
-    /* Measured here and now, in the options that were written and with ideal sensors: push and step of one sample [ns]. */
+    /* Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns]. */
     double ns_per_step;
     /* Algorithms that were tried, the recommended one among them. */
     uint64_t tried;
@@ -1357,7 +1420,8 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
  * further one one more. No allocation, no system call.
  *
- * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
+ * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
+ * reference point or of the closed loop's own error-free navigator beyond -500 km or
  * 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
  * solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
  * increments.
@@ -1564,7 +1628,7 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4 KiB
+ * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.25 KiB
  * with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
  * besides; up to 145 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
  */
@@ -1594,8 +1658,8 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
- * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases that a source gives as a standard deviation are drawn at
- * turn-on; what it does not state is 0.
+ * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases, scale factor errors and misalignments are drawn at turn-on
+ * with the standard deviations that the source states; what it does not state is 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */
@@ -1616,7 +1680,8 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
  *
  * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
- * value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+ * value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
+ * index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
  * 200000 pieces (which take 3 s), or 4096 flights that live.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(
@@ -1887,16 +1952,18 @@ SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
  * are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
  *
- * On entry options are those that the host flies with (all zero: the recommended simulator), on return the same with scheme,
- * subsamples and updates_per_sample of the answer, ready for sins_create(). What these three were does not matter; the
- * others are kept.
+ * configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
+ * the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
+ * reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
+ * for sins_create(); what these three were does not matter.
  *
- * Each algorithm flies the piece with ideal sensors, and its solution is compared at every sample with that of a reference,
- * 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. So it is the error of the
- * algorithm alone, without those of sensors and without a host's own contradictions; with SINS_SIGNAL_CLOSED_LOOP, which
- * would hide it, on the signals without that. For a duration beyond the piece its errors go on as steady rates, through
- * Schuler's pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error
- * counts as one of height, which grows by e every 569 s.
+ * Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
+ * of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
+ * that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+ * alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
+ * error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
+ * pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
+ * one of height, which grows by e every 569 s.
  *
  * The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
  * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
@@ -1908,8 +1975,8 @@ SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
  * algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
  */
 SINS_API sins_status SINS_CALL sins_recommend(
-    const struct sins_flight_sample *samples, size_t count, const struct sins_requirement *requirement,
-    struct sins_options *options, struct sins_cost *cost);
+    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
+    const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
 
 /*
  * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left

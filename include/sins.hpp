@@ -120,11 +120,11 @@ inline sins_accel_params accel_preset(int32_t grade)
     return params;
 }
 
-/* False: no options meet the requirement; options and cost, with struct_size set, are then those of the best there are. */
+/* For the recommended simulator; see Simulator::recommend(). */
 inline bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                       sins_options &options, sins_cost &cost)
 {
-    return detail::done(sins_recommend(samples, count, &requirement, &options, &cost), nullptr);
+    return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
 }
 
 /* What errs, as sins_error_budget() takes it; NULL is an ideal one, no mounting, normal gravity. */
@@ -239,6 +239,19 @@ public:
 
     /* For the functions of sins.h; still owned here. */
     sins_sim *handle() const noexcept { return sim_; }
+
+    /*
+     * For a simulator configured as this one. False: no options meet the requirement; options and cost, with struct_size set, are
+     * then those of the best there are.
+     */
+    bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
+                   sins_options &options, sins_cost &cost) const
+    {
+        if (sim_ == nullptr) { /* which sins_recommend() takes for the recommended simulator */
+            detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
+        }
+        return detail::done(sins_recommend(sim_, samples, count, &requirement, &options, &cost), nullptr);
+    }
 
     void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }
     void set_accel(const sins_accel_params &params) { done(sins_set_accel(sim_, &params)); }

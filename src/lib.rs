@@ -61,6 +61,7 @@
 //! | claim | test |
 //! |---|---|
 //! | increments are the integrals of rate and force | `tests/reference_signals.rs` |
+//! | the damped vertical channel answers as its three poles do, to second order in the interval | `tests/vertical_loop.rs` |
 //! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/real_flights.rs` |
 //! | error data 1 and 2 agree to second order, and with the closed form | `tests/simulation2.rs` |
 //! | every term of the error equations is that of the mechanization | `tests/error_equations.rs` |
@@ -71,12 +72,15 @@
 //! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
 //! | temperature and failures too, and a failure cleared has moved no draw | `tests/temperature.rs`, `tests/failures.rs` |
 //! | a block off the reference point navigates as well as one at it | `tests/mounting.rs` |
+//! | a start in motion makes no spike of force, and the navigation knows no start | `tests/start_in_motion.rs` |
+//! | an alignment is level to rounding with sensors of any quality, and says where it found no north | `tests/alignment.rs` |
 //! | gravity beyond the normal field acts as in closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
 //! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | nothing that a host does hurts the library, nor the library the host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
+//! | whatever a host does within its rules: no solution beyond the limits is good, a refused call changes nothing, each snapshot loads | `tests/any_use.rs` |
 //! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |

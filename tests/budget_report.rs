@@ -24,7 +24,7 @@ fn the_patrol_and_a_log_have_their_budgets() {
             "8",
             "simulation2",
             "--position",
-            "1",
+            "2",
             "--attitude",
             "10",
         ])

@@ -21,7 +21,7 @@ struct Errors {
 }
 
 fn state(earth: &Earth, sample: &FlightSample) -> EarthFixedState {
-    let mut intake = Intake::new(*earth, BodyAxes::default(), IntakeLimits::default());
+    let mut intake = Intake::new(*earth, BodyAxes::default(), IntakeLimits::default()).unwrap();
     intake.push(sample).unwrap();
     intake.front().unwrap().navigation(earth, BodyAxes::default()).earth_fixed(earth)
 }

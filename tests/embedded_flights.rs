@@ -5,6 +5,7 @@ mod support;
 use nalgebra::Vector3;
 use sins::earth::Earth;
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::truth::FlightSample;
 use support::{DEG, G, patrol};
 
 fn start() -> FlightStart {
@@ -214,4 +215,44 @@ fn bad_manoeuvres_are_refused_with_their_index() {
             && flight.sample_at(1.1).is_err()
             && flight.sample_at(f64::NAN).is_err()
     );
+}
+
+/// A flight that leaves the heights of samples is one that no simulator takes. It is refused as that, with the manoeuvre; up to
+/// the limit it is flown. A swing of the climb angle by A about 0 at the speed v and the frequency f rises by a half swing,
+/// v/(2π f) times the integral of sin(A sin x) from 0 to π: 2 (A - A³/9) and less than A⁵/100 more.
+#[test]
+fn heights_that_no_sample_may_have_are_refused_with_their_manoeuvre() {
+    let (low_m, high_m) = FlightSample::HEIGHT_RANGE_M;
+    let climb = |from_m: f64, height_change_m: f64| {
+        let start = FlightStart { height_m: from_m, speed_m_s: 9000.0, ..start() };
+        let climb = Manoeuvre::Climb { duration_s: 5000.0, height_change_m, ramp_s: 50.0 };
+        Flight::new(&start, &[Manoeuvre::Straight { duration_s: 10.0 }, climb])
+    };
+    for (from_m, change_m) in [(high_m - 1e5, 1e5 + 1.0), (low_m + 1e4, -1e4 - 1.0), (0.0, 1e7), (0.0, -1e7)]
+    {
+        let error = climb(from_m, change_m).unwrap_err();
+        assert_eq!((error.field, error.index), ("height reached in manoeuvre", Some(1)), "{error}");
+        assert!(error.to_string().ends_with(": must be from -20000 to 2000000"), "{error}");
+        let (reached_m, end_m) = (error.value.unwrap(), from_m + change_m);
+        // The end of the climb, or of the first piece of it that goes too far.
+        assert!(reached_m.abs() <= end_m.abs() + 1e-6, "{error}");
+        assert!(change_m.abs() == 1e7 || (reached_m - end_m).abs() < 1e-6, "{error}");
+    }
+    for (from_m, change_m) in [(high_m - 1e5, 1e5 - 1.0), (low_m + 1e4, -1e4 + 1.0)] {
+        let flight = climb(from_m, change_m).unwrap();
+        assert_eq!(flight.sample_at(flight.duration_s()).unwrap().validate(), Ok(()));
+    }
+
+    let (amplitude, frequency_hz) = (0.1, 1e-3);
+    let term = Sinusoid { channel: Channel::Climb, amplitude, frequency_hz, phase_rad: 0.0 };
+    let manoeuvre = Manoeuvre::Sinusoids { duration_s: 3000.0, ramp_s: 1e-3, terms: [term; 6], count: 1 };
+    let speed_m_s = 1000.0;
+    let swing_m =
+        speed_m_s / (std::f64::consts::TAU * frequency_hz) * 2.0 * (amplitude - amplitude.powi(3) / 9.0);
+    let rounding_m = swing_m * amplitude.powi(4) / 100.0 + 1e-3 * speed_m_s;
+    for (margin_m, is_flown) in [(rounding_m, true), (-rounding_m, false)] {
+        let start = FlightStart { height_m: high_m - swing_m - margin_m, speed_m_s, ..start() };
+        let flight = Flight::new(&start, &[manoeuvre]);
+        assert_eq!(flight.is_ok(), is_flown, "{margin_m} m below the limit: {:?}", flight.err());
+    }
 }

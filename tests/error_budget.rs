@@ -112,29 +112,33 @@ fn an_effect_brings_its_alignment_along() {
     assert!(budget.rows.len() == 1 && worst.velocity_m_s < 1e-3 * b * 60.0, "{worst:?}");
 }
 
-/// A minute at rest, 64 runs: N √t in each axis, and σ t of a turn-on bias. 4 standard deviations of a chi-square distribution of n
+/// A minute at rest, 64 runs: N √t in each axis, σ t of a turn-on bias, and σ g t where accelerometers lean. 4 standard deviations of a chi-square distribution of n
 /// degrees of freedom are 4/√(2n) of a 1σ; Schuler's loop takes (t/806 s)² < 0.6 %.
 #[test]
 fn random_effects_have_their_standard_deviations() {
     let (t, runs): (f64, u64) = (60.0, 64);
-    let (angle, velocity, bias) = (1e-4, 1e-3, 1e-5);
+    let (angle, velocity, bias, lean) = (1e-4, 1e-3, 1e-5, 1e-4);
     let parameters = ErrorParameters {
         gyro: triad(|gyro| {
             gyro.random_walk = Vector3::repeat(angle);
             gyro.bias_sigma = Vector3::repeat(bias);
         }),
-        accel: triad(|accel| accel.random_walk = Vector3::repeat(velocity)),
+        accel: triad(|accel| {
+            accel.random_walk = Vector3::repeat(velocity);
+            (accel.misalignment_sigma[(0, 2)], accel.misalignment_sigma[(1, 2)]) = (lean, lean);
+        }),
         ..Default::default()
     };
     let request = BudgetRequest { runs, ..Default::default() };
     let budget = budget_of(&options_at(10.0), &at_rest(60, 10.0), &parameters, &request);
-    assert_eq!((budget.runs, budget.flights), (runs, 1 + 4 * runs));
+    assert_eq!((budget.runs, budget.flights), (runs, 1 + 5 * runs));
     let attitude = |field| row(&budget, field).end.attitude_rad;
     // The vertical velocity follows the truth: two axes.
     for (found, expected, axes) in [
         (attitude("gyro.random_walk_rad_sqrt_s"), angle * t.sqrt(), 3.0),
         (attitude("gyro.bias_sigma_rad_s"), bias * t, 3.0),
         (row(&budget, "accel.velocity_random_walk_m_s_sqrt_s").end.velocity_m_s, velocity * t.sqrt(), 2.0),
+        (row(&budget, "accel.misalignment_sigma_rad").end.velocity_m_s, lean * G * t, 2.0),
     ] {
         let ratio = found / (expected * f64::sqrt(axes));
         let bound = 4.0 / (2.0 * axes * runs as f64).sqrt() + 6e-3;
@@ -311,7 +315,7 @@ fn nothing_set_has_no_rows_and_the_same_question_the_same_answer() {
     let (gyro, accel) = Grade::Industrial.parameters();
     let parameters = ErrorParameters { gyro, accel, ..Default::default() };
     let first = budget_of(&options, samples, &parameters, &limits(1.0, 0.0, 0.0));
-    assert_eq!(first.rows.len(), 8);
+    assert_eq!(first.rows.len(), 7);
     assert_eq!(budget_of(&options, samples, &parameters, &limits(1.0, 0.0, 0.0)), first);
     // Neither the error model nor the limits take part in the figures.
     let other = Options { error_model: true, ..options };

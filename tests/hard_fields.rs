@@ -224,7 +224,7 @@ fn questions(tried: &mut Tried) {
         written(&options, |options| {
             // SAFETY: as many samples; outputs of their structs' sizes.
             written(&cost, |cost| unsafe {
-                sins_recommend(samples, count, words, options.cast(), cost.cast())
+                sins_recommend(null(), samples, count, words, options.cast(), cost.cast())
             })
         })
     });

@@ -5,8 +5,11 @@
 
 #[path = "hard_parameters/fields.rs"]
 mod fields;
+#[path = "support/moments.rs"]
+mod moments;
 mod support;
 
+use moments::{reads, snapshot};
 use nalgebra::{Matrix3, Vector3};
 use sins::earth::Geodetic;
 use sins::math::Euler;
@@ -73,6 +76,7 @@ impl Random {
                 range: self.vector(0.0, 1e6),
                 bandwidth_hz: self.vector(0.0, 1e6),
                 dead_zone: self.vector(0.0, limit),
+                scale_factor_sigma: self.vector(0.0, 1.0),
                 ..Default::default()
             };
             match sensor {
@@ -154,7 +158,7 @@ fn readings(simulator: &Simulator) -> Vec<f64> {
 }
 
 /// Whatever the parameters: all that is read is a number, until the solution leaves its range; that is told, and the step that
-/// would have led there has changed nothing at all, down to the last field inside.
+/// would have led there has changed nothing: not what is read, not a byte of a snapshot, and not the way on with other sensors.
 #[test]
 fn any_parameters_are_bounded_or_refused() {
     let mut random = Random(88_172_645_463_325_252);
@@ -163,14 +167,22 @@ fn any_parameters_are_bounded_or_refused() {
         let (mut simulator, rate_hz) = random.simulator();
         let latitude_rad = random.of(&[0.0, 0.7, -1.5, 1.57, std::f64::consts::FRAC_PI_2]);
         let place = Geodetic { latitude_rad, longitude_rad: 3.0, height_m: 1e4 };
-        let mut refused = None;
+        let (mut refused, mut ways) = (None, None);
         for k in 0..300 {
             let time_s = f64::from(k) / rate_hz;
             let euler = Euler { roll: 2.0 * time_s, pitch: 1.0, heading: 2.0 };
             simulator.push_sample(&FlightSample::at_rest(time_s, place, euler)).unwrap();
             let before = simulator.clone();
             if let Err(error) = simulator.step() {
-                assert_eq!(format!("{before:?}"), format!("{simulator:?}"), "run {run}");
+                for mut after in [before, simulator.clone()].map(Box::new) {
+                    let now = (reads(&after), after.ideal_increments().to_vec(), snapshot(&after));
+                    for sensor in [Simulator::set_gyro, Simulator::set_accel] {
+                        sensor(&mut after, &TriadParameters::default()).unwrap();
+                    }
+                    let onward = (format!("{:?}", after.step()), reads(&after), snapshot(&after));
+                    let ways = ways.get_or_insert_with(|| (now.clone(), onward.clone()));
+                    assert!(*ways == (now, onward), "run {run}");
+                }
                 refused = Some(error.kind);
                 break;
             }

@@ -129,6 +129,36 @@ fn positions_alone_miss_the_first_velocity() {
     assert!(off < off_m_s + 7e-9 * rate_hz, "{off:e}");
 }
 
+/// A log of positions alone loses samples in straight flight. Half a step ε of its grid makes errors of (11/6 + 3 + 3/2 + 1/3) ε/t
+/// in a velocity, as many times that over t in the acceleration before a gap T, and 2 ε/t, of it twice over t, in those behind
+/// it. Between its ends a gap's path misses T²/12 of the accelerations' difference.
+#[test]
+fn a_gap_in_positions_alone_costs_what_their_noise_does() {
+    let half_step_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
+    for (rate_hz, gap_s) in [(100.0, 1.0), (100.0, 2.5), (50.0, 0.2), (50.0, 1.0), (50.0, 2.5), (1000.0, 2.5)]
+    {
+        let mut simulator = Simulator::new(&Options::default()).unwrap();
+        let (mut time_s, mut worst_m): (f64, f64) = (0.0, 0.0);
+        for k in 0..2000 {
+            time_s += if k == 500 { gap_s } else { 1.0 / rate_hz };
+            let mut sample = FlightSample { v_n: None, ..resting_sample(time_s) };
+            let longitude_deg = 100.0 * time_s / 4.9e6 / DEG;
+            sample.place.longitude_rad = (longitude_deg * 1e7).round() / 1e7 * DEG;
+            sample.place.height_m = ((1000.0 + 0.1 * time_s) * 100.0).round() / 100.0;
+            simulator.push_sample(&sample).unwrap();
+            simulator.step().unwrap();
+            if k > 0 {
+                let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
+                worst_m = worst_m.max(errors.position_n.norm());
+            }
+        }
+        let intervals = gap_s * rate_hz;
+        let bound_m = half_step_m * (3.0 + (6.7 * 6.7 + 2.0 * 6.7) * intervals * intervals / 12.0);
+        println!("{gap_s} s lost in positions alone at {rate_hz} Hz: {worst_m:.1e} m of {bound_m:.1e} m");
+        assert!(worst_m < bound_m, "{worst_m} {bound_m}");
+    }
+}
+
 /// Only positions: what leaps is refused, whether by 11 m at 100 Hz or by more, and what is fast is not; 8 km/s as at 5 m/s.
 #[test]
 fn without_velocities_leaps_are_refused_and_speed_is_none() {

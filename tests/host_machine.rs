@@ -23,24 +23,27 @@ fn sentences_name_field_value_and_limit() {
 /// What a later function or struct must not forget.
 #[test]
 fn every_function_and_struct_is_in_the_programs() {
-    let [header, calls, nulls, sizes, states, scene] = [
+    let [header, calls, nulls, sizes, states, scene, stack] = [
         "include/sins.h",
         "tests/c/every_call.h",
         "tests/c/misuse.c",
         "tests/c/struct_sizes.c",
         "tests/c/float_environment.c",
         "tests/c/scene.h",
+        "tests/c/stack.c",
     ]
     .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
-    let fuzzed = ["host", "main", "scenes"].map(|file| {
-        let path = format!("tests/fuzz/fuzz_targets/calls/{file}.rs");
-        std::fs::read_to_string(project_file(&path)).unwrap()
-    });
+    let fuzzed: Vec<String> = std::fs::read_dir(project_file("tests/fuzz/src"))
+        .unwrap()
+        .map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap())
+        .collect();
     let mut missing = Vec::new();
     for prototype in header.split("sins_status SINS_CALL ").skip(1) {
         let (name, rest) = prototype.split_once('(').unwrap();
         let arguments: Vec<&str> = rest.split_once(");").unwrap().0.split(',').map(str::trim).collect();
-        let of_handle = ["sins_sim *sim", "sins_flight *flight", "sins_scene *scene", "sins_log *log"].iter().any(|h| arguments[0].ends_with(h));
+        let of_handle = ["sins_sim *sim", "sins_flight *flight", "sins_scene *scene", "sins_log *log"]
+            .iter()
+            .any(|h| arguments[0].ends_with(h));
         let answers_otherwise =
             name.ends_with("destroy") || ["sins_last_error", "sins_scene_get_fault"].contains(&name);
         if of_handle && !answers_otherwise && !calls.contains(&format!("EVERY_CALL({name}(")) {
@@ -49,11 +52,18 @@ fn every_function_and_struct_is_in_the_programs() {
         if ![&states, &scene, &calls].iter().any(|program| program.contains(&format!("{name}("))) {
             missing.push(format!("{name} in float_environment.c"));
         }
+        // Those of scenes and logs are in every_call.h, which stack.c takes.
+        let is_of_texts = name.starts_with("sins_scene_") || name.starts_with("sins_log_");
+        let measured = if is_of_texts { format!("{stack}{calls}") } else { stack.clone() };
+        if !measured.contains(&format!("{name}(")) {
+            missing.push(format!("{name} in stack.c"));
+        }
         if !fuzzed.iter().any(|source| source.contains(&format!("{name}("))) {
             missing.push(format!("{name} in the fuzz target calls"));
         }
         let may_be_null: &[&str] = match name {
             "sins_create" => &["*options"],
+            "sins_recommend" => &["*configured"],
             "sins_error_budget" => &[
                 "*options",
                 "*gyro",
@@ -105,6 +115,11 @@ fn threads_are_serialised_by_handle() {
     run_test_program("threads");
 }
 
+#[test]
+fn a_handle_that_its_own_thread_is_inside_is_answered() {
+    run_test_program("reentry");
+}
+
 /// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
 #[test]
 fn digests_of_five_flights_are_the_pinned_ones() {
@@ -126,6 +141,11 @@ fn the_library_comes_and_goes_and_two_copies_of_it_are_strangers() {
     let folder = library_folder("unload");
     let copies = ["libsins.so", "libsins.so.1"].map(|name| folder.join(name));
     succeed(test_program("unload", &folder).args(copies));
+}
+
+#[test]
+fn every_call_fits_on_a_small_stack() {
+    run_test_program("stack");
 }
 
 #[test]

@@ -32,11 +32,13 @@ type Take = fn(&TriadParameters, &mut TriadParameters);
 
 use Group::{Additive, OfTheOutput, OfTheSignal};
 
-const EFFECTS: [(&str, Group, Take); 18] = [
+const EFFECTS: [(&str, Group, Take); 20] = [
     ("size effect", OfTheSignal, |from, to| to.lever_arm_m = from.lever_arm_m),
     ("bandwidth", OfTheSignal, |from, to| to.bandwidth_hz = from.bandwidth_hz),
     ("scale factor", OfTheSignal, |from, to| to.scale_factor = from.scale_factor),
     ("misalignment", OfTheSignal, |from, to| to.misalignment = from.misalignment),
+    ("drawn scale factor", OfTheSignal, |from, to| to.scale_factor_sigma = from.scale_factor_sigma),
+    ("drawn misalignment", OfTheSignal, |from, to| to.misalignment_sigma = from.misalignment_sigma),
     ("asymmetry", OfTheSignal, |from, to| to.scale_factor_asymmetry = from.scale_factor_asymmetry),
     ("nonlinearity", OfTheSignal, |from, to| to.scale_factor_nonlinearity = from.scale_factor_nonlinearity),
     ("vibration rectification", OfTheSignal, |from, to| {
@@ -81,6 +83,8 @@ fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
         range: each(0.9, 1.5, 8.0),
         bandwidth_hz: each(30.0, 20.0, 10.0),
         dead_zone: each(1e-2, 2e-2, 1e-2),
+        scale_factor_sigma: each(1e-3, 2e-3, 1e-3),
+        misalignment_sigma: misalignment.abs(),
         ..Default::default()
     };
     let parameters = match sensor {

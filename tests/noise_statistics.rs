@@ -3,7 +3,7 @@
 
 mod support;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use sins::sensors::{
     Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, StreamKey, Triad, TriadParameters,
 };
@@ -177,6 +177,52 @@ fn drawn_once_a_run_means_once_a_run_and_normal() {
         assert_variance("variance", covariance(values, values), sigma * sigma, runs);
     }
     assert_zero("bias and position", covariance(&biases, &positions), 6.0, runs);
+}
+
+/// Scale factors and misalignments of gyros and accelerometers, with the turn-on biases of both: each element has its variance, and
+/// none knows of another.
+#[test]
+fn scatter_is_drawn_once_a_run_and_each_element_for_itself() {
+    let runs = 4000_usize;
+    let sigmas = Matrix3::new(1e-3, 2e-3, 3e-3, 4e-3, 5e-3, 6e-3, 7e-3, 8e-3, 9e-3);
+    let mut misalignment_sigma = sigmas;
+    misalignment_sigma.fill_diagonal(0.0);
+    let scatter =
+        TriadParameters { scale_factor_sigma: sigmas.diagonal(), misalignment_sigma, ..Default::default() };
+    let biases = TriadParameters { bias_sigma: Vector3::repeat(1.0), ..Default::default() };
+    let mut draws = vec![Vec::new(); 24];
+    for run in 0..runs {
+        let mut element = draws.iter_mut();
+        for sensor in [Sensor::Gyro, Sensor::Accelerometer] {
+            let mut drawn = triad(6, run as u64, sensor, &scatter);
+            for column in 0..3 {
+                let unit = Vector3::from_fn(|axis, _| if axis == column { 1.0 } else { 0.0 });
+                let error = drawn.steady_error(&unit, &unit, None);
+                for (value, sigma) in error.iter().zip(&sigmas.column(column)) {
+                    element.next().unwrap().push(value / sigma);
+                }
+                // In flight the same, all through the run.
+                let increment = Increment { angle: unit, velocity: unit };
+                for _ in 0..3 {
+                    let sensed = drawn.sense(&increment, 1.0) - unit;
+                    assert!((sensed - error).amax() < 2.0 * f64::EPSILON, "{sensed} {error}");
+                }
+            }
+            let bias = triad(6, run as u64, sensor, &biases).steady_error(
+                &Vector3::zeros(),
+                &Vector3::zeros(),
+                None,
+            );
+            bias.iter().for_each(|value| element.next().unwrap().push(*value));
+        }
+    }
+    for (index, values) in draws.iter().enumerate() {
+        assert_zero("mean", mean(values), 1.0, runs);
+        assert_variance("variance", covariance(values, values), 1.0, runs);
+        for other in &draws[..index] {
+            assert_zero("two elements", covariance(values, other), 1.0, runs);
+        }
+    }
 }
 
 #[test]

@@ -23,10 +23,11 @@ fly() {
     done
 }
 
-# other PROCESSOR PACKAGE RUNNER...: another processor, Linux.
+# other PROCESSOR DEBIANS_NAME RUNNER...: another processor, Linux.
 other() {
     local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc variable
-    need "$2" "$compiler"
+    need "gcc-$processor-linux-gnu" "$compiler"
+    need "libc6-dev-$2-cross" "/usr/$processor-linux-gnu/lib/libc.so"
     shift 2
     echo "== $processor"
     rustup target add "$target"
@@ -35,17 +36,17 @@ other() {
     fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
 }
 
-need gcc gcc
+need g++ c++
 need qemu-user qemu-aarch64
-need gcc-i686-linux-gnu i686-linux-gnu-gcc
+need libc6-i386-cross /usr/i686-linux-gnu/lib/ld-linux.so.2
 loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
 if "$loader" --version >/dev/null 2>&1; then
-    other i686 gcc-i686-linux-gnu "$loader" --library-path /usr/i686-linux-gnu/lib
+    other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib
 else
     could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
-    other i686 gcc-i686-linux-gnu qemu-i386 -L /usr/i686-linux-gnu
+    other i686 i386 qemu-i386 -L /usr/i686-linux-gnu
 fi
-other aarch64 gcc-aarch64-linux-gnu qemu-aarch64 -L /usr/aarch64-linux-gnu
+other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 
 echo "== here, without optimisation and in release"
 programs=digests

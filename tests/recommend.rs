@@ -2,15 +2,18 @@
 
 #[path = "recommend/growth.rs"]
 mod growth;
+#[path = "recommend/mounting.rs"]
+mod mounting;
 mod support;
 
 use sins::abi::{
-    SINS_OK, sins_cost, sins_flight_sample, sins_options, sins_recommend, sins_requirement, sins_status,
+    SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_cost, sins_create, sins_destroy, sins_flight_sample,
+    sins_mounting, sins_options, sins_recommend, sins_requirement, sins_set_mounting, sins_status,
 };
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::math::{relative_rotation, rotation_vector};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::recommend::{Requirement, Rung, SolutionError, ladder, recommend, step_time_ns};
+use sins::recommend::{Requirement, Rung, Setup, SolutionError, ladder, recommend, step_time_ns};
 use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
@@ -41,10 +44,11 @@ fn samples(flight: &Flight, rate_hz: f64, duration_s: f64) -> Vec<FlightSample> 
     (0..=(duration_s * rate_hz) as u64).map(|k| flight.sample_at(k as f64 / rate_hz).unwrap()).collect()
 }
 
-/// The answer of the C function to a host with default options, at a stated rate: scheme, subsamples, updates.
+/// The answer of the C function to a host whose simulator has default options, a stated rate and a mounting: scheme, subsamples,
+/// updates.
 fn asked_through_the_interface(
     samples: &[FlightSample],
-    period_s: f64,
+    setup: &Setup,
     requirement: &Requirement,
 ) -> (sins_status, [i32; 3], sins_cost) {
     let samples: Vec<sins_flight_sample> = samples.iter().map(interface_sample).collect();
@@ -59,11 +63,19 @@ fn asked_through_the_interface(
     };
     // SAFETY: structs of numbers; the pointers are those of locals.
     unsafe {
-        let (mut options, mut cost): (sins_options, sins_cost) = std::mem::zeroed();
+        let (mut options, mut mounting, mut cost): (sins_options, sins_mounting, sins_cost) =
+            std::mem::zeroed();
         options.struct_size = size_of::<sins_options>() as u32;
-        options.sample_period_s = period_s;
+        options.sample_period_s = setup.options.intake.period_s.unwrap();
+        mounting.struct_size = size_of::<sins_mounting>() as u32;
+        mounting.lever_arm_m = setup.mounting.lever_arm_m.into();
         cost.struct_size = size_of::<sins_cost>() as u32;
-        let status = sins_recommend(samples.as_ptr(), samples.len(), &requirement, &mut options, &mut cost);
+        let mut configured = std::ptr::null_mut();
+        assert_eq!(sins_create(&options, &mut configured), SINS_OK);
+        assert_eq!(sins_set_mounting(configured, &mounting), SINS_OK);
+        let (samples, count) = (samples.as_ptr(), samples.len());
+        let status = sins_recommend(configured, samples, count, &requirement, &mut options, &mut cost);
+        assert_eq!(sins_destroy(configured), SINS_OK);
         (status, [options.scheme, options.subsamples, options.updates_per_sample], cost)
     }
 }
@@ -187,7 +199,7 @@ fn the_answer_meets_the_requirement_and_nothing_cheaper_does() {
     let mut answers: Vec<Rung> = Vec::new();
     for Scene { name, options, samples, requirement } in scenes() {
         let start = std::time::Instant::now();
-        let answer = recommend(&options, &samples, &requirement).unwrap();
+        let answer = recommend(&options.into(), &samples, &requirement).unwrap();
         let us_per_sample = start.elapsed().as_secs_f64() * 1e6 / samples.len() as f64;
         assert!(answer.met && answer.share <= 1.0, "{name}: {answer:?}");
         let reference = reference(&options, &samples);
@@ -196,9 +208,8 @@ fn the_answer_meets_the_requirement_and_nothing_cheaper_does() {
         let plain = Requirement { margin: 1.0, ..requirement };
         let own = error(&answer.rung);
         assert!(plain.share(&own) <= 1.0, "{name}: {own:?}");
-        let period_s = options.intake.period_s.unwrap();
         let (status, [scheme, subsamples, updates], cost) =
-            asked_through_the_interface(&samples, period_s, &requirement);
+            asked_through_the_interface(&samples, &options.into(), &requirement);
         assert_eq!(status, SINS_OK);
         // SINS_SCHEME_... in the order of `Scheme`.
         assert_eq!(scheme, answer.rung.scheme as i32);
@@ -242,7 +253,7 @@ fn an_impossible_requirement_gets_the_best_there_is() {
         let Scene { name, options, samples, .. } = scenes().swap_remove(scene);
         let samples = &samples[..400];
         let start = std::time::Instant::now();
-        let answer = recommend(&options, samples, &requirement).unwrap();
+        let answer = recommend(&options.into(), samples, &requirement).unwrap();
         println!("not met: {:.0} us a sample", start.elapsed().as_secs_f64() * 1e6 / samples.len() as f64);
         let ladder = ladder(options.frame);
         assert!(!answer.met && answer.share > 1.0 && answer.tried == ladder.len(), "{name}: {answer:?}");
@@ -267,13 +278,38 @@ fn an_impossible_requirement_gets_the_best_there_is() {
     }
 }
 
+/// Nothing meets a limit beyond all rounding, down to the smallest of numbers. The best there is does not depend on how small it is,
+/// and what is told of it are numbers, after the fastest growth and with the largest margin too.
+#[test]
+fn the_smallest_limits_get_the_best_there_is() {
+    let Scene { options, samples, .. } = scenes().swap_remove(2);
+    let samples = &samples[..100];
+    let ask = |position_m| Requirement { position_m, ..Default::default() };
+    let best = recommend(&options.into(), samples, &ask(1e-30)).unwrap();
+    for limit in [1e-100, 1e-200, f64::MIN_POSITIVE, 5e-324] {
+        let answer = recommend(&options.into(), samples, &ask(limit)).unwrap();
+        assert_eq!(
+            (answer.met, answer.rung, answer.predicted),
+            (false, best.rung, best.predicted),
+            "{limit:e}"
+        );
+        assert!(answer.share.is_finite() && answer.share > best.share, "{limit:e}: {answer:?}");
+        let (status, _, cost) = asked_through_the_interface(samples, &options.into(), &ask(limit));
+        assert_eq!((status, cost.share), (SINS_REQUIREMENT_NOT_MET, answer.share));
+    }
+    let free = Options { vertical: VerticalMode::Free, ..options };
+    let hardest = Requirement { duration_s: Requirement::MAX_DURATION_S, margin: 1e6, ..ask(5e-324) };
+    let answer = recommend(&free.into(), &samples[..3], &hardest).unwrap();
+    assert!(!answer.met && answer.share.is_finite(), "{answer:?}");
+}
+
 /// A requirement that the margin alone decides: with more of it the answer costs more.
 #[test]
 fn the_margin_is_kept() {
     let Scene { options, samples, .. } = scenes().swap_remove(1);
     let answer = |margin| {
         let requirement = Requirement { position_m: 0.1, margin, ..Default::default() };
-        recommend(&options, &samples, &requirement).unwrap()
+        recommend(&options.into(), &samples, &requirement).unwrap()
     };
     let two = answer(2.0);
     let more = answer(1.01 * 0.1 / two.predicted.position_m);
@@ -284,8 +320,8 @@ fn the_margin_is_kept() {
 #[test]
 fn the_same_piece_has_the_same_answer() {
     let Scene { options, samples, requirement, .. } = scenes().swap_remove(2);
-    let first = recommend(&options, &samples, &requirement).unwrap();
-    assert_eq!(recommend(&options, &samples, &requirement), Ok(first));
+    let first = recommend(&options.into(), &samples, &requirement).unwrap();
+    assert_eq!(recommend(&options.into(), &samples, &requirement), Ok(first));
     // What is replaced, what draws and what would hide the error takes no part.
     let other = Options {
         scheme: Scheme::Paper,
@@ -296,7 +332,7 @@ fn the_same_piece_has_the_same_answer() {
         key: sins::sensors::StreamKey { seed: 7, run: 1 },
         ..options
     };
-    assert_eq!(recommend(&other, &samples, &requirement), Ok(first));
+    assert_eq!(recommend(&other.into(), &samples, &requirement), Ok(first));
 }
 
 /// Geographic axes: their own ladder, and no answer within reach of a pole.
@@ -306,14 +342,14 @@ fn geographic_axes_have_answers_but_at_the_pole() {
     let pole = scenes.pop().unwrap();
     let cruise = scenes.swap_remove(1);
     let options = Options { frame: Frame::Geographic, ..cruise.options };
-    let answer = recommend(&options, &cruise.samples, &cruise.requirement).unwrap();
+    let answer = recommend(&options.into(), &cruise.samples, &cruise.requirement).unwrap();
     assert!(answer.met);
     let states = navigated(&answer.rung.applied_to(&options), &cruise.samples);
     let error = worst_difference(&states, &reference(&cruise.options, &cruise.samples));
     assert!(error.position_m <= cruise.requirement.position_m, "{error:?}");
 
     let options = Options { frame: Frame::Geographic, ..pole.options };
-    let refusal = recommend(&options, &pole.samples, &pole.requirement).unwrap_err();
+    let refusal = recommend(&options.into(), &pole.samples, &pole.requirement).unwrap_err();
     assert!(refusal.error.kind == ErrorKind::Singular && refusal.sample.is_some(), "{refusal}");
 }
 
@@ -339,7 +375,7 @@ fn geographic_axes_near_a_pole_are_given_the_updates_that_they_need() {
     assert_eq!(refused.map(|error| error.kind), Some(ErrorKind::Singular));
 
     let requirement = Requirement { position_m: 100.0, ..Default::default() };
-    let answer = recommend(&options, &samples, &requirement).unwrap();
+    let answer = recommend(&options.into(), &samples, &requirement).unwrap();
     assert!(answer.met && answer.rung.updates_per_sample > 1, "{answer:?}");
 }
 
@@ -348,7 +384,8 @@ fn geographic_axes_near_a_pole_are_given_the_updates_that_they_need() {
 fn more_work_takes_more_time() {
     let Scene { options, samples, .. } = scenes().swap_remove(1);
     let time = |scheme, subsamples, updates_per_sample| {
-        step_time_ns(&Rung { scheme, subsamples, updates_per_sample }.applied_to(&options), &samples[..200])
+        let rung = Rung { scheme, subsamples, updates_per_sample };
+        step_time_ns(&Setup::from(options).with(&rung), &samples[..200])
     };
     let (short, long) = (time(Scheme::Exact, 1, 1).unwrap(), time(Scheme::Polynomial, 5, 16).unwrap());
     assert!(short > 0.0 && long > 2.0 * short, "{short} ns, {long} ns");
@@ -358,7 +395,7 @@ fn more_work_takes_more_time() {
 fn a_bad_piece_is_refused_with_its_sample() {
     let Scene { options, samples, requirement, .. } = scenes().swap_remove(0);
     let kind = |samples: &[FlightSample]| {
-        let refusal = recommend(&options, samples, &requirement).unwrap_err();
+        let refusal = recommend(&options.into(), samples, &requirement).unwrap_err();
         (refusal.error.kind, refusal.sample)
     };
     assert_eq!(kind(&[]), (ErrorKind::InvalidArgument, None));
@@ -373,5 +410,5 @@ fn a_bad_piece_is_refused_with_its_sample() {
     assert_eq!(kind(&bad), (ErrorKind::Discontinuity, Some(12)));
     // Two samples are a piece.
     let easy = Requirement { position_m: 1.0, ..Default::default() };
-    assert!(recommend(&options, &samples[..2], &easy).unwrap().met);
+    assert!(recommend(&options.into(), &samples[..2], &easy).unwrap().met);
 }

@@ -24,7 +24,7 @@ fn options(period_s: f64) -> Options {
 }
 
 fn state(sample: &FlightSample) -> EarthFixedState {
-    let mut intake = sins::truth::Intake::new(earth(), BodyAxes::default(), IntakeLimits::default());
+    let mut intake = sins::truth::Intake::new(earth(), BodyAxes::default(), IntakeLimits::default()).unwrap();
     intake.push(sample).unwrap();
     let point: TruthPoint = *intake.front().unwrap();
     point.navigation(&earth(), BodyAxes::default()).earth_fixed(&earth())
@@ -117,7 +117,7 @@ fn navigation_error(name: &str, frame: Frame, scheme: Scheme, n: usize, merge: u
     let reference = Reference::load(name);
     let samples = reference.truth.samples(false);
     let mut simulator = Simulator::new(&Options { frame, scheme, ..options(reference.period_s) }).unwrap();
-    let mut intake = sins::truth::Intake::new(earth(), BodyAxes::default(), IntakeLimits::default());
+    let mut intake = sins::truth::Intake::new(earth(), BodyAxes::default(), IntakeLimits::default()).unwrap();
     intake.push(&samples[0]).unwrap();
     let start = intake.front().unwrap().navigation(&earth(), BodyAxes::default());
     simulator.start_navigation(0.0, &start).unwrap();

@@ -13,7 +13,7 @@ addressed="misuse struct_sizes sentences run snapshot recommend budget threads d
 # Those that fly little: valgrind takes minutes for the others.
 checked="misuse sentences run snapshot"
 mkdir -p "$folder"
-need gcc gcc
+need g++ c++
 need valgrind valgrind
 
 # compile NAME FLAGS...

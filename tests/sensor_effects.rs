@@ -114,6 +114,51 @@ fn vibration_table() {
     assert!((bias - expected).abs() < EPS * 100.0 / dt, "{bias} {expected}");
 }
 
+/// A vibration A sin Ωt in increments of dt, x = Ω dt/2: what acts on their means sees A sin x / x, so that of squares
+/// 1 - (sin x / x)² is lost, and where the sign changes in the middle of an increment 1 - cos x of the size. At a tenth of the sample
+/// rate with two increments an interval, and with one.
+#[test]
+fn what_acts_on_the_mean_of_an_increment_loses_of_a_vibration() {
+    let (amplitude, turn) = (50.0, 20.0 * std::f64::consts::PI);
+    for (per_period, of_square, of_size) in [(20, 0.0082, 0.0123), (10, 0.0325, 0.0489)] {
+        let dt = 0.1 / f64::from(per_period);
+        let x = 0.5 * turn * dt;
+        // Over half a period, and so many increments later: what the accelerometers give too much.
+        let error = |parameters: &TriadParameters, start: f64| -> f64 {
+            let mut accel = triad(Sensor::Accelerometer, parameters);
+            let integral = |t: f64| -amplitude / turn * (turn * t).cos();
+            let increment = |i: i32| {
+                let velocity = integral(start + f64::from(i + 1) * dt) - integral(start + f64::from(i) * dt);
+                accel.sense(&Increment { velocity: Vector3::repeat(velocity), ..Increment::ZERO }, dt).x
+                    - velocity
+            };
+            (0..per_period / 2).map(increment).sum()
+        };
+        let one = Vector3::repeat(1e-3);
+        let nonlinear = TriadParameters { scale_factor_nonlinearity: one, ..Default::default() };
+        let rectifying = TriadParameters { vibration_rectification_s2_m: one, ..Default::default() };
+        let asymmetric = TriadParameters { scale_factor_asymmetry: one, ..Default::default() };
+        // ∫ of s² and of |s|/2 over half a period.
+        let square = 1e-3 * amplitude * amplitude * std::f64::consts::PI / (2.0 * turn);
+        let size = 1e-3 * amplitude / turn;
+        let seen = (x.sin() / x).powi(2);
+        for parameters in [nonlinear, rectifying] {
+            let found = error(&parameters, 0.0);
+            assert!((found - square * seen).abs() < 100.0 * EPS * amplitude, "{found} {square}");
+        }
+        assert!(
+            (error(&asymmetric, 0.0) - size).abs() < 100.0 * EPS * amplitude,
+            "no sign changes within one"
+        );
+        let found = error(&asymmetric, 0.5 * dt);
+        assert!((found - size * x.cos()).abs() < 100.0 * EPS * amplitude, "{found} {size}");
+        assert!(
+            (1.0 - seen - of_square).abs() < 1e-4 && (1.0 - x.cos() - of_size).abs() < 1e-4,
+            "as the header has it"
+        );
+    }
+}
+
 /// Three accelerometers, each somewhere else.
 const ARMS: Matrix3<f64> = Matrix3::new(0.03, -0.01, 0.02, 0.01, 0.04, -0.02, -0.02, 0.01, 0.05);
 

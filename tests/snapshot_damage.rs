@@ -185,6 +185,69 @@ fn forged_snapshots_are_refused_or_work() {
     assert!(accepted > all / 10 && accepted < all * 9 / 10, "{accepted} of {all}");
 }
 
+/// Whatever is read is a number.
+fn finite(simulator: &Simulator, who: impl FnOnce() -> String) {
+    let read = reads(simulator);
+    assert!(!read.contains("NaN") && !read.contains("inf"), "{}: {read}", who());
+}
+
+/// Each word of each run's snapshot, flown and with its parameters, in turn: not a number, infinite, of the other sign, huge, zero. What
+/// is taken is a simulator: it reads numbers, flies on, reads numbers, and its snapshot loads.
+#[test]
+fn each_word_forged_is_refused_or_a_simulator_of_numbers() {
+    let wild = |word: u64| {
+        let value = f64::from_bits(word);
+        let numbers = [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            -value,
+            f64::MAX,
+            -1e300,
+            1e150,
+            1e100,
+            -1e30,
+            1e15,
+            -1.0,
+            1e-300,
+            -1e-310,
+        ];
+        let words = [0, 1, 2, 255, u64::MAX, u64::MAX >> 1, word.wrapping_add(1)];
+        numbers.map(f64::to_bits).into_iter().chain(words)
+    };
+    let (mut accepted, mut all) = (0, 0);
+    for run in runs().into_iter().chain([moments::everything_at_once()]) {
+        let mut straight = Simulator::new(&run.options).unwrap();
+        let cut = run.calls.len().min(1000) * 2 / 3;
+        for call in &run.calls[..cut] {
+            call.make(&mut straight);
+        }
+        finite(&straight, || run.name.to_owned());
+        let good = words(&snapshot(&straight));
+        let mut words = good.clone();
+        for at in 0..good.len() {
+            for word in wild(good[at]) {
+                words[at] = word;
+                all += 1;
+                let who = || format!("{}, word {at}: {word:#x} = {:e}", run.name, f64::from_bits(word));
+                let mut simulator = Simulator::new(&Options::default()).unwrap();
+                if simulator.load_snapshot(&forged(&words)).is_err() {
+                    continue;
+                }
+                accepted += 1;
+                finite(&simulator, who);
+                for call in run.calls[cut..].iter().take(4) {
+                    call.make(&mut simulator);
+                    finite(&simulator, who);
+                }
+            }
+            words[at] = good[at];
+        }
+    }
+    println!("{accepted} of {all} accepted");
+    assert!(accepted > all / 20 && accepted < all * 9 / 10, "{accepted} of {all}");
+}
+
 /// Bytes that are none of the format, with a good header.
 #[test]
 fn noise_with_a_good_header_is_refused() {

@@ -70,7 +70,7 @@ fn temperature_acts_in_its_place_in_the_order() {
     let sense = |parameters: &TriadParameters, felt: f64| {
         let mut triad = Triad::new(StreamKey::default(), Sensor::Accelerometer);
         triad.set(parameters);
-        triad.begin_interval(1.0, Some([12.0; 2]));
+        triad.begin_interval(1.0, Some([12.0; 2]), None);
         triad.sense(&Increment { velocity: one * felt, ..Increment::ZERO }, 1.0)
     };
     let thermal = TriadParameters {

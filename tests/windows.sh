@@ -5,9 +5,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 
-programs="digests float_environment misuse sentences run threads destroyed"
+programs="digests float_environment misuse sentences run threads destroyed tls_indexes unload terminated"
 wine32=$PWD/target/wine32
 export WINEDEBUG=-all
+need g++ c++
 
 # dll PROCESSOR FOLDER: the DLL, the programs, and what wine lacks.
 dll() {
@@ -17,6 +18,7 @@ dll() {
     cargo rustc --quiet --release --lib --crate-type cdylib --target "$target"
     mkdir -p "$2"
     cp "target/$target/release/sins.dll" "$2"
+    cp "$2/sins.dll" "$2/second.dll"
     "$compiler" -shared -Wl,--kill-at -o "$2/bcryptprimitives.dll" tests/c/bcryptprimitives.c
     for name in $programs; do
         "$compiler" -std=c99 -D__USE_MINGW_ANSI_STDIO=1 -O1 -I include "tests/c/$name.c" -o "$2/$name.exe" \
@@ -24,7 +26,7 @@ dll() {
     done
 }
 
-# run_in FOLDER WINE SERVER: the programs, with one server that stays for them. Wine makes or renews its own folder with the first
+# run_in FOLDER WINE SERVER: the programs, each with two copies of the DLL to load, and one server that stays for them. Wine makes or renews its own folder with the first
 # that it runs; what it says then of fonts and windows, which they do not have, is told where one of them fails.
 run_in() {
     export WINESERVER=$3
@@ -32,7 +34,7 @@ run_in() {
     "$3" -p60 >/dev/null 2>&1 || true # or one is there already
     "$2" "$1/sentences.exe" >"$WINEPREFIX/log" 2>&1 || true
     for name in $programs; do
-        "$2" "$1/$name.exe" || { cat "$WINEPREFIX/log"; exit 1; }
+        "$2" "$1/$name.exe" "$1/sins.dll" "$1/second.dll" || { cat "$WINEPREFIX/log"; exit 1; }
     done
 }
 
@@ -75,7 +77,7 @@ echo "== 32 bits"
 wine=$wine32/usr/lib/wine/wine
 if ! [ -x "$wine" ] && ! fetch_wine32; then
     could_not "32-bit Windows" "no 32-bit wine to be had"
-elif ! [ -e /lib/ld-linux.so.2 ] && ! install libc6-i386; then
+elif ! need lib32gcc-s1 /usr/lib32/libgcc_s.so.1; then # with the 32-bit C library; wine's threads end by it
     could_not "32-bit Windows" "no 32-bit C library to be had"
 elif ! "$wine" --version; then
     could_not "32-bit Windows" "the kernel runs no 32-bit programs"

@@ -15,7 +15,8 @@ use crate::sensors::TriadParameters;
 ///
 /// Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
 /// nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
-/// zone, range, quantization. A range, a bandwidth or a quantization of 0 is none.
+/// zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
+/// see sins_gyro_params.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accel_params {
@@ -50,14 +51,15 @@ pub struct sins_accel_params {
     pub scale_factor_nonlinearity_s2_m: [f64; 3],
     /// Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0.
     pub misalignment_rad: [f64; 9],
-    /// Range, where the mean force of a sub-increment saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu.
+    /// Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu.
     pub range_m_s2: [f64; 3],
     /// Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval.
     pub bandwidth_hz: [f64; 3],
-    /// Half the dead zone: mean forces of a sub-increment up to this size give 0 [m/s2].
+    /// Half the dead zone: forces up to this size give 0 [m/s2].
     pub dead_zone_m_s2: [f64; 3],
     /// Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-    /// row = sensor (size effect).
+    /// row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
+    /// first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
     pub lever_arm_m: [f64; 9],
     /// Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2.
     pub vibration_rectification_s2_m: [f64; 3],
@@ -72,6 +74,11 @@ pub struct sins_accel_params {
     pub scale_factor_temperature_per_k: [f64; 3],
     /// Scale factor error of this times T2, -1 to 1 [1/K2].
     pub scale_factor_temperature2_per_k2: [f64; 3],
+    /// Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1.
+    pub scale_factor_sigma: [f64; 3],
+    /// Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
+    /// diagonal is 0.
+    pub misalignment_sigma_rad: [f64; 9],
 }
 
 interface_struct!(sins_accel_params, "accel", 536);
@@ -103,6 +110,8 @@ impl sins_accel_params {
             bias_temperature2: Vector3::from(self.bias_temperature2_m_s2_per_k2),
             scale_factor_temperature: Vector3::from(self.scale_factor_temperature_per_k),
             scale_factor_temperature2: Vector3::from(self.scale_factor_temperature2_per_k2),
+            scale_factor_sigma: Vector3::from(self.scale_factor_sigma),
+            misalignment_sigma: Matrix3::from_row_slice(&self.misalignment_sigma_rad),
             ..Default::default()
         })
     }
@@ -135,6 +144,8 @@ impl sins_accel_params {
             bias_temperature2_m_s2_per_k2: parameters.bias_temperature2.into(),
             scale_factor_temperature_per_k: parameters.scale_factor_temperature.into(),
             scale_factor_temperature2_per_k2: parameters.scale_factor_temperature2.into(),
+            scale_factor_sigma: parameters.scale_factor_sigma.into(),
+            misalignment_sigma_rad: row_major(&parameters.misalignment_sigma),
         }
     }
 }

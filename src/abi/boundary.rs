@@ -3,16 +3,30 @@
 
 use core::cell::Cell;
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
-use std::sync::{Once, OnceLock};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::failure::{Failure, SINS_ERROR_INTERNAL, sins_status};
 use super::fpu::FloatState;
+use super::process::{is_inside_a_handle, is_prepared};
+
+/// What is kept for a thread. No destructor, so that the library can be unloaded. Calls on a simulator do without: the first
+/// use in a thread may allocate.
+struct Here {
+    /// Whether this thread is inside a call that has no handle.
+    inside: Cell<bool>,
+    /// The last failure on this thread that no simulator remembers.
+    last_failure: Cell<Option<Failure>>,
+}
 
 thread_local! {
-    /// Whether this thread is inside the library. No destructor, so that the library can be unloaded.
-    static INSIDE: Cell<bool> = const { Cell::new(false) };
-    /// The last failure on this thread that no simulator remembers.
-    static LAST_FAILURE: Cell<Option<Failure>> = const { Cell::new(None) };
+    static HERE: Here = const { Here { inside: Cell::new(false), last_failure: Cell::new(None) } };
+}
+
+/// Takes what the first use of these variables takes.
+#[cfg_attr(not(windows), allow(dead_code))]
+pub(super) fn touch_thread_locals() {
+    HERE.with(|_| ());
 }
 
 /// Runs `body` as the inside of an exported function.
@@ -27,47 +41,58 @@ pub(super) fn enter(body: impl FnOnce() -> sins_status) -> sins_status {
 /// Not inlined, so that no floating-point instruction of `body` moves across the change of the control state.
 #[inline(never)]
 fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
-    INSIDE.set(true);
-    let status = catch_unwind(AssertUnwindSafe(body)).unwrap_or(SINS_ERROR_INTERNAL);
-    INSIDE.set(false);
-    status
+    catch_unwind(AssertUnwindSafe(body)).unwrap_or(SINS_ERROR_INTERNAL)
 }
 
 /// Runs the inside of a function that has no simulator to remember its failure: it is kept for this thread.
 pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
+    if !is_prepared() {
+        return Failure::no_thread_locals().status;
+    }
     silence_panics();
-    enter(|| {
+    let outer = HERE.with(|here| here.inside.replace(true));
+    let status = enter(|| {
         body().unwrap_or_else(|failure| {
             remember(failure);
             failure.status
         })
-    })
+    });
+    HERE.with(|here| here.inside.set(outer));
+    status
 }
 
 /// Keeps a failure for this thread.
 pub(super) fn remember(failure: Failure) {
-    LAST_FAILURE.set(Some(failure));
+    if is_prepared() {
+        HERE.with(|here| here.last_failure.set(Some(failure)));
+    }
 }
 
 /// The last failure on this thread that no simulator remembers.
 pub(super) fn last_failure() -> Option<Failure> {
-    LAST_FAILURE.get()
+    if !is_prepared() {
+        return Some(Failure::no_thread_locals());
+    }
+    HERE.with(|here| here.last_failure.get())
 }
 
 /// Keeps the panic hook from printing while a thread is inside the library; elsewhere the hook before it goes on. In the
 /// shared library that is the library's own copy, and nobody else's.
 fn silence_panics() {
-    static ONCE: Once = Once::new();
+    // Not locks to wait for: a fork may come while another thread is at it.
+    static DONE: AtomicBool = AtomicBool::new(false);
     type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;
     static PREVIOUS: OnceLock<Hook> = OnceLock::new();
-    ONCE.call_once(|| {
-        let _ = PREVIOUS.set(take_hook());
-        set_hook(Box::new(|info| {
-            if !INSIDE.get()
-                && let Some(previous) = PREVIOUS.get()
-            {
-                previous(info);
-            }
-        }));
-    });
+    if DONE.load(Ordering::Relaxed) || DONE.swap(true, Ordering::Relaxed) {
+        return;
+    }
+    let _ = PREVIOUS.set(take_hook());
+    set_hook(Box::new(|info| {
+        if !HERE.with(|here| here.inside.get())
+            && !is_inside_a_handle()
+            && let Some(previous) = PREVIOUS.get()
+        {
+            previous(info);
+        }
+    }));
 }

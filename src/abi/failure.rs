@@ -23,7 +23,7 @@ pub const SINS_ERROR_BAD_HANDLE: i32 = -2;
 pub const SINS_ERROR_STRUCT_SIZE: i32 = -3;
 /// A value out of its range; sins_last_error() names field, value and limit.
 pub const SINS_ERROR_INVALID_ARGUMENT: i32 = -4;
-/// The right call at the wrong moment.
+/// The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads).
 pub const SINS_ERROR_BAD_STATE: i32 = -5;
 /// A sample that is not later than the one before, or off the stated sample period.
 pub const SINS_ERROR_TIME_ORDER: i32 = -6;
@@ -37,7 +37,7 @@ pub const SINS_ERROR_DIVERGED: i32 = -9;
 pub const SINS_ERROR_SINGULAR: i32 = -10;
 /// A buffer is too small for the result.
 pub const SINS_ERROR_BUFFER_TOO_SMALL: i32 = -11;
-/// No memory, or no free handle.
+/// No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
 pub const SINS_ERROR_OUT_OF_MEMORY: i32 = -12;
 /// The snapshot is damaged, foreign or newer.
 pub const SINS_ERROR_SNAPSHOT: i32 = -13;
@@ -73,8 +73,25 @@ impl Failure {
         Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of the other kind")
     }
 
+    /// A handle, an argument under `name`, was refused with `status`.
+    pub fn of_handle(status: sins_status, name: &'static str) -> Self {
+        match status {
+            SINS_ERROR_BAD_HANDLE => Self::bad_handle(name),
+            SINS_ERROR_INTERNAL => Self::internal(),
+            _ => Self::words(status, name, "takes no call now"),
+        }
+    }
+
     pub fn no_handle() -> Self {
         Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: 4096 of a kind can live at once")
+    }
+
+    pub fn no_thread_locals() -> Self {
+        Self::words(
+            SINS_ERROR_OUT_OF_MEMORY,
+            "",
+            "no memory, or too few TLS indexes, for what the library keeps for a thread",
+        )
     }
 
     pub fn internal() -> Self {

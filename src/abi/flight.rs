@@ -47,7 +47,7 @@ pub struct sins_flight_start {
 
 interface_struct!(sins_flight_start, "start", 72);
 
-static FLIGHTS: Registry<Flight> = Registry::new(2);
+pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
 
 /// Runs `body` on the flight of a handle, as the inside of an exported function.
 fn with_flight(
@@ -74,7 +74,8 @@ fn told(status: sins_status) -> sins_status {
 /// of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
 ///
 /// On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
-/// value out of its range (the index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+/// value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
+/// index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
 /// 200000 pieces (which take 3 s), or 4096 flights that live.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_create(

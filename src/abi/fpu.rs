@@ -1,14 +1,20 @@
 //! The host's floating-point control state: saved on entry, set to the default that Rust code may rely on, put back on
-//! exit. Hosts unmask exceptions (Delphi before 12), set x87 to 24 bits (Direct3D 9), flush denormals (-ffast-math).
+//! exit. Hosts unmask exceptions (Delphi before 12), set x87 to 24 bits (Direct3D 9), flush denormals (-ffast-math), leave x87
+//! registers in use (MMX without EMMS). On x86-64 no code of the library uses x87.
 
 use core::arch::asm;
+#[cfg(target_arch = "x86")]
+use core::mem::MaybeUninit;
 
 /// What the host had.
 pub(super) struct FloatState {
     #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
     mxcsr: u32,
     #[cfg(target_arch = "x86")]
-    x87: [u8; 28],
+    x87: [u16; 14],
+    /// Environment and registers, where the host left some in use.
+    #[cfg(target_arch = "x86")]
+    x87_registers: MaybeUninit<[u8; 108]>,
     #[cfg(target_arch = "aarch64")]
     fpcr: u64,
 }
@@ -65,22 +71,35 @@ impl FloatState {
 
 #[cfg(target_arch = "x86")]
 impl FloatState {
+    /// Whether the host left x87 registers in use, as MMX code without EMMS does: a full stack takes no number more.
+    #[inline(always)]
+    fn has_registers(&self) -> bool {
+        const TAGS: usize = 4;
+        const ALL_EMPTY: u16 = 0xffff;
+        self.x87[TAGS] != ALL_EMPTY
+    }
+
     /// Saves the host's state and sets the default.
     #[inline(always)]
     pub fn enter() -> Self {
         static DEFAULT_X87: u16 = 0x037f;
-        let mut state = Self { mxcsr: 0, x87: [0; 28] };
-        // SAFETY: the instructions touch the control registers and the named bytes alone; no floating-point code has run
+        let mut state = Self { mxcsr: 0, x87: [0; 14], x87_registers: MaybeUninit::uninit() };
+        // SAFETY: the instructions touch the floating-point state and the named bytes alone; no floating-point code has run
         // yet. fnstenv masks all exceptions, so that none that is pending strikes in here.
         unsafe {
             asm!(
-                "stmxcsr [{mxcsr}]", "ldmxcsr [{default_mxcsr}]", "fnstenv [{x87}]", "fnclex", "fldcw [{default_x87}]",
+                "stmxcsr [{mxcsr}]", "ldmxcsr [{default_mxcsr}]", "fnstenv [{x87}]",
                 mxcsr = in(reg) &raw mut state.mxcsr,
                 default_mxcsr = in(reg) &raw const DEFAULT_MXCSR,
                 x87 = in(reg) &raw mut state.x87,
-                default_x87 = in(reg) &raw const DEFAULT_X87,
                 options(nostack, preserves_flags)
             );
+            if state.has_registers() {
+                // Empties them, and sets the default.
+                asm!("fnsave [{0}]", in(reg) state.x87_registers.as_mut_ptr(), options(nostack, preserves_flags));
+            } else {
+                asm!("fnclex", "fldcw [{0}]", in(reg) &raw const DEFAULT_X87, options(nostack, preserves_flags));
+            }
         }
         state
     }
@@ -88,8 +107,12 @@ impl FloatState {
     /// Puts the host's state back, noted exceptions included.
     #[inline(always)]
     pub fn leave(self) {
-        // SAFETY: loads what `enter` stored; no floating-point code of ours follows.
+        // SAFETY: loads what `enter` stored; no floating-point code of ours follows. The registers' environment has all
+        // exceptions masked: the host's own comes last.
         unsafe {
+            if self.has_registers() {
+                asm!("frstor [{0}]", in(reg) self.x87_registers.as_ptr(), options(nostack, preserves_flags));
+            }
             asm!(
                 "ldmxcsr [{mxcsr}]", "fldenv [{x87}]",
                 mxcsr = in(reg) &raw const self.mxcsr,

@@ -8,9 +8,11 @@ use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{Alignment, InitialErrorParameters};
 
-/// The misalignment at the start is the given one.
+/// The INS starts with the true attitude, turned by the given and the drawn misalignment.
 pub const SINS_ALIGNMENT_GIVEN: i32 = 0;
-/// Added to it, what levelling and gyrocompassing at rest leave with the sensor errors of the start.
+/// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
+/// the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
+/// heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: i32 = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
@@ -27,7 +29,8 @@ pub struct sins_initial_errors {
     pub position_enu_m: [f64; 3],
     /// Velocity [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up. -pi to pi.
+    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
+    /// east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
     pub misalignment_enu_rad: [f64; 3],
     /// Standard deviation of position [m].
     pub position_sigma_enu_m: [f64; 3],

@@ -28,6 +28,7 @@ mod fpu;
 mod gravity;
 mod gyro;
 mod initial;
+mod lock;
 #[cfg(feature = "scenes")]
 mod log;
 mod manoeuvre;
@@ -36,6 +37,7 @@ mod mounting;
 mod navigator;
 mod options;
 mod preset;
+mod process;
 mod recommend;
 mod record;
 mod registry;
@@ -51,6 +53,7 @@ mod sensor_failure;
 mod simulator;
 mod snapshot;
 mod solution;
+mod thread;
 mod version;
 
 pub use accel::*;

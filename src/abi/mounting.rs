@@ -16,6 +16,11 @@ use crate::mounting::MountingParameters;
 /// navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
 /// Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
 /// point, along body axes; so is the barometric height.
+///
+/// Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of the
+/// first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval has
+/// it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
+/// sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is lacking.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_mounting {
@@ -26,7 +31,7 @@ pub struct sins_mounting {
     /// From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     pub lever_arm_m: [f64; 3],
     /// Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-    /// down, nose up, nose to the right; any angles [rad].
+    /// down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
     pub boresight_rad: [f64; 3],
     /// Believed less true lever arm, -100 to 100 [m].
     pub lever_arm_error_m: [f64; 3],

@@ -12,6 +12,7 @@ use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::mechanization::MAX_SUBSAMPLES;
 use crate::signal::Increment;
 use crate::state::Navigation;
+use crate::truth::{FlightSample, check_height};
 
 /// Increments of an inertial measurement unit over an interval, in count parts of equal length.
 #[repr(C)]
@@ -57,9 +58,10 @@ pub unsafe extern "C" fn sins_start_navigation(
         check_reserved("navigation.reserved2", start.reserved2)?;
         check_range("navigation.time_s", start.time_s, -1e10, 1e10)?;
         check_range("navigation.latitude_rad", start.latitude_rad, -quarter, quarter)?;
-        check_range("navigation.longitude_rad", start.longitude_rad, -100.0, 100.0)?;
-        check_range("navigation.height_m", start.height_m, -20e3, 2000e3)?;
-        check_ranges("navigation.velocity_enu_m_s", &start.velocity_enu_m_s, -20e3, 20e3)?;
+        let (longitude, velocity) = (FlightSample::MAX_LONGITUDE_RAD, FlightSample::MAX_VELOCITY_M_S);
+        check_range("navigation.longitude_rad", start.longitude_rad, -longitude, longitude)?;
+        check_height("navigation.height_m", start.height_m)?;
+        check_ranges("navigation.velocity_enu_m_s", &start.velocity_enu_m_s, -velocity, velocity)?;
         check_ranges("navigation.quaternion_nb", &start.quaternion_nb, -1.001, 1.001)?;
         let [w, x, y, z] = start.quaternion_nb;
         let q = Quaternion::new(w, x, y, z);

@@ -24,7 +24,8 @@ pub const SINS_SCHEME_PAPER: i32 = 1;
 /// As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
 pub const SINS_SCHEME_POLYNOMIAL: i32 = 2;
 
-/// Third-order loop on a barometric height, time constant 100 s.
+/// Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
+/// the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
 pub const SINS_VERTICAL_DAMPED: i32 = 0;
 /// Height and vertical velocity set to the truth at each sample.
 pub const SINS_VERTICAL_FOLLOW_TRUTH: i32 = 1;

@@ -27,15 +27,28 @@
  * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
  *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
  *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
- *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there.
+ *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
+ *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
- *   A call takes up to 64 KB of stack. Before the library is unloaded every handle is destroyed and every call has returned.
+ *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
+ *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE, without a sentence. A signal handler gets
+ *     this answer if it interrupted a call on that handle. It may call every function that takes a simulator, except
+ *     sins_destroy() and sins_snapshot_load(), which use the allocator.
+ *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
+ *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
+ *     ever; on Windows they get SINS_ERROR_BAD_STATE if the thread was terminated. The floating-point state is not put back.
+ *   fork(): a handle that another thread of the parent was inside is SINS_ERROR_BAD_STATE in the child. All others work there.
+ *     A process made in another way, as by vfork() or clone(), makes no call.
+ * Unloading. Every handle is destroyed and every call has returned before. A library that was built for windows-gnu stays in
+ *   memory from its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and
+ *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
+ *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
+ *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
- *   call, unless the handle is in use in another thread. (If the library was loaded at run time, the loader allocates in the
- *   first call of each thread: make one before the frame.) The library prints nothing, reads no environment and no file, and
- *   leaves the host's floating-point control state as it found it.
+ *   call, unless the handle is in use in another thread. The library prints nothing, reads no environment and no file, and
+ *   leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
  *   themselves, and the first create draws the numbers of its handles from the clock.)
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
@@ -45,8 +58,9 @@
  *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
  *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
  *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
- *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Have what is too much refused by a
- *     smaller max_gap_s.
+ *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Without velocities a gap costs up to 5
+ *     times the error of a position times the square of the number of intervals that were lost: 1 s lost in straight flight at
+ *     50 Hz in positions of 1 cm 23 m. Have what is too much refused by a smaller max_gap_s.
  *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
  *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower

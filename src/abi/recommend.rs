@@ -5,10 +5,11 @@ use super::failure::{Failure, SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_status};
 use super::memory::{Array, Output, interface_struct, read};
 use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
+use super::simulator::{look_at, sins_sim};
 use crate::error::check_range;
 use crate::memory::room;
 use crate::recommend::{
-    MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, recommend, step_time_ns,
+    MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, Setup, recommend, step_time_ns,
 };
 use crate::truth::FlightSample;
 
@@ -57,11 +58,11 @@ pub struct sins_cost {
     pub reference_velocity_m_s: f64,
     /// Attitude [rad].
     pub reference_attitude_rad: f64,
-    /// Predicted error times margin over its limit, the largest of the three: met up to 1.
+    /// Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
     pub share: f64,
     /// Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
     pub instructions_per_step: f64,
-    /// Measured here and now, in the options that were written and with ideal sensors: push and step of one sample [ns].
+    /// Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns].
     pub ns_per_step: f64,
     /// Algorithms that were tried, the recommended one among them.
     pub tried: u64,
@@ -97,16 +98,18 @@ impl From<Refusal> for Failure {
 /// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
 /// are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
 ///
-/// On entry options are those that the host flies with (all zero: the recommended simulator), on return the same with scheme,
-/// subsamples and updates_per_sample of the answer, ready for sins_create(). What these three were does not matter; the
-/// others are kept.
+/// configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
+/// the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
+/// reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
+/// for sins_create(); what these three were does not matter.
 ///
-/// Each algorithm flies the piece with ideal sensors, and its solution is compared at every sample with that of a reference,
-/// 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. So it is the error of the
-/// algorithm alone, without those of sensors and without a host's own contradictions; with SINS_SIGNAL_CLOSED_LOOP, which
-/// would hide it, on the signals without that. For a duration beyond the piece its errors go on as steady rates, through
-/// Schuler's pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error
-/// counts as one of height, which grows by e every 569 s.
+/// Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
+/// of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
+/// that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+/// alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
+/// error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
+/// pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
+/// one of height, which grows by e every 569 s.
 ///
 /// The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
 /// ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
@@ -118,6 +121,7 @@ impl From<Refusal> for Failure {
 /// algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_recommend(
+    configured: *const sins_sim,
     samples: *const sins_flight_sample,
     count: usize,
     requirement: *const sins_requirement,
@@ -125,27 +129,26 @@ pub unsafe extern "C" fn sins_recommend(
     cost: *mut sins_cost,
 ) -> sins_status {
     enter_without_simulator(|| {
-        // SAFETY: the host's promise; options are written at the end alone.
-        let (requirement, given, options, cost) = unsafe {
+        let setup = match configured.is_null() {
+            true => Setup::default(),
+            false => look_at(configured, "configured", Setup::of)?,
+        };
+        // SAFETY: the host's promise; options and cost are written at the end alone.
+        let (requirement, options, cost) = unsafe {
             (
                 read(requirement, "requirement")?.to_requirement()?,
-                read(options.cast_const(), "options")?,
                 Output::new(options, "options")?,
                 Output::new(cost, "cost")?,
             )
         };
-        let host = given.to_options()?;
-        host.validate()?;
         check_range("count", count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = read_samples(&unsafe { Array::new(samples.cast_mut(), count, "samples")? })?;
-        let answer = recommend(&host, &samples, &requirement)?;
-        let ns_per_step = step_time_ns(&answer.rung.applied_to(&host), &samples)?;
-
-        let chosen = sins_options::from_options(&answer.rung.applied_to(&host));
-        let sins_options { scheme, subsamples, updates_per_sample, .. } = chosen;
-        options.write(&sins_options { scheme, subsamples, updates_per_sample, ..given });
-        let instructions_per_step = answer.rung.instructions(host.frame);
+        let answer = recommend(&setup, &samples, &requirement)?;
+        let chosen = setup.with(&answer.rung);
+        let ns_per_step = step_time_ns(&chosen, &samples)?;
+        options.write(&sins_options::from_options(&chosen.options));
+        let instructions_per_step = answer.rung.instructions(setup.options.frame);
         cost.write(&sins_cost::new(&answer, instructions_per_step, ns_per_step));
         Ok(if answer.met { SINS_OK } else { SINS_REQUIREMENT_NOT_MET })
     })

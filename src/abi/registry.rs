@@ -2,10 +2,12 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
+use super::failure::{
+    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
+};
+use super::lock::{Guard, Lock};
 use crate::math::SPLIT_MIX_STEP;
 use crate::memory::room;
 
@@ -24,19 +26,21 @@ const FREE: usize = 0;
 const CLAIMED: usize = usize::MAX;
 
 /// The living objects of one kind. A key is made of kind, slot and generation; each slot has its own lock, so calls on one
-/// handle are serialised and different handles never wait for each other.
+/// handle are serialised and different handles never wait for each other. A call on a handle that its own thread is inside, or
+/// that no thread will ever leave, is `SINS_ERROR_BAD_STATE`.
 pub(super) struct Registry<T> {
     kind: usize,
     slots: [Slot<T>; SLOTS],
     /// Where the search for a free slot begins.
     next: AtomicUsize,
-    first_generation: OnceLock<usize>,
+    /// 0 until it is drawn. Not a lock: a fork may come while another thread draws.
+    first_generation: AtomicUsize,
 }
 
 struct Slot<T> {
     /// The living key, looked at before the lock: a call with a dead one never waits for who lives there now.
     key: AtomicUsize,
-    place: Mutex<Place<T>>,
+    place: Lock<Place<T>>,
 }
 
 struct Place<T> {
@@ -55,23 +59,21 @@ struct Content<T> {
 
 impl<T> Slot<T> {
     const fn empty() -> Self {
-        Self { key: AtomicUsize::new(FREE), place: Mutex::new(Place { used: 0, content: None }) }
-    }
-
-    fn lock(&self) -> MutexGuard<'_, Place<T>> {
-        // Panics are caught inside the lock; it is never poisoned.
-        self.place.lock().unwrap_or_else(PoisonError::into_inner)
+        Self { key: AtomicUsize::new(FREE), place: Lock::new(Place { used: 0, content: None }) }
     }
 
     /// The place of `key`, locked, if that lives.
     #[inline]
-    fn find(&self, key: usize) -> Option<MutexGuard<'_, Place<T>>> {
+    fn find(&self, key: usize) -> Result<Guard<'_, Place<T>>, sins_status> {
         if self.key.load(Ordering::Acquire) != key {
-            return None;
+            return Err(SINS_ERROR_BAD_HANDLE);
         }
-        let place = self.lock();
+        let place = self.place.lock().ok_or(SINS_ERROR_BAD_STATE)?;
         // It may have been destroyed while this waited.
-        (self.key.load(Ordering::Relaxed) == key).then_some(place)
+        if self.key.load(Ordering::Relaxed) != key {
+            return Err(SINS_ERROR_BAD_HANDLE);
+        }
+        Ok(place)
     }
 }
 
@@ -82,7 +84,7 @@ impl<T> Registry<T> {
             kind,
             slots: [const { Slot::empty() }; SLOTS],
             next: AtomicUsize::new(0),
-            first_generation: OnceLock::new(),
+            first_generation: AtomicUsize::new(0),
         }
     }
 
@@ -91,7 +93,7 @@ impl<T> Registry<T> {
         let mut memory = room(1)?;
         memory.push(Content { value, last_failure: None, broken: false });
         let content = memory.into_boxed_slice();
-        let first_generation = *self.first_generation.get_or_init(|| self.draw_first_generation());
+        let first_generation = self.first_generation();
 
         let start = self.next.fetch_add(1, Ordering::Relaxed);
         for offset in 0..SLOTS {
@@ -100,7 +102,10 @@ impl<T> Registry<T> {
             if slot.key.compare_exchange(FREE, CLAIMED, Ordering::Acquire, Ordering::Relaxed).is_err() {
                 continue;
             }
-            let mut place = slot.lock();
+            let Some(mut place) = slot.place.lock() else {
+                slot.key.store(FREE, Ordering::Release);
+                continue;
+            };
             let generation = first_generation + place.used;
             if generation < LAST_GENERATION {
                 let key = ((generation << SLOT_BITS | index) << KIND_BITS) | self.kind;
@@ -115,8 +120,9 @@ impl<T> Registry<T> {
     /// Runs `body` on the object of `key`, or gives `SINS_ERROR_BAD_HANDLE`; remembers a failure.
     #[inline]
     pub fn with(&self, key: usize, body: impl FnOnce(&mut T) -> Result<sins_status, Failure>) -> sins_status {
-        let Some(mut place) = self.slot(key).and_then(|slot| slot.find(key)) else {
-            return SINS_ERROR_BAD_HANDLE;
+        let mut place = match self.find(key) {
+            Ok(place) => place,
+            Err(status) => return status,
         };
         let Some([content]) = place.content.as_deref_mut() else { return SINS_ERROR_BAD_HANDLE };
         if content.broken {
@@ -138,23 +144,33 @@ impl<T> Registry<T> {
 
     /// The last failure of the object of `key`.
     pub fn last_failure(&self, key: usize) -> Result<Option<Failure>, sins_status> {
-        let place = self.slot(key).and_then(|slot| slot.find(key)).ok_or(SINS_ERROR_BAD_HANDLE)?;
-        match place.content.as_deref() {
+        match self.find(key)?.content.as_deref() {
             Some([content]) => Ok(content.last_failure),
             _ => Err(SINS_ERROR_BAD_HANDLE),
         }
+    }
+
+    /// Whether this thread is inside a call on one of the objects.
+    pub fn is_in_use_here(&self) -> bool {
+        self.slots.iter().any(|slot| slot.place.is_mine())
+    }
+
+    /// In a process that was forked: other threads, and what they had in use, are not there.
+    #[cfg(unix)]
+    pub fn lose_what_others_use(&self) {
+        self.slots.iter().for_each(|slot| slot.place.lose_if_not_mine());
     }
 
     /// Destroys the object of `key`.
     pub fn remove(&self, key: usize) -> sins_status {
         let Some(slot) = self.slot(key) else { return SINS_ERROR_BAD_HANDLE };
         let content = match slot.find(key) {
-            Some(mut place) => {
+            Ok(mut place) => {
                 slot.key.store(CLAIMED, Ordering::Relaxed);
                 place.used += 1;
                 place.content.take()
             }
-            None => return SINS_ERROR_BAD_HANDLE,
+            Err(status) => return status,
         };
         drop(content);
         slot.key.store(FREE, Ordering::Release);
@@ -165,6 +181,24 @@ impl<T> Registry<T> {
     #[inline]
     fn slot(&self, key: usize) -> Option<&Slot<T>> {
         (key & ((1 << KIND_BITS) - 1) == self.kind).then(|| &self.slots[(key >> KIND_BITS) % SLOTS])
+    }
+
+    /// The place of `key`, locked, if that lives here.
+    #[inline]
+    fn find(&self, key: usize) -> Result<Guard<'_, Place<T>>, sins_status> {
+        self.slot(key).ok_or(SINS_ERROR_BAD_HANDLE)?.find(key)
+    }
+
+    fn first_generation(&self) -> usize {
+        match self.first_generation.load(Ordering::Relaxed) {
+            0 => {
+                let drawn = self.draw_first_generation();
+                let first =
+                    self.first_generation.compare_exchange(0, drawn, Ordering::Relaxed, Ordering::Relaxed);
+                first.err().unwrap_or(drawn)
+            }
+            first => first,
+        }
     }
 
     /// Of another table - a second copy of the library, or the one after an unload and a load - almost surely another, so
@@ -249,6 +283,24 @@ mod tests {
         assert_ne!(first, second);
         assert_eq!(TABLES[0].remove(second), SINS_ERROR_BAD_HANDLE);
         assert_eq!(TABLES[1].remove(first), SINS_ERROR_BAD_HANDLE);
+    }
+
+    #[test]
+    fn a_call_within_a_call_on_the_same_handle_is_answered() {
+        static TABLE: Registry<u32> = Registry::new(1);
+        let [outer, inner] = [0, 1].map(|value| TABLE.insert(value).unwrap());
+        let status = TABLE.with(outer, |_| {
+            assert!(TABLE.is_in_use_here());
+            TABLE.with(inner, |_| {
+                assert_eq!(TABLE.with(outer, |_| Ok(SINS_OK)), SINS_ERROR_BAD_STATE);
+                assert_eq!(TABLE.last_failure(outer), Err(SINS_ERROR_BAD_STATE));
+                assert_eq!(TABLE.remove(outer), SINS_ERROR_BAD_STATE);
+                Ok(SINS_OK)
+            });
+            Ok(SINS_OK)
+        });
+        assert!(!TABLE.is_in_use_here());
+        assert_eq!((status, TABLE.remove(outer), TABLE.remove(inner)), (SINS_OK, SINS_OK, SINS_OK));
     }
 
     static BROKEN: Registry<u32> = Registry::new(2);

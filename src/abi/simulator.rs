@@ -19,7 +19,7 @@ pub struct sins_sim {
 }
 
 /// Each in a slice of one, which unlike a `Box` can be made without aborting.
-static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
+pub(super) static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
 
 /// Runs `body` on the simulator of a handle, as the inside of an exported function.
 #[inline(always)]
@@ -59,6 +59,20 @@ pub(super) unsafe fn hand_out(
     // SAFETY: as this function.
     unsafe { put(sim, core::ptr::without_provenance_mut(key), "sim")? };
     Ok(SINS_OK)
+}
+
+/// What `view` makes of a simulator that is an argument under `name` of a function of its own; its sentence stays.
+pub(super) fn look_at<T>(
+    sim: *const sins_sim,
+    name: &'static str,
+    view: impl FnOnce(&Simulator) -> T,
+) -> Result<T, Failure> {
+    let mut seen = None;
+    let status = SIMULATORS.with(sim.addr(), |place| {
+        seen = place.first().map(view);
+        Ok(SINS_OK)
+    });
+    seen.ok_or_else(|| Failure::of_handle(status, name))
 }
 
 /// Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
@@ -141,7 +155,8 @@ pub unsafe extern "C" fn sins_push_sample(
 /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
 /// further one one more. No allocation, no system call.
 ///
-/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution beyond -500 km or
+/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
+/// reference point or of the closed loop's own error-free navigator beyond -500 km or
 /// 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
 /// solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
 /// increments.

@@ -14,6 +14,11 @@ pub const SINS_NAVIGATION_NEAR_POLE: i32 = 1;
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: i32 = 2;
 /// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
 pub const SINS_NAVIGATION_INCONSISTENT: i32 = 4;
+/// The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
+/// rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
+/// accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
+/// horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+pub const SINS_NAVIGATION_NORTH_UNKNOWN: i32 = 8;
 
 /// Navigation minus truth: the paper's error data 2.
 pub const SINS_ERRORS_NAVIGATION: i32 = 0;
@@ -91,7 +96,8 @@ pub struct sins_errors {
     pub height_m: f64,
     /// Velocity [m/s]: difference of the components, each in its own east-north-up.
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi [rad]: computed C = (I - [phi x]) C, C from sensor axes to east-north-up.
+    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
+    /// has it to first order, computed C = (I - [phi x]) C.
     pub misalignment_enu_rad: [f64; 3],
     /// Roll, wrapped [rad].
     pub roll_rad: f64,
@@ -158,7 +164,8 @@ impl sins_navigation {
             quaternion_nb: [q.w, q.i, q.j, q.k],
             flags: flag(solution.near_pole, SINS_NAVIGATION_NEAR_POLE)
                 | flag(solution.vertical_unaided, SINS_NAVIGATION_VERTICAL_UNAIDED)
-                | flag(solution.inconsistent, SINS_NAVIGATION_INCONSISTENT),
+                | flag(solution.inconsistent, SINS_NAVIGATION_INCONSISTENT)
+                | flag(solution.north_unknown, SINS_NAVIGATION_NORTH_UNKNOWN),
             reserved2: 0,
         }
     }

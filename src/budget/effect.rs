@@ -45,6 +45,8 @@ pub static EFFECTS: &[Effect] = effects! {
     "gyro bandwidth", "gyro.bandwidth_hz", DETERMINISTIC: gyro.bandwidth_hz;
     "gyro scale factor", "gyro.scale_factor", DETERMINISTIC: gyro.scale_factor;
     "gyro misalignment", "gyro.misalignment_rad", DETERMINISTIC: gyro.misalignment;
+    "gyro drawn scale factor", "gyro.scale_factor_sigma", RANDOM: gyro.scale_factor_sigma;
+    "gyro drawn misalignment", "gyro.misalignment_sigma_rad", RANDOM: gyro.misalignment_sigma;
     "gyro asymmetry", "gyro.scale_factor_asymmetry", DETERMINISTIC: gyro.scale_factor_asymmetry;
     "gyro nonlinearity", "gyro.scale_factor_nonlinearity_s_rad", DETERMINISTIC: gyro.scale_factor_nonlinearity;
     "gyro g-sensitivity", "gyro.g_sensitivity_rad_s_per_m_s2", DETERMINISTIC: gyro.g_sensitivity;
@@ -66,6 +68,8 @@ pub static EFFECTS: &[Effect] = effects! {
     "accel bandwidth", "accel.bandwidth_hz", DETERMINISTIC: accel.bandwidth_hz;
     "accel scale factor", "accel.scale_factor", DETERMINISTIC: accel.scale_factor;
     "accel misalignment", "accel.misalignment_rad", DETERMINISTIC: accel.misalignment;
+    "accel drawn scale factor", "accel.scale_factor_sigma", RANDOM: accel.scale_factor_sigma;
+    "accel drawn misalignment", "accel.misalignment_sigma_rad", RANDOM: accel.misalignment_sigma;
     "accel asymmetry", "accel.scale_factor_asymmetry", DETERMINISTIC: accel.scale_factor_asymmetry;
     "accel nonlinearity", "accel.scale_factor_nonlinearity_s2_m", DETERMINISTIC: accel.scale_factor_nonlinearity;
     "accel vibration rectification", "accel.vibration_rectification_s2_m", DETERMINISTIC: accel.vibration_rectification_s2_m;
@@ -165,6 +169,8 @@ mod tests {
             bias_temperature2: ones,
             scale_factor_temperature: ones,
             scale_factor_temperature2: ones,
+            scale_factor_sigma: ones,
+            misalignment_sigma: matrix,
         };
         let nothing = TriadParameters::default();
         let of_gyros = TriadParameters {

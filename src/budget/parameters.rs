@@ -40,8 +40,7 @@ impl ErrorParameters {
     pub(super) fn ideal(&self) -> Self {
         let mut ideal = Self::default();
         ideal.initial.alignment = self.initial.alignment;
-        ideal.mounting.lever_arm_m = self.mounting.lever_arm_m;
-        ideal.mounting.boresight = self.mounting.boresight;
+        ideal.mounting = self.mounting.believed();
         ideal.gyro.reference_temperature_c = self.gyro.reference_temperature_c;
         ideal.accel.reference_temperature_c = self.accel.reference_temperature_c;
         ideal

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::NavigationErrors;
-use crate::snapshot::{ANY, COUNT, stored};
+use crate::snapshot::{COUNT, NO_SQUARE, stored};
 
 /// R50 = 0.8326 √(mean RER²): half of the radial errors, circular normal distribution (√ln 2).
 const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
@@ -35,11 +35,24 @@ stored!(Accuracy {
     start_s: 1e12,
     next_s: 1e12,
     samples: COUNT,
-    velocity_squares: ANY,
+    velocity_squares: SUMS,
     windowed: COUNT,
-    rate_squares: ANY,
-    line: ANY,
+    rate_squares: SUMS,
+    line: SUMS,
+} then |sums, from| {
+    let [n, t, t2, r, tr] = sums.line;
+    let squares = sums.velocity_squares.iter().chain([&sums.rate_squares, &t2]);
+    for &square in squares.chain([&t, &r, &tr]) {
+        from.require(square >= 0.0, square, NO_SQUARE)?;
+    }
+    from.require(n == sums.windowed as f64, n, "must be the number of samples in the window")?;
+    // Two samples are an interval of the sampling apart, more have a wider spread.
+    let spread = n * t2 - t * t;
+    from.require(n < 2.0 || spread > 0.5 * SAMPLE_INTERVAL_S * SAMPLE_INTERVAL_S, spread, "is no spread of times")
 });
+
+/// No sum over a run is as large: of squares of 1e9 m/s or m, or times of 2e10 s, as often as there can be samples.
+const SUMS: f64 = 1e40;
 
 /// The figures.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,6 +2,7 @@
 
 use crate::earth::Ellipsoid;
 use crate::error::{Error, Rule, check_range};
+use crate::truth::{FlightSample, check_height};
 
 /// Sinusoids in one manoeuvre at the most.
 pub const MAX_SINUSOIDS: usize = 6;
@@ -142,8 +143,9 @@ impl FlightStart {
     pub fn validate(&self) -> Result<(), Error> {
         let (quarter, pi) = (core::f64::consts::FRAC_PI_2, core::f64::consts::PI);
         check_range("start.latitude_rad", self.latitude_rad, -quarter, quarter)?;
-        check_range("start.longitude_rad", self.longitude_rad, -100.0, 100.0)?;
-        check_range("start.height_m", self.height_m, -20e3, 2000e3)?;
+        let longitude = FlightSample::MAX_LONGITUDE_RAD;
+        check_range("start.longitude_rad", self.longitude_rad, -longitude, longitude)?;
+        check_height("start.height_m", self.height_m)?;
         check_range("start.speed_m_s", self.speed_m_s, 0.0, 10e3)?;
         check_range("start.heading_rad", self.heading_rad, -100.0, 100.0)?;
         check_range("start.roll_rad", self.roll_rad, -pi, pi)?;

@@ -8,6 +8,7 @@ use crate::earth::{Earth, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{inverse_right_jacobian, rotated_z, rotation_quaternion, sin_cos};
 use crate::memory::room_for_one_more;
+use crate::truth::{FlightSample, check_height};
 
 /// Chebyshev coefficients of a piece.
 const N: usize = 16;
@@ -99,7 +100,7 @@ impl Path {
         let mut pieces = Vec::new();
         let mut q_ew = navigation_axes(start.latitude_rad, start.longitude_rad);
         let mut height_m = start.height_m;
-        for segment in segments {
+        for (index, segment) in segments.iter().enumerate() {
             let [knots @ .., end] = segment.knots();
             for (i, &from) in knots.iter().enumerate() {
                 let to = if i + 1 < knots.len() { knots[i + 1] } else { end };
@@ -122,6 +123,7 @@ impl Path {
                         }
                         continue;
                     };
+                    piece.check_height().map_err(|error| error.at(index))?;
                     (q_ew, height_m) = piece.at(1.0);
                     t = if length == to - t { to } else { t + length };
                     if pieces.len() == MAX_PIECES {
@@ -150,6 +152,39 @@ impl Piece {
         let moved = evaluate(&self.series, u);
         let q = self.q_ew * rotation_quaternion(&moved.xyz());
         (q / q.norm_squared().sqrt(), self.height_m + moved.w)
+    }
+
+    /// Refuses a piece that leads to heights which no flight sample may have.
+    fn check_height(&self) -> Result<(), Error> {
+        let swing = self.series.iter().map(|coefficient| coefficient.w.abs()).sum::<f64>();
+        let (low, high) = FlightSample::HEIGHT_RANGE_M;
+        if low <= self.height_m - swing && self.height_m + swing <= high {
+            return Ok(());
+        }
+        for side in [1.0, -1.0] {
+            check_height("height reached in manoeuvre", self.at(self.extreme(side)).1)?;
+        }
+        Ok(())
+    }
+
+    /// Where the piece is highest, or with a side of -1 lowest: between two of equally spaced nodes, by thirds.
+    fn extreme(&self, side: f64) -> f64 {
+        const NODES: u32 = 64;
+        let height = |u: f64| side * self.at(u).1;
+        let nodes = (0..=NODES).map(|node| f64::from(node) / f64::from(NODES));
+        let best = nodes.max_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap_or(0.0);
+        let (mut low, mut high) =
+            ((best - 1.0 / f64::from(NODES)).max(0.0), (best + 1.0 / f64::from(NODES)).min(1.0));
+        // 2/3 to the 64th of a node's distance is the rounding of a number.
+        for _ in 0..64 {
+            let third = (high - low) / 3.0;
+            if height(low + third) < height(high - third) {
+                low += third;
+            } else {
+                high -= third;
+            }
+        }
+        low
     }
 
     /// Picard iteration on ρ' = J⁻¹(ρ) ω(ρ, h, t), h' = v_up. `None`: the series does not resolve the motion.

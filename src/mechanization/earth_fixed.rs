@@ -3,7 +3,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, StateDifference, VerticalCorrection, check_rotation, renormalize};
+use super::{BodyMotion, StateDifference, VerticalCorrection, renormalize};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{
     Compensated, axis_cross, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix,
@@ -21,13 +21,9 @@ pub struct EarthFixed {
     /// Gravity of the last update [m/s²].
     gravity_e: Vector3<f64>,
     track: VerticalTrack,
-    /// Up at the last observation of the vertical channel.
-    up_e: Vector3<f64>,
 }
 
-stored!(EarthFixed { r_e: 1e9, v_e: 1e9, q_eb: 2.0, gravity_e: 1e3, track } rebuilt { up_e } then |state, from| {
-    check_rotation(&state.q_eb, from)
-});
+stored!(EarthFixed { r_e: 1e9, v_e: 1e9, q_eb: 2.0, gravity_e: 1e18, track });
 
 impl EarthFixed {
     /// Starts from `state`.
@@ -38,7 +34,6 @@ impl EarthFixed {
             q_eb: Compensated::new(state.q_eb.coords),
             gravity_e: earth.gravity(&state.r_e),
             track: earth.track(&state.r_e),
-            up_e: earth.vertical(&state.r_e).up_e,
         }
     }
 
@@ -98,23 +93,26 @@ impl EarthFixed {
         Quaternion::from(self.q_eb.value)
     }
 
-    /// Height above the ellipsoid [m] and velocity up [m/s], and up kept for the correction that follows.
-    pub fn observe_vertical(&mut self, earth: &Earth) -> (f64, f64) {
+    /// Up, height above the ellipsoid [m] and velocity up [m/s].
+    pub fn observe_vertical(&mut self, earth: &Earth) -> (Vector3<f64>, f64, f64) {
         let vertical = earth.follow(&mut self.track, &self.r_e.value);
-        self.up_e = vertical.up_e;
-        (vertical.height_m, vertical.up_e.dot(&self.v_e.value))
+        (vertical.up_e, vertical.height_m, vertical.up_e.dot(&self.v_e.value))
     }
 
-    /// Shifts height [m] and velocity up [m/s]; the place on the ellipsoid stays. The displacement that the velocity
+    /// Shifts along `up` the height [m] and velocity up [m/s]; the place on the ellipsoid stays. The displacement that the velocity
     /// correction stands for takes its Coriolis integral and its share in the turn of the vertical with it.
-    pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
-        let up = self.up_e;
+    pub fn shift_vertical(&mut self, earth: &Earth, up: &Vector3<f64>, correction: &VerticalCorrection) {
         let mut dv = up * correction.velocity_up_m_s;
         if correction.displacement_m != 0.0 {
-            dv -= displaced_vertical(earth, &up, &self.v_e.value, correction.displacement_m);
+            dv -= displaced_vertical(earth, up, &self.v_e.value, correction.displacement_m);
         }
         self.r_e.add(&(up * correction.height_m));
         self.v_e.add(&dv);
+    }
+
+    /// Adds `dv_e` [m/s] to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        self.v_e.add(dv_e);
     }
 
     /// The state less `truth`, with what the sums still carry.

@@ -1,11 +1,14 @@
 //! The navigation-frame part in geographic axes east-north-up: the paper's, singular at the poles.
 
+use core::f64::consts::FRAC_PI_2;
+
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, VerticalCorrection, check_rotation, renormalize};
+use super::{BodyMotion, Mechanization, VerticalCorrection, renormalize};
 use crate::earth::{Earth, Geodetic, navigation_axes};
+use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
-use crate::snapshot::stored;
+use crate::snapshot::{NO_SQUARE, stored};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Latitude, longitude, height, velocity and attitude in east-north-up.
@@ -22,7 +25,12 @@ pub struct Geographic {
     turn2: f64,
 }
 
-stored!(Geographic { place: 1e9, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1e30 } then |state, from| check_rotation(&state.q_nb, from));
+/// No flight goes round the Earth so many times [rad].
+const MAX_LONGITUDE_RAD: f64 = 1e9;
+
+stored!(Geographic { place: MAX_LONGITUDE_RAD, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1.0 } then |state, from| {
+    from.require(state.turn2 >= 0.0, state.turn2, NO_SQUARE)
+});
 
 /// What the navigation axes and the Earth do at a place.
 #[derive(Clone, Copy)]
@@ -185,29 +193,38 @@ impl Geographic {
         renormalize(&mut self.q_nb);
     }
 
-    fn q(&self) -> Quaternion<f64> {
+    /// Attitude: rotates sensor axes to east-north-up.
+    pub fn q(&self) -> Quaternion<f64> {
         Quaternion::from(self.q_nb.value)
     }
 
-    /// Cosine of the latitude; negative beyond a pole.
-    pub fn cos_latitude(&self) -> f64 {
-        sin_cos(self.place.value.x).1
+    /// Checks that the axes are well away from the poles, and were so on the way.
+    pub fn check(&self) -> Result<(), Error> {
+        let singular = |field, value, words, limit| {
+            Err(Error::of(ErrorKind::Singular, field, value, Rule::WordsAnd(words, limit)))
+        };
+        let latitude = self.place.value.x;
+        let (cos, least) = (sin_cos(latitude).1, Mechanization::MIN_COS_LATITUDE);
+        if cos < least {
+            let words = "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least";
+            return singular("cosine of the navigated latitude", cos, words, least);
+        }
+        let (turn, most) = (self.turn2.sqrt(), Mechanization::MAX_TURN_RAD);
+        if turn > most {
+            let words = "this close to a pole needs shorter updates or Earth-fixed axes; must be at most";
+            return singular("turn of the geographic axes in an update", turn, words, most);
+        }
+        // An interval can be longer than the way over the pole.
+        if !(latitude.abs() <= FRAC_PI_2 && self.place.value.y.abs() <= MAX_LONGITUDE_RAD) {
+            let words = "the geographic mechanization cannot pass a pole; must be at most";
+            return singular("size of the navigated latitude_rad", latitude.abs(), words, FRAC_PI_2);
+        }
+        Ok(())
     }
 
     /// Speed squared [m²/s²].
     pub fn speed2(&self) -> f64 {
         self.v_n.value.norm_squared()
-    }
-
-    /// The largest turn of the axes about the vertical that an update so far could have made, in any direction [rad].
-    pub fn largest_turn(&self) -> f64 {
-        self.turn2.sqrt()
-    }
-
-    /// The same of an update over a displacement of `distance` [m] from here.
-    pub fn turn_over(&self, earth: &Earth, distance: f64) -> f64 {
-        let (sin, cos) = sin_cos(self.place.value.x);
-        distance * (sin / cos).abs() / (earth.polar_radius_m + self.place.value.z)
     }
 
     /// Height above the ellipsoid [m] and velocity up [m/s].
@@ -223,6 +240,12 @@ impl Geographic {
         let coriolis = omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
         self.place.add(&Vector3::new(0.0, 0.0, correction.height_m));
         self.v_n.add(&(Vector3::new(0.0, 0.0, correction.velocity_up_m_s) - coriolis));
+    }
+
+    /// Adds `dv_e` [m/s], Earth-fixed axes, to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        let place = &self.place.value;
+        self.v_n.add(&rotate_inverse(&navigation_axes(place.x, place.y), dv_e));
     }
 
     /// The state in Earth-fixed axes.

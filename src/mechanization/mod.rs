@@ -19,7 +19,7 @@ use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{Compensated, relative_rotation, rotation_vector};
 use crate::signal::Increment;
-use crate::snapshot::{Reader, codes, stored, variants};
+use crate::snapshot::{codes, stored, variants};
 use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
 use geographic::Geographic;
@@ -50,23 +50,16 @@ pub enum Scheme {
 codes!(Frame { EarthFixed = 0, Geographic = 1 });
 codes!(Scheme { Exact = 0, Paper = 1, Polynomial = 2 });
 
-/// What a solution has to stay within.
-struct Bounds {
-    /// Height above the ellipsoid [m].
-    heights_m: (f64, f64),
-    speed_m_s: f64,
-    /// Cosine of the latitude, in geographic axes.
-    cos_latitude: f64,
-}
+/// Heights above the ellipsoid [m] and speed [m/s] beyond which a solution counts as diverged: far outside of what a sample may
+/// be, far inside of what the equations can represent.
+const HEIGHTS_M: (f64, f64) = (-500e3, 20_000e3);
+const MAX_SPEED_M_S: f64 = 100e3;
 
-/// Beyond these the solution counts as diverged, or singular: far outside of what a sample may be, far inside of what the
-/// equations can represent.
-const LIMITS: Bounds =
-    Bounds { heights_m: (-500e3, 20_000e3), speed_m_s: 100e3, cos_latitude: Mechanization::MIN_COS_LATITUDE };
+/// What the squared norm of an attitude's quaternion may be off 1 by.
+const MAX_NORM_ERROR: f64 = 1e-12;
 
-/// From within these an interval of at most [`Mechanization::TAME_CHANGE_M_S`] and [`Mechanization::TAME_INTERVAL_S`] does
-/// not lead beyond the limits.
-const SAFE: Bounds = Bounds { heights_m: (-100e3, 2100e3), speed_m_s: 40e3, cos_latitude: 0.06 };
+/// What the squared norm lacks to 1, beyond which the first order of the correction is not enough.
+const SMALL_NORM_ERROR: f64 = 1e-8;
 
 /// A solution less the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,11 +91,18 @@ variants!(Axes { EarthFixed, Geographic });
 pub struct Mechanization {
     earth: Earth,
     scheme: Scheme,
+    solution: Solution,
+}
+
+/// What changes from one update to the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Solution {
     axes: Axes,
     vertical: VerticalLoop,
 }
 
-stored!(Mechanization { axes, vertical } rebuilt { earth, scheme } then |navigator, _| navigator.check());
+stored!(Mechanization { solution } rebuilt { earth, scheme } then |navigator, _| navigator.check());
+stored!(Solution { axes, vertical });
 
 impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
@@ -112,90 +112,44 @@ impl Mechanization {
     /// 2e-6 of the distance at which a pole is passed (tests/hard_poles.rs), beyond it grows with the fourth power.
     pub const MAX_TURN_RAD: f64 = 0.01;
 
-    /// Change of velocity [m/s] and length [s] of an interval that leads from a safe solution to a good one.
-    pub const TAME_CHANGE_M_S: f64 = 50e3;
-    /// See [`Self::TAME_CHANGE_M_S`].
-    pub const TAME_INTERVAL_S: f64 = 2.5;
-
     /// Starts from `state`.
     pub fn new(earth: Earth, frame: Frame, scheme: Scheme, state: &EarthFixedState) -> Self {
         let axes = match frame {
             Frame::EarthFixed => Axes::EarthFixed(EarthFixed::new(&earth, state)),
             Frame::Geographic => Axes::Geographic(Geographic::new(&earth, state)),
         };
-        Self { earth, scheme, axes, vertical: VerticalLoop::new() }
+        Self { earth, scheme, solution: Solution { axes, vertical: VerticalLoop::new() } }
     }
 
-    /// Whether the solution is within its limits.
+    /// The solution, to which [`Self::set_solution`] goes back.
+    #[inline]
+    pub(crate) fn solution(&self) -> &Solution {
+        &self.solution
+    }
+
+    /// The solution is again the one that was kept.
+    pub(crate) fn set_solution(&mut self, solution: &Solution) {
+        self.solution = *solution;
+    }
+
+    /// Checks that the solution is within its limits. The comparisons fail for NaN too, which any of the sums keeps.
+    #[inline]
     pub fn check(&self) -> Result<(), Error> {
-        self.check_within(&LIMITS)
-    }
-
-    /// Whether the solution is so far within them that no tame interval leads beyond: of length `t` [s], with a change of the
-    /// velocity of at most `change_m_s`.
-    pub fn is_safe(&self, t: f64, change_m_s: f64) -> bool {
-        let turns_slowly = match &self.axes {
-            Axes::EarthFixed(_) => true,
-            Axes::Geographic(axes) => {
-                let distance = (axes.speed2().sqrt() + change_m_s) * t;
-                axes.turn_over(&self.earth, distance) < 0.5 * Self::MAX_TURN_RAD
-            }
-        };
-        turns_slowly && self.check_within(&SAFE).is_ok()
-    }
-
-    fn check_within(&self, bounds: &Bounds) -> Result<(), Error> {
-        let (height, speed2) = match &self.axes {
+        let (height, speed2, q) = match &self.solution.axes {
             Axes::EarthFixed(axes) => {
                 let state = axes.state();
-                // (r² - a²) / 2a, more than the height outside and less than 50 km from it inside, where it says enough.
-                let a = self.earth.equatorial_radius_m;
-                let mut height = (state.r_e.norm_squared() - a * a) / (2.0 * a);
-                let (low, high) = bounds.heights_m;
-                if !(height > low + 50e3 && height < high) {
-                    height = self.earth.vertical(&state.r_e).height_m;
-                }
-                (height, state.v_e.norm_squared())
+                (quick_height(&self.earth, &state.r_e), state.v_e.norm_squared(), state.q_eb)
             }
             Axes::Geographic(axes) => {
-                let cos = axes.cos_latitude();
-                if cos < bounds.cos_latitude {
-                    let words = "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least";
-                    let rule = Rule::WordsAnd(words, bounds.cos_latitude);
-                    return Err(Error::of(
-                        ErrorKind::Singular,
-                        "cosine of the navigated latitude",
-                        cos,
-                        rule,
-                    ));
-                }
-                let turn = axes.largest_turn();
-                if turn > Self::MAX_TURN_RAD {
-                    let words =
-                        "this close to a pole needs shorter updates or Earth-fixed axes; must be at most";
-                    let rule = Rule::WordsAnd(words, Self::MAX_TURN_RAD);
-                    return Err(Error::of(
-                        ErrorKind::Singular,
-                        "turn of the geographic axes in an update",
-                        turn,
-                        rule,
-                    ));
-                }
-                (axes.observe_vertical().0, axes.speed2())
+                axes.check()?;
+                (axes.observe_vertical().0, axes.speed2(), axes.q())
             }
         };
-        let diverged = |field, value, rule| Err(Error::of(ErrorKind::Diverged, field, value, rule));
-        // The comparisons are false for NaN too.
-        let (low, high) = bounds.heights_m;
-        let (height_is_good, speed_is_good) =
-            (height > low && height < high, speed2 < bounds.speed_m_s * bounds.speed_m_s);
-        if !height_is_good {
-            return diverged("navigated height_m", height, Rule::Between(low, high));
+        let norm_error = q.norm_squared() - 1.0;
+        if is_good(height, speed2) && norm_error.abs() <= MAX_NORM_ERROR {
+            return Ok(());
         }
-        if !speed_is_good {
-            return diverged("navigated speed_m_s", speed2.sqrt(), Rule::Below(bounds.speed_m_s));
-        }
-        Ok(())
+        diverged(height, speed2, norm_error)
     }
 
     /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.
@@ -205,7 +159,7 @@ impl Mechanization {
             Scheme::Paper => BodyMotion::paper(increments),
             Scheme::Polynomial => BodyMotion::polynomial(increments),
         };
-        match (self.scheme, &mut self.axes) {
+        match (self.scheme, &mut self.solution.axes) {
             (Scheme::Paper, Axes::EarthFixed(axes)) => axes.update_paper(&self.earth, &body, t),
             (Scheme::Paper, Axes::Geographic(axes)) => axes.update_paper(&self.earth, &body, t),
             (_, Axes::EarthFixed(axes)) => axes.update(&self.earth, &body, t),
@@ -216,28 +170,39 @@ impl Mechanization {
     /// Keeps the vertical channel, at the end of an interval of length `t` [s].
     pub fn aid_vertical(&mut self, aid: &VerticalAid, t: f64) {
         if *aid == VerticalAid::None {
-            return;
+            return self.solution.vertical.skip();
         }
-        let (height, velocity_up) = match &mut self.axes {
-            Axes::EarthFixed(axes) => axes.observe_vertical(&self.earth),
-            Axes::Geographic(axes) => axes.observe_vertical(),
-        };
-        let correction = match *aid {
-            VerticalAid::None => return,
+        let Solution { axes, vertical } = &mut self.solution;
+        let mut correct = |height: f64, velocity_up: f64| match *aid {
+            VerticalAid::None => VerticalCorrection::to_truth(0.0, 0.0, t),
             VerticalAid::Truth { height_m, velocity_up_m_s } => {
                 VerticalCorrection::to_truth(height_m - height, velocity_up_m_s - velocity_up, t)
             }
-            VerticalAid::Barometer { height_m } => self.vertical.correct(height - height_m, t),
+            VerticalAid::Barometer { height_m } => vertical.correct(height - height_m, t),
         };
-        match &mut self.axes {
-            Axes::EarthFixed(axes) => axes.shift_vertical(&self.earth, &correction),
-            Axes::Geographic(axes) => axes.shift_vertical(&self.earth, &correction),
+        match axes {
+            Axes::EarthFixed(axes) => {
+                let (up, height, velocity_up) = axes.observe_vertical(&self.earth);
+                axes.shift_vertical(&self.earth, &up, &correct(height, velocity_up));
+            }
+            Axes::Geographic(axes) => {
+                let (height, velocity_up) = axes.observe_vertical();
+                axes.shift_vertical(&self.earth, &correct(height, velocity_up));
+            }
+        }
+    }
+
+    /// Adds `dv_e` [m/s], Earth-fixed axes, to the velocity.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        match &mut self.solution.axes {
+            Axes::EarthFixed(axes) => axes.shift_velocity(dv_e),
+            Axes::Geographic(axes) => axes.shift_velocity(dv_e),
         }
     }
 
     /// The solution less `truth`.
     pub fn minus(&self, truth: &EarthFixedState) -> StateDifference {
-        match &self.axes {
+        match &self.solution.axes {
             Axes::EarthFixed(axes) => axes.minus(truth),
             Axes::Geographic(axes) => {
                 let state = axes.state(&self.earth);
@@ -248,7 +213,7 @@ impl Mechanization {
 
     /// The solution in Earth-fixed axes.
     pub fn state(&self) -> EarthFixedState {
-        match &self.axes {
+        match &self.solution.axes {
             Axes::EarthFixed(axes) => axes.state(),
             Axes::Geographic(axes) => axes.state(&self.earth),
         }
@@ -256,26 +221,58 @@ impl Mechanization {
 
     /// The solution in geographic terms.
     pub fn navigation(&self, axes: BodyAxes) -> Navigation {
-        match &self.axes {
+        match &self.solution.axes {
             Axes::EarthFixed(state) => state.state().navigation(&self.earth, axes),
             Axes::Geographic(state) => state.navigation(axes),
         }
     }
 }
 
-/// Refuses a quaternion that is none of a rotation.
-fn check_rotation(q: &Compensated<4>, from: &Reader<'_>) -> Result<(), Error> {
-    let norm2 = q.value.norm_squared();
-    if (norm2 - 1.0).abs() <= 1e-6 {
-        return Ok(());
-    }
-    Err(from.refused(norm2, Rule::Words("the attitude's quaternion must have the norm 1")))
+/// Checks the height and the speed of `state` as [`Mechanization::check`] does.
+pub(crate) fn check_state(earth: &Earth, state: &EarthFixedState) -> Result<(), Error> {
+    let (height, speed2) = (quick_height(earth, &state.r_e), state.v_e.norm_squared());
+    if is_good(height, speed2) { Ok(()) } else { diverged(height, speed2, 0.0) }
 }
 
-/// Adds what the norm of a quaternion lacks to 1, at once: along the quaternion of the next update, which can be turned by
-/// any angle from this one, it would be no correction.
+/// (r² - a²) / 2a, more than the height outside and less than 50 km from it inside, where it says enough; else the height [m].
+#[inline]
+fn quick_height(earth: &Earth, r_e: &Vector3<f64>) -> f64 {
+    let a = earth.equatorial_radius_m;
+    let height = (r_e.norm_squared() - a * a) / (2.0 * a);
+    let (low, high) = HEIGHTS_M;
+    if height > low + 50e3 && height < high { height } else { earth.vertical(r_e).height_m }
+}
+
+#[inline]
+fn is_good(height: f64, speed2: f64) -> bool {
+    let (low, high) = HEIGHTS_M;
+    height > low && height < high && speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S
+}
+
+#[cold]
+fn diverged(height: f64, speed2: f64, norm_error: f64) -> Result<(), Error> {
+    let (low, high) = HEIGHTS_M;
+    let (field, value, rule) = if !(height > low && height < high) {
+        ("navigated height_m", height, Rule::Between(low, high))
+    } else if speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S {
+        ("navigated attitude: squared norm of the quaternion", 1.0 + norm_error, Rule::Words("must be 1"))
+    } else {
+        ("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S))
+    };
+    Err(Error::of(ErrorKind::Diverged, field, value, rule))
+}
+
+/// Brings the norm of a quaternion to 1: adds what it lacks, at once, as along the quaternion of the next update, which can be
+/// turned by any angle from this one, it would be no correction.
+///
+/// Evidence: rotation vectors of 1e8 rad and more, of accepted sensors, have lost the digits that make a quaternion of them; the
+/// first order alone left a squared norm of 0.001.
 #[inline]
 fn renormalize(q: &mut Compensated<4>) {
-    let correction = 0.5 * (1.0 - q.value.norm_squared());
-    q.add(&(q.value * correction));
+    let lack = 1.0 - q.value.norm_squared();
+    if lack.abs() > SMALL_NORM_ERROR {
+        *q = Compensated::new(q.value / q.value.norm_squared().sqrt());
+    } else {
+        q.add(&(q.value * (0.5 * lack)));
+    }
 }

@@ -5,6 +5,7 @@ use crate::earth::Earth;
 use crate::math::exp_m1;
 use crate::snapshot::{codes, stored};
 use crate::state::EarthFixedState;
+use crate::truth::INTERVALS_S;
 
 /// How the vertical channel is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -72,20 +73,33 @@ impl VerticalAid {
 }
 
 /// Third-order barometric loop (Kayton and Fried 1997, §7.5): with e = height - barometric height,
-/// h' = v - c1 e, v' = a - c2 e - d, d' = c3 e; c1 = 3/τ, c2 = 3/τ² + 2 g/R, c3 = 1/τ³: all three poles at -1/τ.
+/// h' = v - c1 e, v' = a - c2 e - d, d' = c3 e; c1 = 3/τ, c2 = 3/τ² + κ, c3 = 1/τ³: all three poles at -1/τ, where κ = 2 g/R
+/// of gravity makes the free channel unstable.
 ///
-/// In steps of t with the gains whose poles are those of the continuous loop, exp(-t/τ), so that no interval is too long:
-/// with q = 1 - exp(-t/τ), c1 t = q (3 - 3 q + q²), c2 t = 3/2 q² (2 - q)/t + 2 g/R t, c3 t = q³/t².
+/// In steps of any length t: between two samples the navigator is free, and e'' = κ e + d as long as d is what it has wrong. The
+/// residuals e0 and e1 at both ends tell e' at the start. From there the loop leads (e, e', d) as Φ of its poles where freedom
+/// leads them as F, and the correction is Φ - F of (e0, e0'), less what d has done:
+/// ```text
+/// F = | C    S  |    Φ = exp(-x) | 1 - 2 x + x²/2    t (1 - x/2) |    e0' = (e1 - C e0 - d (C - 1)/κ)/S
+///     | κ S  C  |                | (x² - 3 x)/τ      1 + x - x²  |    by d: d (C - 1)/κ in height,
+///     | 0    0  |                | (x - x²/2)/τ²     x²/(2 τ)    |          d S in velocity
+/// ```
+/// x = t/τ, C = cosh(√κ t), S = sinh(√κ t)/√κ. What else bends e within the interval, an acceleration a that is not yet in d, is
+/// missed by (a - d) t²/12: of second order (`tests/vertical_loop.rs`). Where there was no residual before, e0 is e1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalLoop {
     /// d, the estimate of the vertical channel's constant error [m/s²].
     bias_m_s2: f64,
-    /// Length of the interval [s] that the gains c1 t [1], c2 t [1/s], c3 t [1/s²] are for; 0: for none yet.
+    /// e at the last sample, as corrected [m].
+    residual_m: f64,
+    /// Length of the interval [s] that the gains are for; 0: there was no residual before, and there are no gains.
     t: f64,
-    gains: [f64; 3],
+    /// Rows for the corrections of height [m] and velocity [m/s] and for the change of d [m/s²], of e0, e1 and d.
+    gains: [[f64; 3]; 3],
 }
 
-stored!(VerticalLoop { bias_m_s2: 1e15, t: 1e3 } rebuilt { gains } then |channel, _| {
+stored!(VerticalLoop { bias_m_s2: 1e30, residual_m: 1e30, t: INTERVALS_S.1 } rebuilt { gains } then |channel, from| {
+    from.require(channel.t == 0.0 || channel.t >= INTERVALS_S.0, channel.t, "is no interval")?;
     if channel.t > 0.0 {
         channel.set_interval(channel.t);
     }
@@ -118,40 +132,67 @@ impl VerticalCorrection {
 impl VerticalLoop {
     /// τ [s]
     pub const TIME_CONSTANT_S: f64 = 100.0;
-    /// 2 g/R [1/s²], which makes the free channel unstable.
-    const GRAVITY_GRADIENT: f64 = 3.08e-6;
+    /// κ = 2 g/R [1/s²].
+    pub const GRAVITY_GRADIENT: f64 = 3.08e-6;
 
     /// A loop that has found no error yet.
     pub fn new() -> Self {
-        Self { bias_m_s2: 0.0, t: 0.0, gains: [0.0; 3] }
+        Self { bias_m_s2: 0.0, residual_m: 0.0, t: 0.0, gains: [[0.0; 3]; 3] }
     }
 
-    /// Corrections for a residual `residual_m` = height - barometric height over an interval `t` [s].
+    /// Corrections for a residual `residual_m` = height - barometric height at the end of an interval `t` [s].
     #[inline]
     pub fn correct(&mut self, residual_m: f64, t: f64) -> VerticalCorrection {
         // Time stamps differ in their last digits.
         if (t - self.t).abs() > 1e-7 * t {
+            if self.t == 0.0 {
+                self.residual_m = residual_m;
+            }
             self.set_interval(t);
         }
-        let [c1, c2, c3] = self.gains;
-        let correction = VerticalCorrection {
-            height_m: -c1 * residual_m,
-            velocity_up_m_s: -(c2 * residual_m + self.bias_m_s2 * t),
-            displacement_m: 0.0,
-        };
-        self.bias_m_s2 += c3 * residual_m;
-        correction
+        let [height_m, velocity_up_m_s, bias_m_s2] = self
+            .gains
+            .map(|[start, end, bias]| start * self.residual_m + end * residual_m + bias * self.bias_m_s2);
+        self.bias_m_s2 += bias_m_s2;
+        self.residual_m = residual_m + height_m;
+        VerticalCorrection { height_m, velocity_up_m_s, displacement_m: 0.0 }
+    }
+
+    /// No barometric height at the end of an interval: the next residual has none before it.
+    #[inline]
+    pub fn skip(&mut self) {
+        self.t = 0.0;
     }
 
     #[cold]
     fn set_interval(&mut self, t: f64) {
-        let q = -exp_m1(-t / Self::TIME_CONSTANT_S);
-        self.t = t;
-        self.gains = [
-            q * (3.0 - q * (3.0 - q)),
-            1.5 * q * q * (2.0 - q) / t + Self::GRAVITY_GRADIENT * t,
-            q * q * q / (t * t),
+        let lambda = 1.0 / Self::TIME_CONSTANT_S;
+        let (x, kappa) = (t * lambda, Self::GRAVITY_GRADIENT);
+        // Less 1, so that the differences of short intervals keep their digits.
+        let decay_less_1 = exp_m1(-x);
+        let decay = 1.0 + decay_less_1;
+        let growth_less_1 = exp_m1(kappa.sqrt() * t);
+        let growth = 1.0 + growth_less_1;
+        let cosh_less_1 = growth_less_1 * growth_less_1 / (2.0 * growth);
+        let sinh = 0.5 * (growth_less_1 + growth_less_1 / growth) / kappa.sqrt();
+        // exp(-x) (1 + y) - 1
+        let decayed = |y: f64| decay_less_1 + decay * y;
+        let half_x2 = 0.5 * x * x;
+        // Rows of Φ - F, and what d does to the free channel.
+        let rows = [
+            (
+                decayed(half_x2 - 2.0 * x) - cosh_less_1,
+                decay * t * (1.0 - 0.5 * x) - sinh,
+                cosh_less_1 / kappa,
+            ),
+            (decay * lambda * (x * x - 3.0 * x) - kappa * sinh, decayed(x - x * x) - cosh_less_1, sinh),
+            (decay * lambda * lambda * (x - half_x2), decay * lambda * half_x2, 0.0),
         ];
+        self.t = t;
+        self.gains = rows.map(|(of_e, of_rate, by_bias)| {
+            let end = of_rate / sinh;
+            [of_e - end * (1.0 + cosh_less_1), end, -by_bias - end * cosh_less_1 / kappa]
+        });
     }
 }
 

@@ -7,8 +7,8 @@ use crate::earth::Earth;
 use crate::math::{
     Euler, VectorPair, relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_vector,
 };
-use crate::signal::{Increment, IntervalMotion, MotionNode};
-use crate::snapshot::stored;
+use crate::signal::{DERIVATIVES, Increment, IntervalMotion, MotionNode};
+use crate::snapshot::{SIGNALS, stored};
 use crate::state::{BodyAxes, EarthFixedState};
 use crate::truth::TruthPoint;
 
@@ -26,7 +26,7 @@ pub struct Block {
     gyro_error_s: Vector3<f64>,
 }
 
-stored!(Block { rate_b: 1e6, gyro_error_s: 1e9 } rebuilt { earth_rate, placement, believed, to_block });
+stored!(Block { rate_b: DERIVATIVES, gyro_error_s: SIGNALS } rebuilt { earth_rate, placement, believed, to_block });
 
 /// Where an INS takes its block to sit, and how it takes it to turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,41 +88,42 @@ impl Block {
 
     /// Makes of the reference point's `increments` over the interval of `motion`, which begins at `start`, those of the block.
     ///
-    /// While the generator's stencil still grows, its rate jumps by J from one interval to the next. The arm's velocity is
-    /// ω×l at each sample all the same: over the interval it goes over evenly, from (ω + J)×l.
+    /// Where the generator has revised the rate at the start, the block has had another velocity there: gives how much more it is
+    /// [m/s], Earth-fixed axes. No sensor has felt that: what navigates the block takes it over.
     #[inline(never)]
     pub fn mount(
         &mut self,
         earth: &Earth,
         motion: &IntervalMotion<'_>,
         start: &TruthPoint,
+        start_is_revised: bool,
         increments: &mut [Increment],
-    ) {
+    ) -> Option<Vector3<f64>> {
         let arm_b = &self.placement.arm_b;
+        let revised_e = start_is_revised.then(|| {
+            let before = core::mem::replace(&mut self.rate_b, motion.angular_rate(0.0));
+            start.to_earth * (self.rate_b - before).cross(arm_b)
+        });
         let part = 1.0 / increments.len() as f64;
         let dt = motion.interval_s * part;
-        let mut rate_b = motion.angular_rate(0.0);
-        let jump_b = (self.rate_b - rate_b).cross(arm_b);
         for (m, increment) in increments.iter_mut().enumerate() {
             let (middle, end) = ((m as f64 + 0.5) * part, (m as f64 + 1.0) * part);
             let end_rate_b = motion.angular_rate(end);
-            let mean_b = increment.angle / dt;
-            let felt = lever_arm_velocity(&(end_rate_b - rate_b), &mean_b, dt, arm_b);
-            let felt_of_jump = mean_b.cross(&jump_b) * ((1.0 - middle) * dt) - jump_b * part;
+            let felt = lever_arm_velocity(&(end_rate_b - self.rate_b), &(increment.angle / dt), dt, arm_b);
             let to_earth = motion.to_earth(middle);
             let gravitation_b = to_earth.tr_mul(&gravitation_along(earth, start, &(to_earth * arm_b)));
             *increment = Increment {
                 angle: self.to_block * increment.angle,
-                velocity: self.to_block * (increment.velocity + felt + felt_of_jump - gravitation_b * dt),
+                velocity: self.to_block * (increment.velocity + felt - gravitation_b * dt),
             };
-            rate_b = end_rate_b;
+            self.rate_b = end_rate_b;
         }
-        self.rate_b = rate_b;
+        revised_e
     }
 
-    /// Turns increments of velocity [m/s] from body axes to the block's.
-    pub fn in_block_axes(&self, velocity_b: &Vector3<f64>) -> Vector3<f64> {
-        self.to_block * velocity_b
+    /// Turns a vector from body axes to the block's.
+    pub fn in_block_axes(&self, vector_b: &Vector3<f64>) -> Vector3<f64> {
+        self.to_block * vector_b
     }
 
     /// Turns a vector from the block's axes to body axes.

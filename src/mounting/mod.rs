@@ -21,6 +21,7 @@ use nalgebra::Vector3;
 use crate::error::{Error, check_range, check_ranges};
 use crate::math::Euler;
 use crate::snapshot::{ANY, stored};
+use crate::truth::FlightSample;
 
 /// Where the sensor block sits, and what the INS believes of it: the sum of the true and of its error, arm by arm and angle
 /// by angle. All zero is a block at the reference point, along the body axes.
@@ -44,9 +45,14 @@ impl MountingParameters {
         const ARM_M: f64 = 100.0;
         let pi = core::f64::consts::PI;
         check_ranges("mounting.lever_arm_m", self.lever_arm_m.as_slice(), -ARM_M, ARM_M)?;
-        check_angles("mounting.boresight_rad", &self.boresight, 1e4)?;
+        check_angles("mounting.boresight_rad", &self.boresight, FlightSample::MAX_ANGLE_RAD)?;
         check_ranges("mounting.lever_arm_error_m", self.lever_arm_error_m.as_slice(), -ARM_M, ARM_M)?;
         check_angles("mounting.boresight_error_rad", &self.boresight_error, pi)
+    }
+
+    /// The same mounting, of which the INS believes the truth.
+    pub(crate) fn believed(&self) -> Self {
+        Self { lever_arm_m: self.lever_arm_m, boresight: self.boresight, ..Self::default() }
     }
 
     /// Whether the INS believes the truth.
@@ -60,4 +66,29 @@ fn check_angles(field: &'static str, angles: &Euler, limit: f64) -> Result<(), E
         check_range(field, angle, -limit, limit).map_err(|error| error.at(index))?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As an attitude of a flight sample: any number of turns, as far as an angle has its digits.
+    #[test]
+    fn boresight_angles_have_the_range_of_a_samples_attitude() {
+        let turned = |heading| MountingParameters {
+            boresight: Euler { heading, ..Euler::default() },
+            ..MountingParameters::default()
+        };
+        let limit = FlightSample::MAX_ANGLE_RAD;
+        for heading in [limit, -limit] {
+            assert_eq!(turned(heading).validate(), Ok(()));
+            let mut sample = FlightSample { euler: turned(heading).boresight, ..FlightSample::default() };
+            assert_eq!(sample.validate(), Ok(()));
+            sample.euler.heading *= 1.0 + f64::EPSILON;
+            assert!(sample.validate().is_err());
+            let refused = turned(heading * (1.0 + f64::EPSILON)).validate().unwrap_err();
+            assert!(refused.to_string().starts_with("mounting.boresight_rad[2] = "), "{refused}");
+            assert!(refused.to_string().ends_with(": must be from -10000 to 10000"), "{refused}");
+        }
+    }
 }

@@ -1,9 +1,8 @@
 //! The cheapest algorithm that meets a requirement.
 
-use super::{Growth, Piece, Reference, Refusal, Requirement, Rung, SolutionError, ladder};
+use super::{Growth, Piece, Reference, Refusal, Requirement, Rung, Setup, SolutionError, ladder};
 use crate::error::{Error, ErrorKind};
 use crate::memory::room;
-use crate::simulator::Options;
 use crate::truth::FlightSample;
 
 /// An algorithm and what it gives.
@@ -25,8 +24,8 @@ pub struct Recommendation {
     pub tried: usize,
 }
 
-/// The first algorithm of the [`ladder`] that meets `requirement`, by a piece of the host's flight: all that are cheaper do
-/// not. If none does: the one that takes up the smallest share of the requirement, of two that take up the same the cheaper.
+/// The first algorithm of the [`ladder`] that meets `requirement` in `setup`, by a piece of the host's flight: all that are
+/// cheaper do not. If none does: the one that takes up the smallest share of the requirement, of two that take up the same the cheaper.
 ///
 /// The algorithms are judged by the error that they make on ideal signals, so neither sensor errors nor a host whose position,
 /// velocity and attitude contradict each other come in; with a closed loop, which would hide that error, on the signals
@@ -34,17 +33,17 @@ pub struct Recommendation {
 ///
 /// 25 to 70 µs a sample, up to 0.4 ms where nothing meets the requirement (2.8 GHz Xeon).
 pub fn recommend(
-    options: &Options,
+    setup: &Setup,
     samples: &[FlightSample],
     requirement: &Requirement,
 ) -> Result<Recommendation, Refusal> {
     requirement.validate()?;
-    let piece = Piece::new(options, samples)?;
+    let piece = Piece::new(&setup.options, samples)?;
     let duration_s = if requirement.duration_s > 0.0 { requirement.duration_s } else { piece.duration_s };
-    let growth = Growth::new(&piece, duration_s, options.vertical);
+    let growth = Growth::new(&piece, duration_s, setup.options.vertical);
     let mut instants = room(samples.len())?;
     instants.extend(1..samples.len());
-    let reference = Reference::new(options, samples, &instants)?;
+    let reference = Reference::new(setup, samples, &instants)?;
     drop(instants);
 
     let predict = |error: &SolutionError| growth.of(&error.plus(&reference.uncertainty));
@@ -52,11 +51,11 @@ pub fn recommend(
     let mut best: Option<Recommendation> = None;
     let mut refused = Refusal::from(Error::bad_state("no algorithm flies this piece"));
     let mut tried = 0;
-    for rung in ladder(options.frame) {
+    for rung in ladder(setup.options.frame) {
         tried += 1;
         // No better than what there is: neither an answer nor the best.
         let bound = best.map_or(f64::INFINITY, |best| best.share);
-        let error = reference.error_of(&rung.applied_to(options), samples, |error| share(error) >= bound);
+        let error = reference.error_of(&setup.with(&rung), samples, |error| share(error) >= bound);
         let error = match error {
             Ok(error) => error,
             // A coarse algorithm may lose itself, or turn too far in an update near a pole, where a finer one does not.

@@ -7,6 +7,7 @@ mod ladder;
 mod piece;
 mod reference;
 mod requirement;
+mod setup;
 mod timing;
 
 pub use choice::{Recommendation, recommend};
@@ -14,7 +15,8 @@ pub use growth::Growth;
 pub use ladder::{Rung, ladder};
 pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Piece, Refusal};
 pub(crate) use reference::fly_looking;
-pub use reference::{Reference, SolutionError, Track, fly, track};
+pub use reference::{Reference, SolutionError, Track, track};
 pub use requirement::Requirement;
+pub use setup::Setup;
 pub(crate) use timing::round_ns;
 pub use timing::step_time_ns;

@@ -56,7 +56,7 @@ impl Piece {
     pub fn new(options: &Options, samples: &[FlightSample]) -> Result<Self, Refusal> {
         options.validate()?;
         check_range("count", samples.len() as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
-        let mut intake = Intake::new(options.earth(), options.axes, options.intake);
+        let mut intake = Intake::new(options.earth(), options.axes, options.intake)?;
         let mut first: Option<(f64, Vector3<f64>)> = None;
         let mut piece = Self { duration_s: 0.0, speed_m_s: 0.0, velocity_change_m_s: 0.0 };
         let mut add = |point: &TruthPoint| {

@@ -2,12 +2,12 @@
 
 use core::ops::ControlFlow;
 
-use super::{Refusal, Rung};
+use super::{Refusal, Rung, Setup};
 use crate::error::Error;
 use crate::math::{relative_rotation, rotation_vector};
 use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme};
 use crate::memory::room;
-use crate::simulator::{MAX_UPDATES, Options, Simulator, Step, heap_simulator};
+use crate::simulator::{MAX_UPDATES, Simulator, Step};
 use crate::state::EarthFixedState;
 use crate::truth::FlightSample;
 
@@ -43,10 +43,12 @@ impl SolutionError {
     }
 
     /// The largest share of a limit that it takes up, of those that are not 0.
+    ///
+    /// A limit below 1e-100 counts as 1e-100: no solution is so good, and the share of the largest predicted error stays finite.
     pub fn share_of(&self, limits: &Self) -> f64 {
         let errors = [self.position_m, self.velocity_m_s, self.attitude_rad];
         let limits = [limits.position_m, limits.velocity_m_s, limits.attitude_rad];
-        let share = |(error, limit): (f64, f64)| if limit > 0.0 { error / limit } else { 0.0 };
+        let share = |(error, limit): (f64, f64)| if limit > 0.0 { error / limit.max(1e-100) } else { 0.0 };
         errors.into_iter().zip(limits).map(share).fold(0.0, f64::max)
     }
 
@@ -98,15 +100,8 @@ pub(crate) fn fly_looking(
     Ok(())
 }
 
-/// Flies `samples` with ideal sensors and looks at the navigated solution at each of `instants`, indices of samples that
-/// ascend from 1.
-pub fn fly(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Track, Refusal> {
-    let mut memory = heap_simulator(options)?;
-    let [simulator] = &mut *memory else { return Ok(Track { states: Vec::new() }) };
-    track(simulator, samples, instants)
-}
-
-/// The same with a simulator before its first sample, which may have sensor errors set.
+/// Flies `samples` with a simulator before its first sample and looks at the navigated solution at each of `instants`, indices
+/// of samples that ascend from 1.
 pub fn track(
     simulator: &mut Simulator,
     samples: &[FlightSample],
@@ -141,30 +136,35 @@ impl Reference {
     const ROUNDING: SolutionError =
         SolutionError { position_m: 5.7e-9, velocity_m_s: 7.1e-12, attitude_rad: 8.9e-16 };
 
-    /// The polynomial scheme with the most subsamples and updates in Earth-fixed axes, on the physical signals; only sensor
-    /// axes, Earth, gravity, vertical channel and time base of `options` count.
+    /// The polynomial scheme with the most subsamples and updates in Earth-fixed axes, on the physical signals; only mounting,
+    /// sensor axes, Earth, gravity, vertical channel and time base of `setup` count.
     ///
     /// In geographic axes the same comes out within the uncertainty, at 1.3 times the cost.
-    pub fn new(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Refusal> {
+    pub fn new(setup: &Setup, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Refusal> {
         let finest =
             Rung { scheme: Scheme::Polynomial, subsamples: MAX_SUBSAMPLES, updates_per_sample: MAX_UPDATES };
         let coarser = Rung { updates_per_sample: MAX_UPDATES / 2, ..finest };
-        let options = Options { frame: Frame::EarthFixed, ..physical(options) };
-        let track = fly(&finest.applied_to(&options), samples, instants)?;
-        let change = fly(&coarser.applied_to(&options), samples, instants)?.minus(&track);
+        let mut setup = setup.physical();
+        setup.options.frame = Frame::EarthFixed;
+        let fly = |rung: &Rung| match &mut *setup.with(rung).simulator()? {
+            [simulator] => track(simulator, samples, instants),
+            _ => Ok(Track { states: Vec::new() }),
+        };
+        let track = fly(&finest)?;
+        let change = fly(&coarser)?.minus(&track);
         Ok(Self { track, uncertainty: change.plus(&Self::ROUNDING) })
     }
 
-    /// The worst difference of the solution of `options` on the physical signals, where this one was looked at at each of
+    /// The worst difference of the solution of `setup` on the physical signals, where this one was looked at at each of
     /// `samples`; the worst until then if `give_up` answers that it is bad enough.
     pub(super) fn error_of(
         &self,
-        options: &Options,
+        setup: &Setup,
         samples: &[FlightSample],
         mut give_up: impl FnMut(&SolutionError) -> bool,
     ) -> Result<SolutionError, Refusal> {
-        let earth = options.earth();
-        let mut memory = heap_simulator(&physical(options))?;
+        let earth = setup.options.earth();
+        let mut memory = setup.physical().simulator()?;
         let mut worst = SolutionError::default();
         let [simulator] = &mut *memory else { return Ok(worst) };
         let mut states = self.track.states.iter();
@@ -176,9 +176,4 @@ impl Reference {
         })?;
         Ok(worst)
     }
-}
-
-/// `options` without what holds the navigation to the truth, or does not take part in it.
-fn physical(options: &Options) -> Options {
-    Options { closed_loop_time_s: None, error_model: false, ..*options }
 }

@@ -2,8 +2,9 @@
 
 use std::time::{Duration, Instant};
 
+use super::Setup;
 use crate::error::Error;
-use crate::simulator::{Options, Simulator, heap_simulator};
+use crate::simulator::Simulator;
 use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.
@@ -14,10 +15,11 @@ const STEPS: usize = 1000;
 /// Time of a step of the whole chain with ideal sensors, push and step, over the first samples [ns].
 ///
 /// The one figure here that is not the same every time.
-pub fn step_time_ns(options: &Options, samples: &[FlightSample]) -> Result<f64, Error> {
+#[inline(never)]
+pub fn step_time_ns(setup: &Setup, samples: &[FlightSample]) -> Result<f64, Error> {
     let stretch = &samples[..samples.len().min(STEPS + 1)];
     let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
-    let mut memory = heap_simulator(options)?;
+    let mut memory = setup.simulator()?;
     let [simulator] = &mut *memory else { return Ok(0.0) };
     let mut rounds = [0.0; ROUNDS];
     for round in &mut rounds {

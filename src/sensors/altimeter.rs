@@ -3,11 +3,12 @@
 use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::gauss_markov::MarkovStep;
+use super::kept::Kept;
 use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use super::validation::check_markov_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
-use crate::snapshot::{ANY, stored};
+use crate::snapshot::{ANY, SIGNALS, stored};
 
 /// Errors of the barometric height. All zero is an ideal altimeter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -57,24 +58,31 @@ pub struct Altimeter {
     markov_step: MarkovStep,
     lag_decay: f64,
     /// Gauss-Markov process of unit variance.
-    x: f64,
-    markov: Stream,
-    noise: Stream,
-    /// True height of the last sample and height behind the lag [m].
-    height_m: f64,
+    x: Kept<f64>,
+    markov: Kept<Stream>,
+    noise: Kept<Stream>,
+    heights: Kept<Heights>,
+    failing: Kept<FailingOutput>,
+}
+
+/// Heights that the altimeter remembers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Heights {
+    /// True height of the last sample [m].
+    true_m: f64,
+    /// Height behind the lag [m].
     lagged_m: f64,
     /// The last indication since the start or a jump of the truth [m].
     indicated_m: Option<f64>,
-    failing: FailingOutput,
 }
+
+stored!(Heights { true_m: 1e9, lagged_m: 1e9, indicated_m: SIGNALS });
 
 stored!(Altimeter {
     x: DEVIATES,
     markov,
     noise,
-    height_m: 1e9,
-    lagged_m: 1e9,
-    indicated_m: 1e12,
+    heights,
     failing,
 } rebuilt {
     parameters, is_ideal, dt, markov_step, lag_decay,
@@ -96,13 +104,11 @@ impl Altimeter {
             dt: 0.0,
             markov_step: MarkovStep::NONE,
             lag_decay: 0.0,
-            x,
-            markov,
-            noise,
-            height_m,
-            lagged_m: height_m,
-            indicated_m: None,
-            failing: FailingOutput::new(key, Source::Altimeter, 0),
+            x: Kept::new(x),
+            markov: Kept::new(markov),
+            noise: Kept::new(noise),
+            heights: Kept::new(Heights { true_m: height_m, lagged_m: height_m, indicated_m: None }),
+            failing: Kept::new(FailingOutput::new(key, Source::Altimeter, 0)),
         }
     }
 
@@ -141,7 +147,7 @@ impl Altimeter {
 
     /// Takes a failure, or clears it.
     pub fn set_failure(&mut self, failure: Option<Failure>) {
-        self.failing.set(failure, self.indicated_m);
+        self.failing.set(failure, self.heights.indicated_m);
         self.decide();
     }
 
@@ -157,24 +163,31 @@ impl Altimeter {
 
     /// The truth jumped to `height_m`: the lag settles there at once, and nothing has been shown.
     pub fn reposition(&mut self, height_m: f64) {
-        self.settle(height_m);
-        self.indicated_m = None;
+        *self.heights = Heights { true_m: height_m, lagged_m: height_m, indicated_m: None };
     }
 
-    fn settle(&mut self, height_m: f64) {
-        self.height_m = height_m;
-        self.lagged_m = height_m;
-    }
-
-    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal.
+    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal. [`Self::undo`]
+    /// takes it back.
     #[inline]
     pub fn sense(&mut self, height_m: f64, dt: f64) -> Option<f64> {
+        self.heights.keep();
         if !self.is_ideal && !cfg!(sins_without = "altimeter") {
             return self.indicated(height_m, dt);
         }
-        self.settle(height_m);
-        self.indicated_m = Some(height_m);
-        self.indicated_m
+        let indicated_m = Some(height_m);
+        *self.heights = Heights { true_m: height_m, lagged_m: height_m, indicated_m };
+        indicated_m
+    }
+
+    /// Takes the last indication back.
+    pub fn undo(&mut self) {
+        self.heights.undo();
+        if !self.is_ideal {
+            self.x.undo();
+            self.markov.undo();
+            self.noise.undo();
+            self.failing.undo();
+        }
     }
 
     #[inline(never)]
@@ -182,20 +195,26 @@ impl Altimeter {
         if dt != self.dt {
             self.set_interval(dt);
         }
+        self.x.keep();
+        self.markov.keep();
+        self.noise.keep();
+        self.failing.keep();
         let p = &self.parameters;
         // Lag of a height that ran straight from the last sample to this, exactly.
+        let heights = &mut *self.heights;
         if p.lag_s > 0.0 {
-            let behind = (height_m - self.height_m) / dt * p.lag_s;
-            self.lagged_m = height_m - behind + (self.lagged_m - self.height_m + behind) * self.lag_decay;
+            let behind = (height_m - heights.true_m) / dt * p.lag_s;
+            heights.lagged_m =
+                height_m - behind + (heights.lagged_m - heights.true_m + behind) * self.lag_decay;
         } else {
-            self.lagged_m = height_m;
+            heights.lagged_m = height_m;
         }
-        self.height_m = height_m;
+        heights.true_m = height_m;
 
-        let mut indicated = self.lagged_m + p.bias_m + p.scale_factor * self.lagged_m;
+        let mut indicated = heights.lagged_m + p.bias_m + p.scale_factor * heights.lagged_m;
         if p.markov_sigma_m > 0.0 {
             self.markov_step.advance(&mut self.x, &mut self.markov);
-            indicated += p.markov_sigma_m * self.x;
+            indicated += p.markov_sigma_m * *self.x;
         }
         if p.noise_m > 0.0 {
             indicated += p.noise_m * self.noise.normal();
@@ -203,8 +222,8 @@ impl Altimeter {
         if self.failing.has_failed() {
             return self.failed(indicated, dt);
         }
-        self.indicated_m = Some(indicated);
-        self.indicated_m
+        self.heights.indicated_m = Some(indicated);
+        self.heights.indicated_m
     }
 
     /// What the failure makes of `indicated_m` [m] over the `dt` [s] before: of spikes and noise their mean.
@@ -213,7 +232,7 @@ impl Altimeter {
         self.failing.begin_interval(dt);
         let with_added = indicated_m + self.failing.added(dt) / dt;
         let shown = (!self.failing.is_silent()).then(|| self.failing.replaced(1.0, with_added));
-        self.indicated_m = shown.or(self.indicated_m);
+        self.heights.indicated_m = shown.or(self.heights.indicated_m);
         shown
     }
 }

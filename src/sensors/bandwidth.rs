@@ -2,10 +2,11 @@
 
 use nalgebra::Vector3;
 
+use super::kept::Kept;
 use super::parameters::TriadParameters;
 use crate::error::Error;
 use crate::math::{exp, sin_cos};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
 
 /// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is taken constant over
 /// each increment, at its mean; for that the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
@@ -31,10 +32,10 @@ struct Filter {
     cos: f64,
     sin: f64,
     /// y, w [u]; none before the first increment.
-    state: Option<(f64, f64)>,
+    state: Kept<Option<(f64, f64)>>,
 }
 
-stored!(Filter { state: 1e12 } rebuilt { rate, cos, sin });
+stored!(Filter { state: SIGNALS } rebuilt { rate, cos, sin });
 
 /// Which axes have a filter follows from the parameters.
 impl Stored for Bandwidth {
@@ -55,7 +56,7 @@ const NOTHING: f64 = 1e-300;
 impl Filter {
     fn new(bandwidth_hz: f64) -> Self {
         let rate = core::f64::consts::SQRT_2 * core::f64::consts::PI * bandwidth_hz;
-        Self { rate, cos: 1.0, sin: 0.0, state: None }
+        Self { rate, cos: 1.0, sin: 0.0, state: Kept::new(None) }
     }
 
     fn set_interval(&mut self, dt: f64) {
@@ -73,7 +74,7 @@ impl Filter {
         let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
         let y1 = flush(u + ((self.cos + self.sin) * e + self.sin * w));
         let w1 = flush((self.cos - self.sin) * w - 2.0 * self.sin * e);
-        self.state = Some((y1, w1));
+        *self.state = Some((y1, w1));
         felt - ((y1 - y) + 0.5 * (w1 - w)) / self.rate
     }
 }
@@ -86,7 +87,7 @@ impl Bandwidth {
     /// Takes parameters; whether they call for the effect. Another bandwidth goes on from the state of the old one.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         for (filter, &bandwidth_hz) in self.axes.iter_mut().zip(parameters.bandwidth_hz.iter()) {
-            let state = filter.and_then(|filter| filter.state);
+            let state = filter.map_or(Kept::new(None), |filter| filter.state);
             *filter = (bandwidth_hz != 0.0).then(|| Filter { state, ..Filter::new(bandwidth_hz) });
         }
         self.axes.iter().any(Option::is_some)
@@ -99,7 +100,7 @@ impl Bandwidth {
 
     /// The signal jumps: the steady state of the next increment.
     pub fn reposition(&mut self) {
-        self.axes.iter_mut().flatten().for_each(|filter| filter.state = None);
+        self.axes.iter_mut().flatten().for_each(|filter| *filter.state = None);
     }
 
     /// Acts on an increment over `dt` [s].
@@ -110,5 +111,15 @@ impl Bandwidth {
                 *felt = filter.filtered(dt, *felt);
             }
         }
+    }
+
+    /// An interval begins, which [`Self::undo`] takes back.
+    pub fn keep(&mut self) {
+        self.axes.iter_mut().flatten().for_each(|filter| filter.state.keep());
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.axes.iter_mut().flatten().for_each(|filter| filter.state.undo());
     }
 }

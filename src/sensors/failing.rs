@@ -3,9 +3,10 @@
 use nalgebra::Vector3;
 
 use super::failure::{Axis, Failure, SensorOutput};
+use super::kept::Kept;
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
+use crate::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
 
 /// Share of a sample interval by which a loss may be early for the interval: sums of intervals round.
 const SLACK: f64 = 1e-6;
@@ -53,7 +54,7 @@ impl Stored for FailingOutput {
         if kind & FAILED != 0 {
             failure.insert(Failure::default()).load(from)?;
             Numbers::load(phase_s, from, 1e12)?;
-            Numbers::load(held, from, 1e12)?;
+            Numbers::load(held, from, SIGNALS)?;
         }
         if *has_drawn {
             stream.load(from)?;
@@ -95,11 +96,6 @@ impl FailingOutput {
     /// Whether there is a failure.
     pub fn has_failed(&self) -> bool {
         self.failure.is_some()
-    }
-
-    /// Whether a step has nothing to fear of its failure, if it has one.
-    pub fn is_tame(&self) -> bool {
-        self.failure.is_none_or(|failure| failure.is_tame())
     }
 
     /// Whether the output has no signal in this interval.
@@ -161,14 +157,14 @@ impl FailingOutput {
 /// The outputs of a triad.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FailingTriad {
-    outputs: [FailingOutput; 3],
+    outputs: Kept<[FailingOutput; 3]>,
 }
 
 stored!(FailingTriad { outputs });
 
 impl FailingTriad {
     pub fn new(key: StreamKey, source: Source) -> Self {
-        Self { outputs: [0, 1, 2].map(|axis| FailingOutput::new(key, source, axis)) }
+        Self { outputs: Kept::new([0, 1, 2].map(|axis| FailingOutput::new(key, source, axis))) }
     }
 
     /// Takes a failure of one axis, as [`FailingOutput::set`].
@@ -183,7 +179,7 @@ impl FailingTriad {
 
     /// Checks each failure; `output` makes of an axis what fails.
     pub fn check(&self, output: fn(Axis) -> SensorOutput) -> Result<(), Error> {
-        let [x, y, z] = &self.outputs;
+        let [x, y, z] = &*self.outputs;
         x.check(output(Axis::X))?;
         y.check(output(Axis::Y))?;
         z.check(output(Axis::Z))
@@ -199,19 +195,20 @@ impl FailingTriad {
         self.failures().any(|failure| !failure.is_added())
     }
 
-    /// Whether a step has nothing to fear of the failures.
-    pub fn are_tame(&self) -> bool {
-        self.outputs.iter().all(FailingOutput::is_tame)
-    }
-
     /// Whether an output has no signal in this interval.
     pub fn are_silent(&self) -> bool {
         self.outputs.iter().any(FailingOutput::is_silent)
     }
 
-    /// A sample interval of `t` [s] begins.
+    /// A sample interval of `t` [s] begins, which [`Self::undo`] takes back.
     pub fn begin_interval(&mut self, t: f64) {
+        self.outputs.keep();
         self.outputs.iter_mut().for_each(|output| output.begin_interval(t));
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.outputs.undo();
     }
 
     /// Adds what failures add over `dt` [s].

@@ -130,17 +130,6 @@ impl Failure {
         }
     }
 
-    /// Whether a step has nothing to fear of it beside tame sensors: no more than a twentieth of what those may have.
-    pub(super) fn is_tame(&self) -> bool {
-        match *self {
-            Self::Dead | Self::RandomDropOuts { .. } | Self::PeriodicDropOuts { .. } => true,
-            Self::BiasStep { size } | Self::Spikes { size, .. } => size.abs() <= 100.0,
-            Self::Noise { density } => density <= 5.0,
-            // Of whatever there was.
-            Self::Stuck => false,
-        }
-    }
-
     /// Whether it is added before the output electronics.
     pub(super) fn is_added(&self) -> bool {
         matches!(self, Self::BiasStep { .. } | Self::Spikes { .. } | Self::Noise { .. })

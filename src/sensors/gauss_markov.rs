@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::kept::Kept;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
@@ -83,9 +84,9 @@ pub(super) struct GaussMarkov {
     sigma: Vector3<f64>,
     time_s: Vector3<f64>,
     /// Processes of unit variance.
-    x: Vector3<f64>,
+    x: Kept<Vector3<f64>>,
     steps: [MarkovStep; 3],
-    streams: [Stream; 3],
+    streams: [Kept<Stream>; 3],
 }
 
 stored!(GaussMarkov { x: DEVIATES, streams } rebuilt { sigma, time_s, steps });
@@ -94,6 +95,7 @@ impl GaussMarkov {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {
         let mut streams = Stream::triad(key, sensor.source(), Purpose::GaussMarkov);
         let x = Vector3::from_fn(|axis, _| streams[axis].normal());
+        let (x, streams) = (Kept::new(x), streams.map(Kept::new));
         Self { sigma: Vector3::zeros(), time_s: Vector3::zeros(), x, steps: [MarkovStep::NONE; 3], streams }
     }
 
@@ -116,18 +118,25 @@ impl GaussMarkov {
         self.sigma.component_mul(&self.x)
     }
 
-    /// Adds the integral over each increment.
+    /// Adds the integral over each increment of an interval, which [`Self::undo`] takes back.
     #[inline(never)]
     pub fn apply(&mut self, mut outputs: Outputs<'_>) {
+        self.x.keep();
         for axis in 0..3 {
-            let (sigma, step, mut stream) = (self.sigma[axis], self.steps[axis], self.streams[axis].clone());
+            let (sigma, step, mut stream) = (self.sigma[axis], self.steps[axis], self.streams[axis].kept());
             if sigma != 0.0 {
                 for output in outputs.iter_mut() {
                     output[axis] += sigma * step.advance_integral(&mut self.x[axis], &mut stream);
                 }
-                self.streams[axis] = stream;
+                *self.streams[axis] = stream;
             }
         }
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.x.undo();
+        self.streams.iter_mut().for_each(Kept::undo);
     }
 }
 

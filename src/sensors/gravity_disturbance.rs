@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::gauss_markov::MarkovStep;
+use super::kept::Kept;
 use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
 use crate::error::{Error, check_range};
@@ -82,6 +83,12 @@ impl GravityField {
 pub struct GravityDisturbance {
     parameters: GravityDisturbanceParameters,
     is_on: bool,
+    field: Kept<Field>,
+}
+
+/// What moves with the flight.
+#[derive(Debug, Clone, PartialEq)]
+struct Field {
     has_moved: bool,
     /// Fields of unit variance.
     x: [f64; 3],
@@ -89,9 +96,9 @@ pub struct GravityDisturbance {
 }
 
 /// Fields that have not moved are as they were made.
-impl Stored for GravityDisturbance {
+impl Stored for Field {
     fn save(&self, to: &mut Writer<'_>) {
-        let Self { parameters: _, is_on: _, has_moved, x, streams } = self;
+        let Self { has_moved, x, streams } = self;
         has_moved.save(to);
         if *has_moved {
             Numbers::save(x, to);
@@ -101,7 +108,7 @@ impl Stored for GravityDisturbance {
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         from.enter("snapshot: GravityDisturbance");
-        let Self { parameters: _, is_on: _, has_moved, x, streams } = self;
+        let Self { has_moved, x, streams } = self;
         has_moved.load(from)?;
         if *has_moved {
             Numbers::load(x, from, DEVIATES)?;
@@ -111,6 +118,8 @@ impl Stored for GravityDisturbance {
     }
 }
 
+stored!(GravityDisturbance { field } rebuilt { parameters, is_on });
+
 impl GravityDisturbance {
     /// The normal field, whose random parts draw from the streams of `key`.
     pub fn new(key: StreamKey) -> Self {
@@ -119,9 +128,7 @@ impl GravityDisturbance {
         Self {
             parameters: GravityDisturbanceParameters::default(),
             is_on: false,
-            has_moved: false,
-            x,
-            streams,
+            field: Kept::new(Field { has_moved: false, x, streams }),
         }
     }
 
@@ -142,9 +149,10 @@ impl GravityDisturbance {
         self.is_on
     }
 
-    /// From `current` to `next`. The distance over ground is that of the velocity, which is the master of the ideal signals
+    /// From `current` to `next`, which [`Self::undo`] takes back. The distance over ground is that of the velocity, which is the master of the ideal signals
     /// too; where nothing moves, nothing changes.
     pub fn advance(&mut self, earth: &Earth, current: &TruthPoint, next: &TruthPoint) {
+        self.field.keep();
         let v_e = (current.state.v_e + next.state.v_e) * 0.5;
         let horizontal_e = v_e - next.up_e * next.up_e.dot(&v_e);
         let a = earth.equatorial_radius_m;
@@ -155,11 +163,17 @@ impl GravityDisturbance {
         }
     }
 
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.field.undo();
+    }
+
     fn advance_by(&mut self, distance_m: f64) {
         let fields = self.parameters.fields();
-        for ((x, stream), field) in self.x.iter_mut().zip(&mut self.streams).zip(fields) {
+        let Field { has_moved, x, streams } = &mut *self.field;
+        for ((x, stream), field) in x.iter_mut().zip(streams).zip(fields) {
             if field.sigma > 0.0 {
-                self.has_moved = true;
+                *has_moved = true;
                 MarkovStep::new(distance_m, field.distance_m).advance(x, stream);
             }
         }
@@ -177,6 +191,6 @@ impl GravityDisturbance {
     /// ξ, η [rad], Δg [m/s²]
     fn values(&self) -> [f64; 3] {
         let fields = self.parameters.fields();
-        [0, 1, 2].map(|i| fields[i].mean + fields[i].sigma * self.x[i])
+        [0, 1, 2].map(|i| fields[i].mean + fields[i].sigma * self.field.x[i])
     }
 }

@@ -10,10 +10,10 @@ use crate::state::StateErrors;
 /// Where the misalignment at the start comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Alignment {
-    /// The given one alone.
+    /// The given one, of the true attitude.
     #[default]
     Given,
-    /// Added to it, what levelling and gyrocompassing leave with the sensor errors of the start.
+    /// The given one of the attitude that levelling and gyrocompassing find with the sensor errors of the start.
     LevelAndGyrocompass,
 }
 
@@ -24,7 +24,7 @@ pub struct InitialErrorParameters {
     pub position_n: Vector3<f64>,
     /// Velocity [m/s].
     pub velocity_n: Vector3<f64>,
-    /// Misalignment φ [rad]: computed C = (I - [φ×]) C.
+    /// Misalignment φ, a rotation vector [rad]: computed C = exp(-[φ×]) C.
     pub misalignment_n: Vector3<f64>,
     /// Standard deviation of the drawn position error [m].
     pub position_sigma_n: Vector3<f64>,
@@ -32,7 +32,7 @@ pub struct InitialErrorParameters {
     pub velocity_sigma_n: Vector3<f64>,
     /// Standard deviation of the drawn misalignment [rad].
     pub misalignment_sigma_n: Vector3<f64>,
-    /// Where the rest of the misalignment comes from.
+    /// Which attitude the misalignment is of.
     pub alignment: Alignment,
 }
 
@@ -60,7 +60,7 @@ impl InitialErrorParameters {
         check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)
     }
 
-    /// The errors of the run `key`, without those that the alignment adds.
+    /// The errors of the run `key`, without those of the alignment.
     pub fn draw(&self, key: StreamKey) -> StateErrors {
         let drawn = |given: &Vector3<f64>, sigma: &Vector3<f64>, purpose| {
             let mut streams = Stream::triad(key, Source::InitialErrors, purpose);
@@ -76,20 +76,4 @@ impl InitialErrorParameters {
             ),
         }
     }
-}
-
-/// Misalignment [rad] that levelling and gyrocompassing at rest leave, from the steady errors of the gyros [rad/s] and the
-/// accelerometers [m/s²] in east-north-up, gravity `g` [m/s²] and the Earth rate's north and up components [rad/s]: the
-/// steady state of the error equations, 0 = f×φ + nabla and 0 = -w×φ - eps in the level and azimuth channels.
-pub fn alignment_error(
-    gyro_error_n: &Vector3<f64>,
-    accel_error_n: &Vector3<f64>,
-    g: f64,
-    earth_rate_north: f64,
-    earth_rate_up: f64,
-) -> Vector3<f64> {
-    let east = -accel_error_n.y / g;
-    let north = accel_error_n.x / g;
-    let up = (earth_rate_up * north - gyro_error_n.x) / earth_rate_north;
-    Vector3::new(east, north, up)
 }

@@ -1,23 +1,34 @@
-//! Scale factor error and misalignment.
+//! Scale factor error and misalignment: given ones and those drawn at turn-on.
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::parameters::TriadParameters;
+use super::parameters::{Sensor, TriadParameters};
+use super::stream::{Purpose, Stream, StreamKey};
 
-/// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)).
+/// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)), each element with
+/// σ z more, z drawn once a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Linear {
+    /// z, one standard normal number an element.
+    turn_on: Matrix3<f64>,
     matrix: Matrix3<f64>,
 }
 
 impl Linear {
-    pub fn new() -> Self {
-        Self { matrix: Matrix3::zeros() }
+    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+        let mut scale_factors = Stream::triad(key, sensor.source(), Purpose::ScaleFactor);
+        let mut misalignments = Stream::triad(key, sensor.source(), Purpose::Misalignment);
+        let turn_on = Matrix3::from_fn(|row, column| {
+            let streams = if row == column { &mut scale_factors } else { &mut misalignments };
+            streams[row].normal()
+        });
+        Self { turn_on, matrix: Matrix3::zeros() }
     }
 
     /// Takes parameters; whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
-        self.matrix = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
+        let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
+        self.matrix = given + parameters.linear_sigma().component_mul(&self.turn_on);
         self.matrix != Matrix3::zeros()
     }
 

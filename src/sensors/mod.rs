@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | what the proof mass feels | size effect | ω'×r + ω×(ω×r) at each accelerometer, along its axis |
 //! | | bandwidth | second-order Butterworth filter, exact for a signal constant over an increment |
-//! | scale-type errors of that | scale factor, misalignment | K s |
+//! | scale-type errors of that | scale factor, misalignment, given and drawn at turn-on | K s |
 //! | | asymmetry | a/2 \|s\| |
 //! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
 //! | | g-sensitivity | G f |
@@ -27,6 +27,7 @@
 //!
 //! Every random process is discretised exactly, whatever the length of the increments.
 
+mod alignment;
 mod altimeter;
 mod asymmetry;
 mod bandwidth;
@@ -39,6 +40,7 @@ mod g_sensitivity;
 mod gauss_markov;
 mod gravity_disturbance;
 mod initial;
+mod kept;
 mod linear;
 mod outputs;
 mod parameters;
@@ -52,16 +54,16 @@ mod range;
 mod rate_random_walk;
 mod size_effect;
 mod stream;
-mod tame;
 mod temperature;
 mod triad;
 mod validation;
 mod xoshiro;
 
+pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use failure::{Axis, Failure, SensorOutput};
 pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
-pub use initial::{Alignment, InitialErrorParameters, alignment_error};
+pub use initial::{Alignment, InitialErrorParameters};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};
 pub use stream::StreamKey;

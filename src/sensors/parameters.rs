@@ -65,6 +65,10 @@ pub struct TriadParameters {
     pub scale_factor_temperature: Vector3<f64>,
     /// And with its square [1/K²].
     pub scale_factor_temperature2: Vector3<f64>,
+    /// Standard deviation of the scale factor error, drawn once a run.
+    pub scale_factor_sigma: Vector3<f64>,
+    /// Standard deviation of each misalignment, drawn once a run [rad]; the diagonal is 0.
+    pub misalignment_sigma: Matrix3<f64>,
 }
 
 stored!(TriadParameters {
@@ -92,6 +96,8 @@ stored!(TriadParameters {
     bias_temperature2: ANY,
     scale_factor_temperature: ANY,
     scale_factor_temperature2: ANY,
+    scale_factor_sigma: ANY,
+    misalignment_sigma: ANY,
 });
 
 impl Default for TriadParameters {
@@ -122,6 +128,8 @@ impl Default for TriadParameters {
             bias_temperature2: zero,
             scale_factor_temperature: zero,
             scale_factor_temperature2: zero,
+            scale_factor_sigma: zero,
+            misalignment_sigma: Matrix3::zeros(),
         }
     }
 }
@@ -134,6 +142,11 @@ impl TriadParameters {
             || self.bias_temperature2 != zero
             || self.scale_factor_temperature != zero
             || self.scale_factor_temperature2 != zero
+    }
+
+    /// Standard deviations of scale factor errors and misalignments, as one matrix.
+    pub(super) fn linear_sigma(&self) -> Matrix3<f64> {
+        self.misalignment_sigma + Matrix3::from_diagonal(&self.scale_factor_sigma)
     }
 }
 

@@ -127,6 +127,11 @@ impl Plan {
         usize::from(self.on_signal)..usize::from(self.count)
     }
 
+    /// All steps.
+    pub fn steps(&self) -> Range<usize> {
+        0..usize::from(self.count)
+    }
+
     /// What is done at a step.
     #[inline]
     pub fn effect(&self, step: usize) -> Effect {

@@ -30,9 +30,15 @@ pub enum Grade {
 }
 
 impl Grade {
-    /// Errors of gyros and of accelerometers. What a source calls repeatability, or bias at 1 σ, is drawn at turn-on; the
-    /// lowest Allan deviation ("in-run bias stability") is 0.664 B of flicker noise; scale factor, misalignment and
-    /// g-sensitivity have the size stated and a positive sign. What a source does not state is 0.
+    /// Errors of gyros and of accelerometers, as a public source states them. What it does not state is 0. What it states becomes:
+    ///
+    /// | stated | here |
+    /// |---|---|
+    /// | 1 σ, a repeatability, or a size without a bound (±0.1°, 20 ppm) | standard deviation of what is drawn at turn-on |
+    /// | a tolerance, from least to most (±3 %) | three standard deviations |
+    /// | angle between two axes off square by σ | each of its two misalignments drawn with σ/√2: the angle is their sum |
+    /// | lowest Allan deviation, "in-run bias stability" | 0.664 B of flicker noise |
+    /// | g-sensitivity | each gyro along its own axis, positive sign |
     pub fn parameters(self) -> (TriadParameters, TriadParameters) {
         match self {
             Self::Strategic => strategic(),
@@ -55,35 +61,43 @@ fn beside_diagonal(value: f64) -> Matrix3<f64> {
     Matrix3::repeat(value) - Matrix3::from_diagonal_element(value)
 }
 
-/// Gyro drift 0.001 °/h and accelerometer bias 1 µg, the upper ends of the grade in El-Sheimy and Youssef, "Inertial sensors
-/// technologies for navigation applications", Satellite Navigation 1, 2020, table 1; angle random walk 0.0002 °/√h and scale
-/// factor 20 ppm of the Airbus Astrix 200.
+/// Misalignments of a triad whose axes are off square by `sigma` [rad], 1 σ of each pair.
+fn off_square(sigma: f64) -> Matrix3<f64> {
+    beside_diagonal(sigma * core::f64::consts::FRAC_1_SQRT_2)
+}
+
+/// El-Sheimy and Youssef, "Inertial sensors technologies for navigation applications", Satellite Navigation 1:2, 2020, table 1,
+/// strategic grade, upper ends: gyro drift 0.001 °/h, accelerometer bias 1 µg. Airbus, product page of the Astrix 200: angle random
+/// walk 0.0002 °/√h, scale factor 20 ppm.
 fn strategic() -> (TriadParameters, TriadParameters) {
     let gyro = TriadParameters {
         bias_sigma: each(0.001 * DEG_PER_HOUR),
         random_walk: each(0.0002 * DEG_PER_SQRT_HOUR),
-        scale_factor: each(20e-6),
+        scale_factor_sigma: each(20e-6),
         ..Default::default()
     };
     (gyro, TriadParameters { bias_sigma: each(1e-6 * G), ..Default::default() })
 }
 
-/// Honeywell HG9900 brochure N61-1638: gyro bias 0.0035 °/h, angle random walk 0.002 °/√h, scale factor 5 ppm; accelerometer
-/// bias 25 µg, scale factor 100 ppm, no noise stated.
+/// Honeywell, HG9900 brochure N61-1638-000-000, all 1 σ: gyro bias 0.0035 °/h, angle random walk at most 0.002 °/√h, scale factor
+/// 5 ppm; accelerometer bias 25 µg, scale factor 100 ppm.
 fn navigation() -> (TriadParameters, TriadParameters) {
     let gyro = TriadParameters {
         bias_sigma: each(0.0035 * DEG_PER_HOUR),
         random_walk: each(0.002 * DEG_PER_SQRT_HOUR),
-        scale_factor: each(5e-6),
+        scale_factor_sigma: each(5e-6),
         ..Default::default()
     };
-    let accel =
-        TriadParameters { bias_sigma: each(25e-6 * G), scale_factor: each(100e-6), ..Default::default() };
+    let accel = TriadParameters {
+        bias_sigma: each(25e-6 * G),
+        scale_factor_sigma: each(100e-6),
+        ..Default::default()
+    };
     (gyro, accel)
 }
 
-/// Honeywell HG1700 brochure N61-1619: gyro bias 1 °/h, angle random walk 0.125 °/√h; accelerometer bias 1 mg, velocity random
-/// walk 0.065 ft/s/√h.
+/// Honeywell, HG1700 brochure N61-1619-000-001, the better models, all 1 σ: gyro bias 1 °/h, angle random walk at most
+/// 0.125 °/√h; accelerometer bias 1 mg, velocity random walk at most 0.065 ft/s/√h.
 fn tactical() -> (TriadParameters, TriadParameters) {
     let gyro = TriadParameters {
         bias_sigma: each(DEG_PER_HOUR),
@@ -98,35 +112,34 @@ fn tactical() -> (TriadParameters, TriadParameters) {
     (gyro, accel)
 }
 
-/// Analog Devices ADIS16475-1 data sheet, rev. D: gyros 2 °/h in run, 0.15 °/√h, ±125 °/s; accelerometers 3.6 µg in run,
-/// 0.012 m/s/√h, ±8 g; axes to 0.1°.
+/// Analog Devices, ADIS16475 data sheet, rev. D, page 1, model ADIS16475-1: gyros 2 °/h in run, 0.15 °/√h, ±125 °/s;
+/// accelerometers 3.6 µg in run, ±8 g; ±0.1° axis to axis.
 fn industrial() -> (TriadParameters, TriadParameters) {
     let gyro = TriadParameters {
         flicker: each(2.0 * DEG_PER_HOUR / FLAT),
         random_walk: each(0.15 * DEG_PER_SQRT_HOUR),
-        misalignment: beside_diagonal(0.1 * DEG),
+        misalignment_sigma: off_square(0.1 * DEG),
         range: each(125.0 * DEG),
         ..Default::default()
     };
     let accel = TriadParameters {
         flicker: each(3.6e-6 * G / FLAT),
-        random_walk: each(0.012 / 60.0),
-        misalignment: beside_diagonal(0.1 * DEG),
+        misalignment_sigma: off_square(0.1 * DEG),
         range: each(8.0 * G),
         ..Default::default()
     };
     (gyro, accel)
 }
 
-/// InvenSense MPU-6050 data sheet PS-MPU-6000A, rev. 3.4: gyros ±20 °/s of zero-rate output, 3 % of scale factor, 2 % across,
-/// 0.1 °/s/g, 0.005 °/s/√Hz, ±2000 °/s, 256 Hz; accelerometers ±50 mg (80 mg along z), 3 %, 2 % across, 400 µg/√Hz, ±16 g,
-/// 260 Hz. Tolerances of the zero are taken as three standard deviations.
+/// InvenSense, MPU-6000 and MPU-6050 product specification PS-MPU-6000A-00, rev. 3.4, sections 6.1 and 6.2: gyros ±20 °/s of
+/// zero-rate output, ±3 % of scale factor, ±2 % across, 0.1 °/s/g, 0.005 °/s/√Hz, ±2000 °/s, 256 Hz; accelerometers ±50 mg
+/// (±80 mg along z), ±3 %, ±2 % across, 400 µg/√Hz, ±16 g, 260 Hz. All ± are tolerances.
 fn consumer() -> (TriadParameters, TriadParameters) {
     let gyro = TriadParameters {
         bias_sigma: each(20.0 * DEG / 3.0),
         random_walk: each(0.005 * DEG),
-        scale_factor: each(0.03),
-        misalignment: beside_diagonal(0.02),
+        scale_factor_sigma: each(0.03 / 3.0),
+        misalignment_sigma: beside_diagonal(0.02 / 3.0),
         g_sensitivity: Matrix3::from_diagonal_element(0.1 * DEG / G),
         range: each(2000.0 * DEG),
         bandwidth_hz: each(256.0),
@@ -135,8 +148,8 @@ fn consumer() -> (TriadParameters, TriadParameters) {
     let accel = TriadParameters {
         bias_sigma: Vector3::new(50e-3, 50e-3, 80e-3) * (G / 3.0),
         random_walk: each(400e-6 * G),
-        scale_factor: each(0.03),
-        misalignment: beside_diagonal(0.02),
+        scale_factor_sigma: each(0.03 / 3.0),
+        misalignment_sigma: beside_diagonal(0.02 / 3.0),
         range: each(16.0 * G),
         bandwidth_hz: each(260.0),
         ..Default::default()
@@ -162,22 +175,60 @@ pub fn paper_simulation2() -> (TriadParameters, TriadParameters) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sensors::Sensor;
+    use crate::sensors::{Sensor, StreamKey, Triad};
 
-    /// Each grade is valid, tame, and noisier than the one before.
+    const GRADES: [Grade; 5] =
+        [Grade::Strategic, Grade::Navigation, Grade::Tactical, Grade::Industrial, Grade::Consumer];
+
+    /// Each grade is valid, and noisier than the one before.
     #[test]
     fn grades_are_in_order() {
-        let grades =
-            [Grade::Strategic, Grade::Navigation, Grade::Tactical, Grade::Industrial, Grade::Consumer];
         let mut walks = Vec::new();
-        for grade in grades {
+        for grade in GRADES {
             let (gyro, accel) = grade.parameters();
             gyro.validate(Sensor::Gyro).unwrap();
             accel.validate(Sensor::Accelerometer).unwrap();
-            assert!(gyro.is_tame() && accel.is_tame(), "{grade:?}");
             walks.push(gyro.random_walk.x);
         }
         assert!(walks.is_sorted(), "{walks:?}");
         assert_eq!(Grade::PaperSimulation2.parameters(), paper_simulation2());
+    }
+
+    /// Sensors of a grade scatter: none has a scale factor error or a misalignment that each of them has.
+    #[test]
+    fn grades_scatter_about_the_ideal() {
+        for grade in GRADES {
+            let (gyro, accel) = grade.parameters();
+            for triad in [gyro, accel] {
+                assert_eq!((triad.scale_factor, triad.misalignment), Default::default(), "{grade:?}");
+            }
+        }
+    }
+
+    /// The angle between two axes of the industrial grade is off square by 0.1°, 1 σ: in 4000 runs within five standard deviations
+    /// of a mean square.
+    #[test]
+    fn industrial_axes_are_off_square_as_stated() {
+        let (gyro, accel) = Grade::Industrial.parameters();
+        for (sensor, misalignment_sigma) in
+            [(Sensor::Gyro, gyro.misalignment_sigma), (Sensor::Accelerometer, accel.misalignment_sigma)]
+        {
+            let runs = 4000;
+            let mut squares = Vector3::zeros();
+            for run in 0..runs {
+                let mut triad = Triad::new(StreamKey { seed: 1, run }, sensor);
+                triad.set(&TriadParameters { misalignment_sigma, ..Default::default() });
+                let felt = [0, 1, 2].map(|axis| {
+                    let unit = Vector3::ith(axis, 1.0);
+                    triad.steady_error(&unit, &unit, None)
+                });
+                let between = |i: usize, j: usize| felt[i][j] + felt[j][i];
+                let angles = Vector3::new(between(0, 1), between(1, 2), between(2, 0));
+                squares += angles.component_mul(&angles) / runs as f64;
+            }
+            let bound = 5.0 * (2.0 / runs as f64).sqrt();
+            let ratios = squares / (0.1 * DEG).powi(2);
+            assert!(ratios.iter().all(|ratio| (ratio - 1.0).abs() < bound), "{sensor:?}: {ratios}");
+        }
     }
 }

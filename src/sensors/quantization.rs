@@ -2,8 +2,9 @@
 
 use nalgebra::Vector3;
 
+use super::kept::Kept;
 use super::parameters::TriadParameters;
-use crate::snapshot::stored;
+use crate::snapshot::{SIGNALS, stored};
 
 /// The output is a whole number of pulses of q [u s], to the nearest; what is left over, at most q/2, is carried to the next
 /// increment, so that the integral is never wrong by more. The quantization noise of IEEE Std 952 is Q = q/√12.
@@ -12,20 +13,20 @@ pub(super) struct Quantization {
     /// q [u s].
     pulse: Vector3<f64>,
     /// Left over [u s].
-    residual: Vector3<f64>,
+    residual: Kept<Vector3<f64>>,
 }
 
-stored!(Quantization { residual: 1.0 } rebuilt { pulse });
+stored!(Quantization { residual: SIGNALS } rebuilt { pulse });
 
 impl Quantization {
     pub fn new() -> Self {
-        Self { pulse: Vector3::zeros(), residual: Vector3::zeros() }
+        Self { pulse: Vector3::zeros(), residual: Kept::new(Vector3::zeros()) }
     }
 
     /// Takes parameters; whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.pulse = parameters.quantization;
-        self.residual =
+        *self.residual =
             self.residual.zip_map(&self.pulse, |rest, pulse| if pulse == 0.0 { 0.0 } else { rest });
         self.pulse != Vector3::zeros()
     }
@@ -41,5 +42,16 @@ impl Quantization {
                 self.residual[axis] = all - measured[axis];
             }
         }
+    }
+
+    /// An interval begins, which [`Self::undo`] takes back.
+    #[inline]
+    pub fn keep(&mut self) {
+        self.residual.keep();
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.residual.undo();
     }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::kept::Kept;
 use super::parameters::TriadParameters;
 use crate::snapshot::stored;
 
@@ -11,33 +12,44 @@ pub(super) struct Ramp {
     /// R [u/s].
     slope: Vector3<f64>,
     /// b [u].
-    value: Vector3<f64>,
+    value: Kept<Vector3<f64>>,
 }
 
 stored!(Ramp { value: 1e15 } rebuilt { slope });
 
 impl Ramp {
     pub fn new() -> Self {
-        Self { slope: Vector3::zeros(), value: Vector3::zeros() }
+        Self { slope: Vector3::zeros(), value: Kept::new(Vector3::zeros()) }
     }
 
     /// Takes parameters; whether they call for the effect. Another slope bends the ramp; without one there is no ramp.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.slope = parameters.ramp;
-        self.value = self.value.zip_map(&self.slope, |value, slope| if slope == 0.0 { 0.0 } else { value });
+        *self.value = self.value.zip_map(&self.slope, |value, slope| if slope == 0.0 { 0.0 } else { value });
         self.slope != Vector3::zeros()
     }
 
     /// b [u]
     pub fn value(&self) -> Vector3<f64> {
-        self.value
+        *self.value
     }
 
     /// Adds the integral over `dt` [s].
     #[inline]
     pub fn apply(&mut self, dt: f64, measured: &mut Vector3<f64>) {
         let change = self.slope * dt;
-        *measured += (self.value + change * 0.5) * dt;
-        self.value += change;
+        *measured += (*self.value + change * 0.5) * dt;
+        *self.value += change;
+    }
+
+    /// An interval begins, which [`Self::undo`] takes back.
+    #[inline]
+    pub fn keep(&mut self) {
+        self.value.keep();
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.value.undo();
     }
 }

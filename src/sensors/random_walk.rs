@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::kept::Kept;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
@@ -14,7 +15,7 @@ pub(super) struct RandomWalk {
     density: Vector3<f64>,
     /// N √dt [u s]
     step: Vector3<f64>,
-    streams: [Stream; 3],
+    streams: [Kept<Stream>; 3],
 }
 
 stored!(RandomWalk { streams } rebuilt { density, step });
@@ -24,7 +25,7 @@ impl RandomWalk {
         Self {
             density: Vector3::zeros(),
             step: Vector3::zeros(),
-            streams: Stream::triad(key, sensor.source(), Purpose::RandomWalk),
+            streams: Stream::triad(key, sensor.source(), Purpose::RandomWalk).map(Kept::new),
         }
     }
 
@@ -39,15 +40,21 @@ impl RandomWalk {
         self.step = self.density * dt.sqrt();
     }
 
-    /// Adds each increment's noise.
+    /// Adds each increment's noise over an interval, which [`Self::undo`] takes back.
     #[inline(never)]
     pub fn apply(&mut self, mut outputs: Outputs<'_>) {
         for axis in 0..3 {
-            let (step, mut stream) = (self.step[axis], self.streams[axis].clone());
+            let step = self.step[axis];
+            let mut stream = self.streams[axis].kept();
             if step != 0.0 {
                 outputs.iter_mut().for_each(|output| output[axis] += step * stream.normal());
-                self.streams[axis] = stream;
+                *self.streams[axis] = stream;
             }
         }
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.streams.iter_mut().for_each(Kept::undo);
     }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::kept::Kept;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
 use crate::snapshot::stored;
@@ -17,10 +18,10 @@ pub(super) struct RateRandomWalk {
     /// K [u/√s].
     density: Vector3<f64>,
     /// b [u].
-    value: Vector3<f64>,
+    value: Kept<Vector3<f64>>,
     /// √dt [√s].
     root: f64,
-    streams: [Stream; 3],
+    streams: Kept<[Stream; 3]>,
 }
 
 stored!(RateRandomWalk { value: 1e12, streams } rebuilt { density, root });
@@ -32,16 +33,16 @@ impl RateRandomWalk {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {
         Self {
             density: Vector3::zeros(),
-            value: Vector3::zeros(),
+            value: Kept::new(Vector3::zeros()),
             root: 0.0,
-            streams: Stream::triad(key, sensor.source(), Purpose::RateRandomWalk),
+            streams: Kept::new(Stream::triad(key, sensor.source(), Purpose::RateRandomWalk)),
         }
     }
 
     /// Takes parameters; whether they call for the effect. Another density bends the walk; without one there is no walk.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.density = parameters.rate_random_walk;
-        self.value =
+        *self.value =
             self.value.zip_map(&self.density, |value, density| if density == 0.0 { 0.0 } else { value });
         self.density != Vector3::zeros()
     }
@@ -53,7 +54,7 @@ impl RateRandomWalk {
 
     /// b [u]
     pub fn value(&self) -> Vector3<f64> {
-        self.value
+        *self.value
     }
 
     /// Adds the integral over one increment of length `dt` [s].
@@ -67,5 +68,18 @@ impl RateRandomWalk {
                 self.value[axis] += step * n1;
             }
         }
+    }
+
+    /// An interval begins, which [`Self::undo`] takes back.
+    #[inline]
+    pub fn keep(&mut self) {
+        self.value.keep();
+        self.streams.keep();
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.value.undo();
+        self.streams.undo();
     }
 }

@@ -2,23 +2,30 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::kept::Kept;
 use super::parameters::TriadParameters;
 use crate::mounting::{centripetal, lever_arm_velocity};
-use crate::snapshot::stored;
+use crate::signal::{MAX_INCREMENTS, Turning};
+use crate::snapshot::{SIGNALS, stored};
+use crate::truth::INTERVALS_S;
 
 /// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
-/// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`]; ω at an end is the derivative of the cubic
-/// through the angle at it and at the ends of the three increments before, of any lengths: no latency, an error of h³ω'''/4 in ω
-/// at an increment of h, which the velocity has once and does not accumulate, and one of fourth order in the centripetal part.
-/// At the start, and where the truth jumps, from as many increments as there are: a constant rate has no transient.
+/// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`], with ω at its ends from the motion that it is of.
+///
+/// Of foreign increments, ω at an end is the derivative of the cubic through the angle at it and at the ends of the three
+/// increments before, of any lengths: no latency, an error of h³ω'''/4 in ω at an increment of h, which the velocity has once and
+/// does not accumulate, and one of fourth order in the centripetal part. At the start from as many increments as there are: a
+/// constant rate has no transient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SizeEffect {
     /// Row = place of an accelerometer [m].
     arms: Matrix3<f64>,
+    /// The motion that the increments of the interval are of, and the share of it that is past; `None` of foreign ones.
+    turning: Option<(Turning, f64)>,
     /// The last increment and the one before, as far as there are any.
-    past: [Option<Past>; 2],
+    past: Kept<[Option<Past>; 2]>,
     /// ω at the end of the last [rad/s].
-    rate: Vector3<f64>,
+    rate: Kept<Vector3<f64>>,
 }
 
 /// An increment that has gone by.
@@ -30,27 +37,44 @@ struct Past {
     mean: Vector3<f64>,
 }
 
-stored!(SizeEffect { past, rate: 1e18 } rebuilt { arms });
-stored!(Past { dt: 1e3, mean: 1e12 });
+stored!(SizeEffect { past, rate: SIGNALS } rebuilt { arms, turning });
+stored!(Past { dt: INTERVALS_S.1, mean: SIGNALS } then |past, from| {
+    let shortest_s = INTERVALS_S.0 / MAX_INCREMENTS as f64;
+    from.require(past.dt >= shortest_s, past.dt, "is no length of an increment")
+});
 
 impl SizeEffect {
     pub fn new() -> Self {
-        Self { arms: Matrix3::zeros(), past: [None; 2], rate: Vector3::zeros() }
+        Self {
+            arms: Matrix3::zeros(),
+            turning: None,
+            past: Kept::new([None; 2]),
+            rate: Kept::new(Vector3::zeros()),
+        }
     }
 
     /// Takes parameters; whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.arms = parameters.lever_arm_m;
-        let active = self.arms != Matrix3::zeros();
-        if !active {
-            self.reposition();
+        if !self.is_active() {
+            *self.past = [None; 2];
         }
-        active
+        self.is_active()
     }
 
-    /// The signal jumps: what went before is no guide to it.
-    pub fn reposition(&mut self) {
-        self.past = [None; 2];
+    /// Whether an accelerometer is off the block's own point.
+    pub fn is_active(&self) -> bool {
+        self.arms != Matrix3::zeros()
+    }
+
+    /// An interval begins, in which the block turns so; [`Self::undo`] takes it back.
+    pub fn begin_interval(&mut self, turning: Option<Turning>) {
+        self.past.keep();
+        self.rate.keep();
+        if let Some(turning) = &turning {
+            *self.rate = turning.angular_rate(0.0);
+        }
+        self.turning = turning.map(|turning| (turning, 0.0));
     }
 
     /// Error [m/s²] at the constant angular rate `rate` [rad/s].
@@ -61,18 +85,36 @@ impl SizeEffect {
     /// Adds the error over an increment of the angle `angle` [rad] in `dt` [s].
     #[inline]
     pub fn apply(&mut self, angle: &Vector3<f64>, dt: f64, felt: &mut Vector3<f64>) {
-        let now = Past { dt, mean: angle / dt };
+        let mean = angle / dt;
+        let change = match &mut self.turning {
+            Some((turning, past)) => {
+                *past += dt / turning.interval_s;
+                let start = core::mem::replace(&mut *self.rate, turning.angular_rate(*past));
+                *self.rate - start
+            }
+            None => self.change_of_foreign(Past { dt, mean }),
+        };
+        *felt += self.along_axes(|arm| lever_arm_velocity(&change, &mean, dt, arm));
+    }
+
+    /// Change of ω over the increment `now`, of which nothing but those before tells.
+    fn change_of_foreign(&mut self, now: Past) -> Vector3<f64> {
         let end = self.rate_at_end(&now);
-        let start = if self.past[0].is_some() { self.rate } else { end };
-        let change = end - start;
-        *felt += self.along_axes(|arm| lever_arm_velocity(&change, &now.mean, dt, arm));
-        self.past = [Some(now), self.past[0]];
-        self.rate = end;
+        let start = if self.past[0].is_some() { *self.rate } else { end };
+        *self.past = [Some(now), self.past[0]];
+        *self.rate = end;
+        end - start
+    }
+
+    /// Takes the last interval back.
+    pub fn undo(&mut self) {
+        self.past.undo();
+        self.rate.undo();
     }
 
     /// ω at the end of the increment `now`, by Newton's divided differences of the angle.
     fn rate_at_end(&self, now: &Past) -> Vector3<f64> {
-        let [Some(last), before] = self.past else { return now.mean };
+        let [Some(last), before] = *self.past else { return now.mean };
         let two = now.dt + last.dt;
         let second = (now.mean - last.mean) / two;
         let Some(before) = before else { return now.mean + second * now.dt };

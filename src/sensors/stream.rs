@@ -25,6 +25,8 @@ pub(super) enum Purpose {
     RandomWalk = 2,
     RateRandomWalk = 3,
     Flicker = 4,
+    ScaleFactor = 5,
+    Misalignment = 6,
     InitialPosition = 16,
     InitialVelocity = 17,
     InitialMisalignment = 18,

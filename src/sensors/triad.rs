@@ -13,6 +13,7 @@ use super::failure::{Axis, Failure, SensorOutput};
 use super::flicker::Flicker;
 use super::g_sensitivity::GSensitivity;
 use super::gauss_markov::GaussMarkov;
+use super::kept::Kept;
 use super::linear::Linear;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
@@ -27,8 +28,9 @@ use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
 use super::temperature::Temperature;
 use crate::error::Error;
-use crate::signal::Increment;
+use crate::signal::{Increment, MAX_INCREMENTS, Turning};
 use crate::snapshot::{Reader, Stored, stored};
+use crate::truth::INTERVALS_S;
 
 /// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +55,7 @@ pub struct Triad {
     failing: FailingTriad,
     plan: Plan,
     /// Length of the increments for which the units are made [s]; 0: for none yet.
-    dt: f64,
+    dt: Kept<f64>,
     /// Whether an output has been beyond the range since the flag was taken.
     saturated: bool,
 }
@@ -67,13 +69,13 @@ stored!(Triad {
     ramp,
     random_walk,
     quantization,
-    dt: 1e3,
+    dt: INTERVALS_S.1,
 } rebuilt {
     sensor, linear, asymmetry, quadratic, g_sensitivity, bias, dead_zone, range, plan, saturated, temperature, failing,
-} then |triad, _| {
-    if triad.dt > 0.0 {
-        triad.set_interval(triad.dt);
-    }
+} then |triad, from| {
+    let shortest_s = INTERVALS_S.0 / MAX_INCREMENTS as f64;
+    from.require(*triad.dt == 0.0 || *triad.dt >= shortest_s, *triad.dt, "is no length of an increment")?;
+    triad.set_interval(*triad.dt);
     Ok(())
 });
 
@@ -84,7 +86,7 @@ impl Triad {
             sensor,
             size_effect: SizeEffect::new(),
             bandwidth: Bandwidth::new(),
-            linear: Linear::new(),
+            linear: Linear::new(key, sensor),
             asymmetry: Asymmetry::new(),
             quadratic: Quadratic::new(),
             g_sensitivity: GSensitivity::new(),
@@ -100,7 +102,7 @@ impl Triad {
             quantization: Quantization::new(),
             failing: FailingTriad::new(key, sensor.source()),
             plan: Plan::IDEAL,
-            dt: 0.0,
+            dt: Kept::new(0.0),
             saturated: false,
         }
     }
@@ -128,9 +130,7 @@ impl Triad {
             (Effect::Quantization, self.quantization.set(parameters)),
             (Effect::Outage, self.failing.any_replaces()),
         ]);
-        if self.dt > 0.0 {
-            self.set_interval(self.dt);
-        }
+        self.set_interval(*self.dt);
     }
 
     /// Takes a failure of one axis, or clears it, beside the parameters that are set; `last` is its output before [u], if there
@@ -170,21 +170,22 @@ impl Triad {
         self.failing.any_adds() || self.failing.any_replaces()
     }
 
-    /// Whether a step has nothing to fear of the failures.
-    pub fn fails_tamely(&self) -> bool {
-        self.failing.are_tame()
-    }
-
     /// Whether an axis has no signal in this interval: dead, or dropped out.
     #[inline]
     pub fn is_silent(&self) -> bool {
         self.failing.are_silent()
     }
 
-    /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends where they are known. Needed where
-    /// an effect of temperature or a failure is set.
-    pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>) {
+    /// Whether the accelerometers are off each other.
+    pub fn has_size_effect(&self) -> bool {
+        self.size_effect.is_active()
+    }
+
+    /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends and the motion that its increments are
+    /// of, as far as they are known. Needed where an effect of temperature, the size effect or a failure is set.
+    pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>, turning: Option<Turning>) {
         self.failing.begin_interval(t);
+        self.size_effect.begin_interval(turning);
         if let Some(ends_c) = ends_c {
             self.temperature.begin_interval(ends_c);
         }
@@ -197,7 +198,6 @@ impl Triad {
 
     /// The signals jump: filters settle at once where they are next. Noise goes on.
     pub fn reposition(&mut self) {
-        self.size_effect.reposition();
         self.bandwidth.reposition();
     }
 
@@ -212,11 +212,12 @@ impl Triad {
     }
 
     /// Makes of its part of `measured`, which is that of the increments `ideal`, each over `dt` [s], what the triad gives: the
-    /// active effects act one after the other, each on all increments.
+    /// active effects act one after the other, each on all increments. [`Self::undo`] takes an interval back.
     #[inline]
     pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
-        if (dt - self.dt).abs() > 1e-7 * dt {
+        self.dt.keep();
+        if (dt - *self.dt).abs() > 1e-7 * dt {
             self.set_interval(dt);
         }
         if self.plan.acts_on_signal() {
@@ -236,6 +237,12 @@ impl Triad {
     /// What the sensors feel of the increments, and its errors that grow with it.
     #[inline(never)]
     fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
+        for step in self.plan.before_felt() {
+            match self.plan.effect(step) {
+                Effect::Bandwidth => self.bandwidth.keep(),
+                _ => {}
+            }
+        }
         for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
             for step in self.plan.before_felt() {
                 match self.plan.effect(step) {
@@ -263,13 +270,25 @@ impl Triad {
     fn act(&mut self, step: usize, dt: f64, mut outputs: Outputs<'_>) {
         let outputs = outputs.iter_mut();
         match self.plan.effect(step) {
-            Effect::Flicker => outputs.for_each(|output| self.flicker.apply(output)),
-            Effect::RateRandomWalk => outputs.for_each(|output| self.rate_random_walk.apply(dt, output)),
-            Effect::Ramp => outputs.for_each(|output| self.ramp.apply(dt, output)),
+            Effect::Flicker => {
+                self.flicker.keep();
+                outputs.for_each(|output| self.flicker.apply(output));
+            }
+            Effect::RateRandomWalk => {
+                self.rate_random_walk.keep();
+                outputs.for_each(|output| self.rate_random_walk.apply(dt, output));
+            }
+            Effect::Ramp => {
+                self.ramp.keep();
+                outputs.for_each(|output| self.ramp.apply(dt, output));
+            }
             Effect::AddedFailure => outputs.for_each(|output| self.failing.add(dt, output)),
             Effect::DeadZone => outputs.for_each(|output| self.dead_zone.apply(dt, output)),
             Effect::Range => outputs.for_each(|output| self.saturated |= self.range.apply(dt, output)),
-            Effect::Quantization => outputs.for_each(|output| self.quantization.apply(output)),
+            Effect::Quantization => {
+                self.quantization.keep();
+                outputs.for_each(|output| self.quantization.apply(output));
+            }
             Effect::Outage => outputs.for_each(|output| self.failing.replace(dt, output)),
             // Of `act_on_signal` and `sense_each`.
             _ => {}
@@ -282,9 +301,42 @@ impl Triad {
         core::mem::take(&mut self.saturated)
     }
 
+    /// Takes the last interval back: what [`Self::begin_interval`] and [`Self::sense_each`] changed is as it was before.
+    #[cold]
+    pub fn undo(&mut self) {
+        for step in self.plan.steps() {
+            match self.plan.effect(step) {
+                Effect::LeverArms => self.size_effect.undo(),
+                Effect::Bandwidth => self.bandwidth.undo(),
+                Effect::GaussMarkov => self.gauss_markov.undo(),
+                Effect::Flicker => self.flicker.undo(),
+                Effect::RateRandomWalk => self.rate_random_walk.undo(),
+                Effect::Ramp => self.ramp.undo(),
+                Effect::RandomWalk => self.random_walk.undo(),
+                Effect::AddedFailure | Effect::Outage => self.failing.undo(),
+                Effect::Quantization => self.quantization.undo(),
+                // They keep nothing from one interval to the next.
+                Effect::Linear
+                | Effect::Asymmetry
+                | Effect::Quadratic
+                | Effect::GSensitivity
+                | Effect::Temperature
+                | Effect::Bias
+                | Effect::DeadZone
+                | Effect::Range => {}
+            }
+        }
+        self.dt.undo();
+        self.set_interval(*self.dt);
+    }
+
+    /// Takes the length of the increments to come [s]; 0: of none yet.
     #[cold]
     fn set_interval(&mut self, dt: f64) {
-        self.dt = dt;
+        *self.dt = dt;
+        if dt == 0.0 {
+            return;
+        }
         self.bandwidth.set_interval(dt);
         self.gauss_markov.set_interval(dt);
         self.flicker.set_interval(dt);

@@ -34,6 +34,8 @@ struct Names {
     bias_temperature2: &'static str,
     scale_factor_temperature: &'static str,
     scale_factor_temperature2: &'static str,
+    scale_factor_sigma: &'static str,
+    misalignment_sigma: &'static str,
 }
 
 const GYRO_NAMES: Names = Names {
@@ -61,6 +63,8 @@ const GYRO_NAMES: Names = Names {
     bias_temperature2: "gyro.bias_temperature2_rad_s_per_k2",
     scale_factor_temperature: "gyro.scale_factor_temperature_per_k",
     scale_factor_temperature2: "gyro.scale_factor_temperature2_per_k2",
+    scale_factor_sigma: "gyro.scale_factor_sigma",
+    misalignment_sigma: "gyro.misalignment_sigma_rad",
 };
 
 const ACCEL_NAMES: Names = Names {
@@ -88,6 +92,8 @@ const ACCEL_NAMES: Names = Names {
     bias_temperature2: "accel.bias_temperature2_m_s2_per_k2",
     scale_factor_temperature: "accel.scale_factor_temperature_per_k",
     scale_factor_temperature2: "accel.scale_factor_temperature2_per_k2",
+    scale_factor_sigma: "accel.scale_factor_sigma",
+    misalignment_sigma: "accel.misalignment_sigma_rad",
 };
 
 impl TriadParameters {
@@ -123,17 +129,9 @@ impl TriadParameters {
         check_ranges(names.scale_factor_temperature2, self.scale_factor_temperature2.as_slice(), -1.0, 1.0)?;
         check_matrix(names.g_sensitivity, &self.g_sensitivity, 1.0)?;
         check_matrix(names.lever_arm, &self.lever_arm_m, 100.0)?;
-        for row in 0..3 {
-            for column in 0..3 {
-                let value = self.misalignment[(row, column)];
-                let index = 3 * row + column;
-                check_range(names.misalignment, value, -1.0, 1.0).map_err(|error| error.at(index))?;
-                if row == column && value != 0.0 {
-                    let rule = Rule::Words("must be 0 on the diagonal; use scale_factor");
-                    return Err(Error::invalid(names.misalignment, value, rule).at(index));
-                }
-            }
-        }
+        check_ranges(names.scale_factor_sigma, self.scale_factor_sigma.as_slice(), 0.0, 1.0)?;
+        check_misalignment(names.misalignment, &self.misalignment, -1.0, SCALE_FACTOR)?;
+        check_misalignment(names.misalignment_sigma, &self.misalignment_sigma, 0.0, SCALE_FACTOR_SIGMA)?;
         self.check_belongs(sensor, names)
     }
 
@@ -159,6 +157,25 @@ fn check_foreign(field: &'static str, values: &[f64]) -> Result<(), Error> {
         }
         None => Ok(()),
     }
+}
+
+const SCALE_FACTOR: Rule = Rule::Words("must be 0 on the diagonal; use scale_factor");
+const SCALE_FACTOR_SIGMA: Rule = Rule::Words("must be 0 on the diagonal; use scale_factor_sigma");
+
+/// Checks each element, row by row, to be from `low` to 1, and 0 on the diagonal, or else the rule `diagonal` tells.
+fn check_misalignment(
+    field: &'static str,
+    matrix: &Matrix3<f64>,
+    low: f64,
+    diagonal: Rule,
+) -> Result<(), Error> {
+    for (index, &value) in matrix.transpose().iter().enumerate() {
+        check_range(field, value, low, 1.0).map_err(|error| error.at(index))?;
+        if index % 4 == 0 && value != 0.0 {
+            return Err(Error::invalid(field, value, diagonal).at(index));
+        }
+    }
+    Ok(())
 }
 
 /// Checks each element of a matrix, row by row, to be within ±`limit`.

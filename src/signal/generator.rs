@@ -23,14 +23,17 @@ const MAX_SMALL_TURN: f64 = 0.02;
 
 /// Derivatives of the motion at a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Derivatives {
+pub(crate) struct Derivatives {
     /// Acceleration against the Earth, Earth-fixed axes [m/s²].
     pub a_e: Vector3<f64>,
     /// Angular rate against inertial space, sensor axes [rad/s].
     pub omega_ib_b: Vector3<f64>,
 }
 
-stored!(Derivatives { a_e: 1e18, omega_ib_b: 1e18 });
+/// Derivatives of accepted samples are smaller [m/s², rad/s]: the most that weights of 1/5e-5 s make of them is 1e14.
+pub(crate) const DERIVATIVES: f64 = 1e18;
+
+stored!(Derivatives { a_e: DERIVATIVES, omega_ib_b: DERIVATIVES });
 
 /// Another sample, seen from the one where derivatives are wanted.
 #[derive(Debug, Clone, Copy)]
@@ -73,18 +76,26 @@ pub struct SignalGenerator {
     earth_rate: f64,
     /// At the last sample, once they come from as many points as a stencil ever has, or from the host.
     settled: Option<Derivatives>,
+    /// Whether derivatives at the start of an interval have been others than those that the one before ended with.
+    start_is_revised: bool,
     /// Of the last two intervals, newest first.
     turns: [Turn; 2],
     /// Of the last stencil: even samples have the same again and again.
     stencil: Stencil,
 }
 
-stored!(SignalGenerator { settled } rebuilt { earth_rate, turns, stencil });
+stored!(SignalGenerator { settled } rebuilt { earth_rate, start_is_revised, turns, stencil });
 
 impl SignalGenerator {
     /// Starts on an Earth that turns at `earth_rate` [rad/s].
     pub fn new(earth_rate: f64) -> Self {
-        Self { earth_rate, settled: None, turns: [Turn::NONE; 2], stencil: Stencil::NONE }
+        Self {
+            earth_rate,
+            settled: None,
+            start_is_revised: false,
+            turns: [Turn::NONE; 2],
+            stencil: Stencil::NONE,
+        }
     }
 
     /// Takes the turns of the last intervals from the points at their ends, newest first, as if they had been flown.
@@ -96,10 +107,24 @@ impl SignalGenerator {
         self.turns = [turn(points[0], points[1]), turn(points[1], points[2])];
     }
 
+    /// What [`Self::go_back`] needs of the sample at hand.
+    #[inline]
+    pub(crate) fn settled(&self) -> Option<Derivatives> {
+        self.settled
+    }
+
+    /// The interval that `recent` ends has not been: back at its start, where [`Self::settled`] was `settled`.
+    pub(crate) fn go_back(&mut self, settled: Option<Derivatives>, recent: &Recent<'_>) {
+        let [second, third] = recent.before;
+        self.settled = settled;
+        self.look_back(&[Some(recent.current), second, third]);
+    }
+
     /// The motion of the interval that `recent` ends; the intervals come in order.
     ///
     /// Derivatives from four points, backward: at both ends the error is then the same, and cancels at the middle of the
-    /// interval. While there are fewer, both ends take all there are.
+    /// interval. While there are fewer, both ends take all there are. Behind a gap T in positions alone it is three points: the
+    /// fourth makes of velocity errors δ at intervals t δ T/t² of acceleration.
     pub fn advance<'a>(&mut self, recent: &Recent<'a>) -> IntervalMotion<'a> {
         let Recent { next, current, before } = *recent;
         let against_earth = relative_rotation(&current.state.q_eb, &next.state.q_eb);
@@ -110,7 +135,8 @@ impl SignalGenerator {
         let since_second = turn.angle + self.turns[0].angle;
         let since_third = since_second + self.turns[1].angle;
         let second = before[0].filter(|_| since_second < MAX_STENCIL_ROTATION);
-        let third = before[1].filter(|_| since_third < MAX_STENCIL_ROTATION);
+        let is_noisy = current.sample.v_n.is_none() && next.ends_gap(current);
+        let third = before[1].filter(|_| since_third < MAX_STENCIL_ROTATION && !is_noisy);
         let end = match (given(next), second, third) {
             (Some(given), ..) => given,
             (None, Some(second), Some(third)) if since_third < MAX_SERIES_ROTATION => {
@@ -122,6 +148,7 @@ impl SignalGenerator {
             _ => derivatives_at(next, &earth_rate_b, neighbours_behind(next, current, second, third)),
         };
         let start = self.settled.unwrap_or_else(|| {
+            self.start_is_revised = true;
             let interval = next.interval_s;
             let ahead = Neighbour { v_e: next.state.v_e, offset_s: interval, rotation: turn.vector };
             let behind = before[0]
@@ -137,6 +164,12 @@ impl SignalGenerator {
         self.settled = (given(next).is_some() || third.is_some()).then_some(end);
         self.turns = [turn, self.turns[0]];
         IntervalMotion::new(current, next, &[start, end], &rotation, self.earth_rate)
+    }
+
+    /// Whether derivatives at the start of an interval have been others than at the end of the one before since this was asked
+    /// last: while there are few samples, the next one tells more of them.
+    pub fn take_revised(&mut self) -> bool {
+        core::mem::take(&mut self.start_is_revised)
     }
 
     /// Rotation vectors from the newest of four samples back to the three before, from those between them, the last of

@@ -10,12 +10,13 @@
 mod generator;
 mod motion;
 
+pub(crate) use generator::DERIVATIVES;
 pub use generator::SignalGenerator;
-pub use motion::{IntervalMotion, MotionNode};
+pub use motion::{IntervalMotion, MotionNode, Turning};
 
 use nalgebra::Vector3;
 
-use crate::snapshot::stored;
+use crate::snapshot::{SIGNALS, stored};
 
 /// Sub-increments of an interval at the most: 5 subsamples of 16 updates.
 pub const MAX_INCREMENTS: usize = 80;
@@ -29,7 +30,7 @@ pub struct Increment {
     pub velocity: Vector3<f64>,
 }
 
-stored!(Increment { angle: 1e12, velocity: 1e12 });
+stored!(Increment { angle: SIGNALS, velocity: SIGNALS });
 
 impl Increment {
     /// No motion, no force.

@@ -38,6 +38,35 @@ pub struct MotionNode {
     pub f_e: Vector3<f64>,
 }
 
+/// How the attitude turns over one interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turning {
+    /// Length T [s].
+    pub interval_s: f64,
+    /// Rotation vector against inertial space since the start = Σ rotation[i] u^(i+1) [rad].
+    rotation: [Vector3<f64>; 3],
+}
+
+impl Turning {
+    /// The same in other axes, into which `turn` turns the vectors.
+    pub fn in_axes(&self, turn: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Self {
+        Self { rotation: self.rotation.map(|c| turn(&c)), ..*self }
+    }
+
+    /// Rotation vector against inertial space from the start to `u` [rad].
+    fn turned_by(&self, u: f64) -> Vector3<f64> {
+        let [c1, c2, c3] = &self.rotation;
+        (c1 + (c2 + c3 * u) * u) * u
+    }
+
+    /// Angular rate against inertial space at `u` [rad/s].
+    pub fn angular_rate(&self, u: f64) -> Vector3<f64> {
+        let [c1, c2, c3] = &self.rotation;
+        let phi_rate = c1 + (c2 * 2.0 + c3 * (3.0 * u)) * u;
+        right_jacobian(&self.turned_by(u), &phi_rate) * (1.0 / self.interval_s)
+    }
+}
+
 /// Attitude and velocity over one interval, and with gravity the specific force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntervalMotion<'a> {
@@ -120,22 +149,19 @@ impl<'a> IntervalMotion<'a> {
         inertial.map(|f| self.start.to_earth.tr_mul(&f))
     }
 
-    /// Rotation vector against inertial space from the start to `u`, sensor axes [rad].
-    fn turned_by(&self, u: f64) -> Vector3<f64> {
-        let [c1, c2, c3] = &self.rotation;
-        (c1 + (c2 + c3 * u) * u) * u
-    }
-
     /// Angular rate against inertial space at `u`, sensor axes [rad/s].
     pub fn angular_rate(&self, u: f64) -> Vector3<f64> {
-        let [c1, c2, c3] = &self.rotation;
-        let phi_rate = c1 + (c2 * 2.0 + c3 * (3.0 * u)) * u;
-        right_jacobian(&self.turned_by(u), &phi_rate) * (1.0 / self.interval_s)
+        self.turning().angular_rate(u)
+    }
+
+    /// How the attitude turns.
+    pub fn turning(&self) -> Turning {
+        Turning { interval_s: self.interval_s, rotation: self.rotation }
     }
 
     /// Matrix of the attitude at `u`: sensor axes to Earth-fixed axes.
     pub fn to_earth(&self, u: f64) -> Matrix3<f64> {
-        let turned = rotation_quaternion(&self.turned_by(u));
+        let turned = rotation_quaternion(&self.turning().turned_by(u));
         // The Earth has turned on.
         let earth_turn = Vector3::new(0.0, 0.0, -self.earth_rate * self.interval_s * u);
         rotation_matrix(&(rotation_quaternion(&earth_turn) * self.start.state.q_eb * turned))

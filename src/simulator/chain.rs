@@ -1,24 +1,23 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
 mod beside;
+mod fly;
 mod snapshot;
 
-use super::aid::vertical_aid;
+use core::ops::Range;
+
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
 use super::interval::LastInterval;
 use super::mounted::block_at_start;
-use super::start::{start_errors, with_errors};
+use super::start::{Start, with_errors};
 use super::views::Views;
-use super::{ErrorSource, ImuFlags, ImuInterval, Options, SensorSuite, Solution, singular};
+use super::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::{
-    Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, SensorErrors, navigation_minus_truth,
-};
-use crate::math::sin_cos;
-use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode};
+use crate::errors::{Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, navigation_minus_truth};
+use crate::mechanization::{Mechanization, VerticalMode};
 use crate::mounting::Block;
 use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
@@ -30,12 +29,13 @@ pub(super) struct Chain {
     options: Options,
     earth: Earth,
     generator: SignalGenerator,
-    /// Ideal increments of the last interval, and measured ones unless the sensors were ideal.
+    /// Ideal increments of the last interval, and measured ones unless the sensors were ideal, at the places `parts`.
     ideal: [Increment; MAX_INCREMENTS],
     measured: [Increment; MAX_INCREMENTS],
-    /// Updates of the last interval.
-    updates: usize,
+    parts: Range<usize>,
     last: LastInterval,
+    /// The alignment at the start could not find north.
+    north_unknown: bool,
     /// The sensors' block, where it does not sit at the reference point.
     block: Option<Block>,
     /// True less normal gravity, where it is other.
@@ -80,20 +80,22 @@ impl Chain {
             sensors.gravity.is_on().then(|| Disturbance::new(sensors.gravity.at(&earth, first)));
         let at = (first, &sensors_state);
         let disturbance_e = disturbance.as_ref().map(Disturbance::at_last_e);
-        let start = start_errors(options, &earth, at, &truth, disturbance_e, sensors)?;
-        let state = with_errors(&earth, options, &truth, &start).earth_fixed(&earth);
+        let start = Start::new(options, &earth, at, &truth, disturbance_e, sensors)?;
+        let state = with_errors(&earth, options, &truth, &start.errors).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
-        mechanization.check()?;
         let beside = Beside { block, disturbance, sensors_state };
-        Ok(Self::new(options, earth, first, &start, mechanization, start != StateErrors::NONE, beside))
+        let with_shadow = start.errors != StateErrors::NONE;
+        let chain = Self::new(options, earth, first, &start, mechanization, with_shadow, beside);
+        chain.check()?;
+        Ok(chain)
     }
 
-    /// A chain at the truth `first` whose navigator is `mechanization`, off the truth by `start`.
+    /// A chain at the truth `first` whose navigator is `mechanization`, started as `start` has it.
     fn new(
         options: &Options,
         earth: Earth,
         first: &TruthPoint,
-        start: &StateErrors,
+        start: &Start,
         mechanization: Mechanization,
         with_shadow: bool,
         Beside { block, disturbance, sensors_state }: Beside,
@@ -102,17 +104,18 @@ impl Chain {
             let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
             ClosedLoop::new(time_constant_s, first.time_s, with_shadow.then(at_truth))
         });
-        let error_model = options
-            .error_model
-            .then(|| ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, start));
+        let error_model = options.error_model.then(|| {
+            ErrorModel::new(earth, options.frame, &first.vertical(), &sensors_state.v_e, &start.errors)
+        });
         Self {
             options: *options,
             earth,
             generator: SignalGenerator::new(earth.rate_rad_s),
             ideal: [Increment::ZERO; MAX_INCREMENTS],
             measured: [Increment::ZERO; MAX_INCREMENTS],
-            updates: options.updates_per_sample,
+            parts: 0..0,
             last: LastInterval::None,
+            north_unknown: start.north_unknown,
             is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
             block,
             disturbance,
@@ -123,116 +126,6 @@ impl Chain {
             closure: Closure::new(),
             closed_loop,
             views: Views::default(),
-        }
-    }
-
-    /// Flies the interval that `recent` ends; on an error nothing has changed.
-    pub fn advance(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
-        self.check_truth(recent.next)?;
-        let change = recent.next.state.v_e - recent.current.state.v_e;
-        // Gravity and rotation of the axes change the velocity as well, by a thousandth of the bound.
-        let limit = 0.2 * Mechanization::TAME_CHANGE_M_S;
-        let is_tame = sensors.are_tame()
-            && recent.next.interval_s <= Mechanization::TAME_INTERVAL_S
-            && change.norm_squared() < limit * limit;
-        // What tame sensors add, by their definition, stays below 5000 √t.
-        let largest_change = 5.0 * change.norm_squared().sqrt() + 5e3 * recent.next.interval_s.sqrt();
-        if is_tame && self.mechanization.is_safe(recent.next.interval_s, largest_change) {
-            self.fly(recent, sensors);
-            return Ok(());
-        }
-        self.fly_watched(recent, sensors)
-    }
-
-    /// Flies, and goes back where the solution left its limits. Kept apart for the stack that the copies take.
-    #[cold]
-    #[inline(never)]
-    fn fly_watched(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
-        let before = (self.clone(), sensors.clone());
-        self.fly(recent, sensors);
-        let result = self.mechanization.check();
-        if result.is_err() {
-            (*self, *sensors) = before;
-        }
-        result
-    }
-
-    /// Whether the mechanization can follow the truth to `next`.
-    fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
-        if self.options.frame == Frame::Geographic {
-            let cos = sin_cos(next.sample.place.latitude_rad).1;
-            if cos < Mechanization::MIN_COS_LATITUDE {
-                return Err(singular(
-                    "cosine of sample.latitude_rad",
-                    cos,
-                    "the geographic frame needs at least",
-                    Mechanization::MIN_COS_LATITUDE,
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    fn fly(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) {
-        let next = recent.next;
-        let t = next.interval_s;
-        self.updates = self.options.updates_over(recent);
-        let count = self.increments();
-        self.views = Views::default();
-
-        // Signal generator.
-        let motion = self.generator.advance(recent);
-        motion.integrate(&mut self.ideal[..count]);
-        if !self.is_plain {
-            self.complete_ideal_signals(&motion, recent, sensors);
-        }
-        let ideal = &self.ideal[..count];
-
-        // Sensors.
-        let sensors_were_ideal = sensors.are_ideal();
-        let mut flags = ImuFlags::default();
-        let increments = if sensors_were_ideal {
-            ideal
-        } else {
-            let measured = &mut self.measured[..count];
-            sensors.begin_interval(t, || [recent.current.sample.temperature_c, next.sample.temperature_c]);
-            flags = sensors.sense(ideal, t / count as f64, measured);
-            &*measured
-        };
-
-        // Mechanization.
-        let aid = vertical_aid(self.options.vertical, next, |height_m| {
-            sensors.altimeter.sense(height_m, next.interval_s)
-        });
-        self.last = LastInterval::Flown {
-            time_s: next.time_s,
-            interval_s: t,
-            sensors_were_ideal,
-            flags,
-            vertical_unaided: aid == VerticalAid::None,
-        };
-        navigate(&mut self.mechanization, self.options.subsamples, increments, t);
-        if self.is_plain {
-            self.mechanization.aid_vertical(&aid, t);
-        } else {
-            self.aid_and_observe(next, &aid);
-        }
-
-        // Errors.
-        if let Some(model) = &mut self.error_model {
-            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
-            let mut errors = SensorErrors::between(&self.ideal[..count], &increments[..count], t);
-            if let Some(disturbance) = &self.disturbance {
-                errors = errors.plus(disturbance.felt());
-            }
-            model.advance(&motion, next, &errors, &aid, self.block.as_ref());
-        }
-        let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
-        self.closure.advance(&self.earth, next, &inconsistency);
-        self.intervals += 1;
-        if self.accuracy.is_due(next.time_s) {
-            let errors = *self.navigation_errors(next);
-            self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
     }
 
@@ -250,12 +143,16 @@ impl Chain {
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
         let vertical_unaided =
             self.last.vertical_unaided().unwrap_or(self.options.vertical == VerticalMode::Free);
-        Solution { vertical_unaided, ..Solution::new(&self.earth, truth.time_s, *self.navigated_view()) }
+        Solution {
+            vertical_unaided,
+            north_unknown: self.north_unknown,
+            ..Solution::new(&self.earth, truth.time_s, *self.navigated_view())
+        }
     }
 
     pub fn ideal_increments(&self) -> &[Increment] {
         match self.last {
-            LastInterval::Flown { .. } => &self.ideal[..self.increments()],
+            LastInterval::Flown { .. } => &self.ideal[self.parts.clone()],
             LastInterval::None | LastInterval::Loaded { .. } => &[],
         }
     }
@@ -273,14 +170,9 @@ impl Chain {
             time_s,
             interval_s,
             ideal: Increment::sum(self.ideal_increments()),
-            measured: Increment::sum(&measured[..self.increments()]),
+            measured: Increment::sum(&measured[self.parts.clone()]),
             flags,
         })
-    }
-
-    /// Sub-increments of an interval.
-    fn increments(&self) -> usize {
-        self.options.subsamples * self.updates
     }
 
     fn true_view(&self, truth: &TruthPoint) -> &Navigation {
@@ -325,14 +217,5 @@ impl Chain {
 
     pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
         self.closure.figures(&self.earth, truth, self.navigation_errors(truth))
-    }
-}
-
-/// Navigates over an interval of length `t` [s], in updates of so many subsamples.
-fn navigate(mechanization: &mut Mechanization, subsamples: usize, increments: &[Increment], t: f64) {
-    let updates = increments.chunks_exact(subsamples);
-    let update_s = t / updates.len() as f64;
-    for update in updates {
-        mechanization.update(update, update_s);
     }
 }

@@ -41,7 +41,10 @@ pub(super) struct ClosedLoop {
     largest: TrimFigures,
 }
 
-stored!(TrimFigures { rate_rad_s: 1e12, force_m_s2: 1e12 });
+stored!(TrimFigures { rate_rad_s: 1e12, force_m_s2: 1e12 } then |trim, from| {
+    let least = trim.rate_rad_s.min(trim.force_m_s2);
+    from.require(least >= 0.0, least, "must not be negative")
+});
 
 /// Read over a loop that was made with a shadow.
 impl Stored for ClosedLoop {
@@ -100,6 +103,18 @@ impl ClosedLoop {
             self.shadow = Some(*navigator);
         }
         self.shadow.as_mut()
+    }
+
+    /// Checks the shadow's solution.
+    pub fn check(&self) -> Result<(), Error> {
+        self.shadow.as_ref().map_or(Ok(()), Mechanization::check)
+    }
+
+    /// The truth has had the velocity `dv_e` [m/s] more: so has the shadow, if there is one.
+    pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
+        if let Some(shadow) = &mut self.shadow {
+            shadow.shift_velocity(dv_e);
+        }
     }
 
     /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow

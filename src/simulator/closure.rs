@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use crate::earth::Earth;
 use crate::errors::NavigationErrors;
 use crate::math::Compensated;
-use crate::snapshot::{COUNT, stored};
-use crate::truth::TruthPoint;
+use crate::snapshot::{COUNT, NO_SQUARE, stored};
+use crate::truth::{INTERVALS_S, TruthPoint};
 
 /// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is
 /// flagged, added as squares: coarser than any integrator's error, finer than a wrong unit.
@@ -39,6 +39,10 @@ pub struct ClosureFigures {
 /// The INS's answer is integrated in steps of this length [s]: a five-thousandth of its period.
 const ANSWER_STEP_S: f64 = 1.0;
 
+/// And where an interval is longer, in equal steps of at most this [s]: the explicit Coriolis term adds a share of
+/// 2 (W t)² a step, in one step of 1000 s one percent.
+const LONGEST_ANSWER_STEP_S: f64 = 2.5;
+
 /// The sums behind the figures, Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Closure {
@@ -67,16 +71,37 @@ stored!(Closure {
     last_flagged,
     answer,
     pending_e: SUMS_M,
-    pending_s: 1e6,
+    pending_s: ANSWER_STEP_S + INTERVALS_S.1,
+} then |closure, from| {
+    from.require(closure.max2_m2 >= 0.0, closure.max2_m2, NO_SQUARE)?;
+    from.require(closure.pending_s >= 0.0, closure.pending_s, "must not be negative")
 });
 stored!(Answer { r_e: SUMS_M, v_e: SUMS_M });
 
 /// No sum over a run is as large [m, m/s, m²].
-const SUMS_M: f64 = 1e40;
+const SUMS_M: f64 = 1e60;
 
 impl Answer {
-    /// δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency over `t` [s], semi-implicit; the vertical part is taken out.
+    /// After `t` [s] in which `inconsistency_e` [m] came.
     fn after(mut self, earth: &Earth, truth: &TruthPoint, inconsistency_e: &Vector3<f64>, t: f64) -> Self {
+        if t <= LONGEST_ANSWER_STEP_S {
+            return self.after_step(earth, truth, inconsistency_e, t);
+        }
+        let steps = (t / LONGEST_ANSWER_STEP_S).ceil();
+        for _ in 0..steps as u32 {
+            self = self.after_step(earth, truth, &(inconsistency_e / steps), t / steps);
+        }
+        self
+    }
+
+    /// δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency over `t` [s], semi-implicit; the vertical part is taken out.
+    fn after_step(
+        mut self,
+        earth: &Earth,
+        truth: &TruthPoint,
+        inconsistency_e: &Vector3<f64>,
+        t: f64,
+    ) -> Self {
         let r_e = &truth.state.r_e;
         let inverse_r2 = 1.0 / r_e.norm_squared();
         let schuler2 = -truth.gravity_e.dot(r_e) * inverse_r2;

@@ -2,10 +2,7 @@
 
 use super::Options;
 use crate::signal::MAX_INCREMENTS;
-use crate::truth::Recent;
-
-/// Times the longer of the last two intervals beyond which an interval is a gap. One lost sample is none.
-const GAP: f64 = 2.5;
+use crate::truth::{GAP, Recent};
 
 impl Options {
     /// Updates of the mechanization over the interval that `recent` ends. In a gap they are as long as those before, as far as
@@ -14,7 +11,7 @@ impl Options {
     /// Evidence: 1 s lost in a weave of 4 g at 100 Hz, 500 s later: 15 km with one update, 5 cm so.
     #[inline]
     pub(super) fn updates_over(&self, recent: &Recent<'_>) -> usize {
-        if recent.next.interval_s > GAP * recent.current.interval_s {
+        if recent.next.ends_gap(recent.current) {
             return self.updates_over_longer(recent);
         }
         self.updates_per_sample

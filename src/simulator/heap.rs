@@ -8,8 +8,8 @@ use crate::memory::room;
 /// a `Box` can be allocated without aborting.
 #[inline(never)]
 pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
+    let intake = Simulator::intake(options)?;
     let mut memory = room(1)?;
-    options.validate()?;
-    memory.push(Simulator::with_valid(options));
+    memory.push(Simulator::with(options, intake));
     Ok(memory.into_boxed_slice())
 }

@@ -2,6 +2,7 @@
 
 use crate::signal::Increment;
 use crate::snapshot::stored;
+use crate::truth::INTERVALS_S;
 
 /// Ideal and measured signals of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -18,7 +19,9 @@ pub struct ImuInterval {
     pub flags: ImuFlags,
 }
 
-stored!(ImuInterval { time_s: 1e12, interval_s: 1e3, ideal, measured, flags });
+stored!(ImuInterval { time_s: 1e12, interval_s: INTERVALS_S.1, ideal, measured, flags } then |imu, from| {
+    from.require(imu.interval_s >= INTERVALS_S.0, imu.interval_s, "is no interval")
+});
 
 /// What the built-in test of the sensors reports of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

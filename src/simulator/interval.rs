@@ -14,11 +14,6 @@ pub(super) enum LastInterval {
 }
 
 impl LastInterval {
-    /// Whether what the sensors measured is what they should.
-    pub fn sensors_were_ideal(&self) -> bool {
-        !matches!(self, Self::Flown { sensors_were_ideal: false, .. })
-    }
-
     /// Whether nothing aided the vertical channel, if there was an interval.
     pub fn vertical_unaided(&self) -> Option<bool> {
         match *self {

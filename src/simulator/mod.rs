@@ -83,17 +83,21 @@ pub struct Simulator {
 impl Simulator {
     /// A simulator with ideal sensors.
     pub fn new(options: &Options) -> Result<Self, Error> {
-        options.validate()?;
-        Ok(Self::with_valid(options))
+        Ok(Self::with(options, Self::intake(options)?))
     }
 
-    /// The same with options that have been validated: no `Result` that would hold another copy on the stack.
-    pub(crate) fn with_valid(options: &Options) -> Self {
-        let earth = options.earth();
+    /// What can fail of making a simulator.
+    fn intake(options: &Options) -> Result<Intake, Error> {
+        options.validate()?;
+        Intake::new(options.earth(), options.axes, options.intake)
+    }
+
+    /// The rest: no `Result` that would hold another copy on the stack.
+    fn with(options: &Options, intake: Intake) -> Self {
         Self {
             options: *options,
-            earth,
-            intake: Intake::new(earth, options.axes, options.intake),
+            earth: options.earth(),
+            intake,
             sensors: SensorSuite::new(options),
             mode: Mode::Waiting,
         }
@@ -166,9 +170,7 @@ impl Simulator {
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
         self.sensors.check_temperature(sample.temperature_c)?;
-        let mut intake = Intake::new(self.earth, self.options.axes, self.options.intake);
-        intake.push(sample)?;
-        self.intake = intake;
+        self.intake.restart(sample)?;
         self.mode = Mode::Waiting;
         Ok(())
     }
@@ -176,7 +178,7 @@ impl Simulator {
     /// Back to before the first sample: same parameters, seed and draws, no failures.
     #[inline(never)]
     pub fn reset(&mut self) {
-        self.intake = Intake::new(self.earth, self.options.axes, self.options.intake);
+        self.intake.clear();
         self.sensors = self.sensors.restarted(&self.options);
         self.mode = Mode::Waiting;
     }
@@ -276,8 +278,22 @@ impl Simulator {
     fn read<T>(&self, view: impl FnOnce(&Chain, &TruthPoint) -> T) -> Result<Option<T>, Error> {
         match (&self.mode, self.intake.current(), self.intake.front()) {
             (Mode::Flying(chain), Some(current), _) => Ok(Some(view(chain, current))),
-            (_, _, Some(first)) => Ok(Some(view(&self.chain_from_first_sample()?, first))),
+            (_, _, Some(first)) => self.read_start(view, first).map(Some),
             _ => Ok(None),
+        }
+    }
+
+    /// Not inlined: no other read needs the stack of a chain. By reference: `?` would take it out of its `Result`, a copy.
+    #[cold]
+    #[inline(never)]
+    fn read_start<T>(
+        &self,
+        view: impl FnOnce(&Chain, &TruthPoint) -> T,
+        first: &TruthPoint,
+    ) -> Result<T, Error> {
+        match &self.chain_from_first_sample() {
+            Ok(chain) => Ok(view(chain, first)),
+            Err(error) => Err(*error),
         }
     }
 

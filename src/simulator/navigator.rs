@@ -1,5 +1,6 @@
 //! Navigation alone, on recorded or foreign increments.
 
+use super::suite::IntervalConditions;
 use super::{ImuInterval, Options, SensorSuite, Solution};
 use crate::earth::Earth;
 use crate::error::{Error, Rule, check_range, check_ranges};
@@ -56,15 +57,16 @@ impl Navigator {
             return Err(Error::invalid("imu.angle_rad", largest.sqrt(), rule));
         }
 
-        let before = (self.mechanization, sensors.clone());
+        let before = *self.mechanization.solution();
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         let measured = &mut measured[..increments.len()];
-        sensors.begin_interval(interval_s, || [None; 2]);
+        sensors.begin_interval(interval_s, IntervalConditions::default);
         let flags = sensors.sense(increments, dt, measured);
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {
-            (self.mechanization, *sensors) = before;
+            self.mechanization.set_solution(&before);
+            sensors.undo();
             return Err(error);
         }
         let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);

@@ -19,6 +19,8 @@ pub struct Solution {
     pub near_pole: bool,
     /// Nothing aids the vertical channel; its error grows by e every 569 s.
     pub vertical_unaided: bool,
+    /// The alignment at the start could not find north: the heading may be anything.
+    pub north_unknown: bool,
     /// Truth: the displacement since the sample before contradicts the velocities.
     pub inconsistent: bool,
 }
@@ -26,7 +28,14 @@ pub struct Solution {
 impl Solution {
     pub(super) fn new(earth: &Earth, time_s: f64, navigation: Navigation) -> Self {
         let near_pole = is_near_pole(earth, &navigation);
-        Self { time_s, navigation, near_pole, vertical_unaided: false, inconsistent: false }
+        Self {
+            time_s,
+            navigation,
+            near_pole,
+            vertical_unaided: false,
+            north_unknown: false,
+            inconsistent: false,
+        }
     }
 
     /// The truth at `point`.

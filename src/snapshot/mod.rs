@@ -24,7 +24,7 @@ mod stored;
 mod writer;
 
 pub use envelope::{FORMAT_VERSION, seal};
-pub(crate) use numbers::{ANY, COUNT, Numbers};
+pub(crate) use numbers::{ANY, COUNT, NO_SQUARE, Numbers, SIGNALS};
 pub(crate) use reader::Reader;
 pub(crate) use stored::{Stored, codes, stored, variants};
 pub(crate) use writer::Writer;

@@ -12,6 +12,13 @@ pub(crate) const ANY: f64 = f64::MAX;
 /// For counters: one that is full would take longer than any run.
 pub(crate) const COUNT: f64 = 9e15;
 
+/// For signals, their integrals and what sensors make of them [u, u s]: beyond all that accepted samples and parameters give, and
+/// with squares that are finite.
+pub(crate) const SIGNALS: f64 = 1e120;
+
+/// Why a sum of squares is refused.
+pub(crate) const NO_SQUARE: &str = "must be a square";
+
 /// What the carry of a compensated sum is of its largest value, and room: half a unit in the last place is 1.1e-16.
 const CARRY_SHARE: f64 = 1e-14;
 

@@ -73,6 +73,11 @@ impl<'a> Reader<'a> {
         Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len() as f64, rule))
     }
 
+    /// Refuses what is not `good`: `value` of the field at hand.
+    pub fn require(&self, good: bool, value: f64, words: &'static str) -> Result<(), Error> {
+        if good { Ok(()) } else { Err(self.refused(value, Rule::Words(words))) }
+    }
+
     /// The value of the field at hand breaks `rule`.
     pub fn refused(&self, value: f64, rule: Rule) -> Error {
         Error::of(ErrorKind::Snapshot, self.field, value, rule)

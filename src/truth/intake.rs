@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::ring::{LOOK_BACK, Ring};
+use super::sample::LATEST_S;
 use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
@@ -11,11 +12,18 @@ use crate::math::end_derivative_weights;
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::state::BodyAxes;
 
-/// Shortest interval between samples [s].
+/// Shortest interval between samples, and longest that a host may allow [s].
 const MIN_INTERVAL_S: f64 = 5e-5;
+pub(crate) const MAX_GAP_S: f64 = 1e3;
 
 /// What the difference of two time stamps may miss an interval by: four units in their last place.
 const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Shortest and longest interval that there can be [s].
+pub(crate) const INTERVALS_S: (f64, f64) = {
+    let rounding = STAMP_ROUNDING * LATEST_S;
+    (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
+};
 
 /// What separates a bad sample from a hard manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,9 +57,22 @@ pub struct Intake {
 }
 
 impl Intake {
-    /// An empty intake.
-    pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Self {
-        Self { earth, axes, limits, ring: Ring::EMPTY, first_time_s: 0.0, ticks: 0.0 }
+    /// An empty intake. The one allocation of its life.
+    pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Result<Self, Error> {
+        Ok(Self { earth, axes, limits, ring: Ring::new()?, first_time_s: 0.0, ticks: 0.0 })
+    }
+
+    /// Forgets all samples.
+    pub fn clear(&mut self) {
+        self.ring.clear();
+        (self.first_time_s, self.ticks) = (0.0, 0.0);
+    }
+
+    /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first, it is checked by itself alone.
+    pub fn restart(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        sample.validate()?;
+        self.clear();
+        self.push(sample)
     }
 
     /// Number of points that wait.
@@ -162,7 +183,13 @@ impl Intake {
         let knows_velocity = |point: &TruthPoint| point.sample.v_n.is_some();
         if let Some(last) = self.ring.pushed(0).filter(|last| knows_velocity(last) && knows_velocity(&point))
         {
-            Steps { last, before: [self.ring.pushed(1), None] }.check(&point, &self.limits)?;
+            let steps = Steps { last, before: [self.ring.pushed(1), None] };
+            // Nor is the interval before the oldest, without which nobody knows what turn was to be foreseen.
+            if steps.before[0].is_some() {
+                steps.check(&point, &self.limits)?;
+            } else {
+                steps.check_without_foresight(&point, &self.limits)?;
+            }
         }
         self.ticks = ticks;
         self.ring.push(point);
@@ -202,14 +229,16 @@ impl Intake {
         Ok((time_s, interval_s, ticks))
     }
 
-    /// Derivative at `point` of the polynomial through its position and up to three before it [m/s].
+    /// Derivative at `point` of the polynomial through its position and up to three before it, two behind a gap [m/s]: the
+    /// third makes of position errors ε before a gap T, at intervals t, ε T/t² of the velocity.
     fn velocity_from_positions(&self, point: &TruthPoint) -> Vector3<f64> {
         // Relative to this position, so that the large part of the coordinates does not enter.
         let before = |back: usize| {
             let past = self.ring.pushed(back)?;
             Some((past.time_s - point.time_s, past.state.r_e - point.state.r_e))
         };
-        match (before(0), before(1), before(2)) {
+        let third = || before(2).filter(|_| !self.ring.pushed(0).is_some_and(|last| point.ends_gap(last)));
+        match (before(0), before(1), third()) {
             (Some(a), Some(b), Some(c)) => weighted([a, b, c]),
             (Some(a), Some(b), None) => weighted([a, b]),
             (Some(a), None, _) => weighted([a]),

@@ -6,7 +6,10 @@ mod ring;
 mod sample;
 mod steps;
 
+pub(crate) use intake::{INTERVALS_S, MAX_GAP_S};
 pub use intake::{Intake, IntakeLimits};
+pub(crate) use point::GAP;
 pub use point::TruthPoint;
 pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;
+pub(crate) use sample::check_height;

@@ -11,6 +11,9 @@ use crate::math::{
 };
 use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
+/// Times the interval before it beyond which an interval is a gap. One lost sample is none.
+pub(crate) const GAP: f64 = 2.5;
+
 /// Truth at a sample, in Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TruthPoint {
@@ -78,6 +81,12 @@ impl TruthPoint {
         let v_e = &self.state.v_e;
         let coriolis = Vector3::new(v_e.y, -v_e.x, 0.0) * (2.0 * earth.rate_rad_s);
         self.a_e = self.sample.f_b.map(|f_b| self.to_earth * f_b + self.gravity_e + coriolis);
+    }
+
+    /// Whether samples were lost since `last`: the interval is much longer than the one before it.
+    #[inline]
+    pub(crate) fn ends_gap(&self, last: &Self) -> bool {
+        self.interval_s > GAP * last.interval_s
     }
 
     /// The vertical there.

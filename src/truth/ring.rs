@@ -1,6 +1,8 @@
 //! The last points taken in: those that wait for a step, and those before them that a stencil still looks back to.
 
 use super::TruthPoint;
+use crate::error::Error;
+use crate::memory::room;
 
 /// Samples that may wait for a step.
 pub const QUEUE_CAPACITY: usize = 16;
@@ -11,10 +13,10 @@ pub(super) const LOOK_BACK: usize = 3;
 /// A power of two that holds a full queue and the points behind it.
 const RING: usize = 32;
 
-/// Points in the order in which they came, in fixed memory.
+/// Points in the order in which they came, in fixed memory: on the heap, as 13 KB are much of a stack.
 #[derive(Debug, Clone)]
 pub(super) struct Ring {
-    points: [Option<TruthPoint>; RING],
+    points: Box<[Option<TruthPoint>; RING]>,
     /// Counted without a wrap, which 32 bits would meet in a long run.
     pushed: u64,
     taken: u64,
@@ -32,7 +34,19 @@ pub struct Recent<'a> {
 }
 
 impl Ring {
-    pub const EMPTY: Self = Self { points: [None; RING], pushed: 0, taken: 0 };
+    pub fn new() -> Result<Self, Error> {
+        let mut points = room(RING)?;
+        points.resize(RING, None);
+        match points.into_boxed_slice().try_into() {
+            Ok(points) => Ok(Self { points, pushed: 0, taken: 0 }),
+            Err(_) => Err(Error::bad_state("room for another number of points")),
+        }
+    }
+
+    /// No point any more.
+    pub fn clear(&mut self) {
+        (self.pushed, self.taken) = (0, 0);
+    }
 
     /// Points that wait.
     pub fn waiting(&self) -> usize {

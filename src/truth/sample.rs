@@ -26,6 +26,15 @@ pub struct FlightSample {
     pub temperature_c: Option<f64>,
 }
 
+/// Time stamps are within ± this [s].
+pub(super) const LATEST_S: f64 = 1e10;
+
+/// Checks a height above the ellipsoid [m], of a sample or of what samples are made of.
+pub(crate) fn check_height(field: &'static str, height_m: f64) -> Result<(), Error> {
+    let (low, high) = FlightSample::HEIGHT_RANGE_M;
+    check_range(field, height_m, low, high)
+}
+
 /// Bits of what a stored sample has beyond or short of the usual: no velocity, a rate, a force, a
 /// temperature.
 const NO_VELOCITY: usize = 1;
@@ -73,20 +82,31 @@ impl Stored for FlightSample {
 }
 
 impl FlightSample {
+    /// Heights above the ellipsoid that a sample may have [m].
+    pub const HEIGHT_RANGE_M: (f64, f64) = (-20e3, 2000e3);
+    /// Largest component of its velocity [m/s].
+    pub const MAX_VELOCITY_M_S: f64 = 20e3;
+    /// Largest longitude of either sign [rad].
+    pub const MAX_LONGITUDE_RAD: f64 = 100.0;
+    /// Largest attitude angle of either sign: any number of turns that leaves an angle its digits [rad].
+    pub const MAX_ANGLE_RAD: f64 = 1e4;
+
     /// Checks each field by itself.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("sample.time_s", self.time_s, -1e10, 1e10)?;
+        check_range("sample.time_s", self.time_s, -LATEST_S, LATEST_S)?;
         // A quarter turn that the host rounded up in degrees is still a pole.
         let quarter = core::f64::consts::FRAC_PI_2 + 1e-9;
         check_range("sample.latitude_rad", self.place.latitude_rad, -quarter, quarter)?;
-        check_range("sample.longitude_rad", self.place.longitude_rad, -100.0, 100.0)?;
-        check_range("sample.height_m", self.place.height_m, -20e3, 2000e3)?;
+        let (longitude, velocity, angle) =
+            (Self::MAX_LONGITUDE_RAD, Self::MAX_VELOCITY_M_S, Self::MAX_ANGLE_RAD);
+        check_range("sample.longitude_rad", self.place.longitude_rad, -longitude, longitude)?;
+        check_height("sample.height_m", self.place.height_m)?;
         if let Some(v_n) = &self.v_n {
-            check_ranges("sample.velocity_enu_m_s", v_n.as_slice(), -20e3, 20e3)?;
+            check_ranges("sample.velocity_enu_m_s", v_n.as_slice(), -velocity, velocity)?;
         }
-        check_range("sample.roll_rad", self.euler.roll, -1e4, 1e4)?;
-        check_range("sample.pitch_rad", self.euler.pitch, -1e4, 1e4)?;
-        check_range("sample.heading_rad", self.euler.heading, -1e4, 1e4)?;
+        check_range("sample.roll_rad", self.euler.roll, -angle, angle)?;
+        check_range("sample.pitch_rad", self.euler.pitch, -angle, angle)?;
+        check_range("sample.heading_rad", self.euler.heading, -angle, angle)?;
         if let Some(rate) = &self.omega_ib_b {
             check_ranges("sample.angular_rate_rad_s", rate.as_slice(), -1e3, 1e3)?;
         }

@@ -32,6 +32,13 @@ pub(super) struct Steps<'a> {
 impl Steps<'_> {
     /// Refuses what no vehicle does between two samples.
     pub fn check(&self, point: &TruthPoint, limits: &IntakeLimits) -> Result<(), Error> {
+        self.check_without_foresight(point, limits)?;
+        self.check_foreseen_turn(point)
+    }
+
+    /// The same where the interval before is unknown, by which the turn is foreseen.
+    #[inline(always)]
+    pub fn check_without_foresight(&self, point: &TruthPoint, limits: &IntakeLimits) -> Result<(), Error> {
         let last = self.last;
         let limit = limits.max_acceleration_m_s2;
         let (unexplained, allowed) = match point.sample.v_n {
@@ -93,8 +100,8 @@ impl Steps<'_> {
         Ok((unexplained, POSITION_SLACK_M + 0.5 * limit * interval * (interval + span)))
     }
 
-    /// Refuses turns whose sense is unknown: of 170° and more, and those that only seem smaller because whole turns are lost
-    /// in them. Evidence: a spin-up of 1e5 °/s² at 50 Hz steps from 160° to 200° an interval, which looks like -160°.
+    /// Refuses turns whose sense is unknown: of 170° and more.
+    #[inline(always)]
     fn check_turn(&self, point: &TruthPoint) -> Result<(), Error> {
         let last = self.last;
         let (from, to) = (&last.state.q_eb, &point.state.q_eb);
@@ -107,6 +114,16 @@ impl Steps<'_> {
                 Rule::Words("must be below 170 degrees; beyond it the sense of the rotation is unknown"),
             );
         }
+        Ok(())
+    }
+
+    /// Refuses turns that only seem to be below 170° because whole turns are lost in them. Evidence: a spin-up of 1e5 °/s² at
+    /// 50 Hz steps from 160° to 200° an interval, which looks like -160°.
+    #[inline(always)]
+    fn check_foreseen_turn(&self, point: &TruthPoint) -> Result<(), Error> {
+        let last = self.last;
+        let (from, to) = (&last.state.q_eb, &point.state.q_eb);
+        let cosine = from.dot(to).abs();
         let before = self.before[0];
         if before.is_some_and(|_| point.interval_s > FORESEEN_INTERVALS * last.interval_s) {
             return Ok(());

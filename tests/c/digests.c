@@ -181,11 +181,11 @@ int main(void)
         uint64_t (*flight)(uint64_t hash);
         uint64_t expected;
     } flights[] = {
-        {"simulation 2", simulation2, UINT64_C(0x6cfa1c65aa99d49f)},
-        {"snapshot replay", snapshot_replay, UINT64_C(0x6cfa1c65aa99d49f)},
-        {"aerobatics, every effect", aerobatics, UINT64_C(0xac0dfc69a95b1399)},
-        {"pole", pole, UINT64_C(0xfb8864a39c56ce79)},
-        {"jitter", jitter, UINT64_C(0xe981ca2acd857edf)},
+        {"simulation 2", simulation2, UINT64_C(0x67b1d58c4446f399)},
+        {"snapshot replay", snapshot_replay, UINT64_C(0x67b1d58c4446f399)},
+        {"aerobatics, every effect", aerobatics, UINT64_C(0xdc6d6e0347c6137b)},
+        {"pole", pole, UINT64_C(0x55db329001e2726f)},
+        {"jitter", jitter, UINT64_C(0x4b7f4eb4bbb65e1f)},
     };
     int wrong = 0;
     size_t i;

@@ -7,7 +7,10 @@
 
 typedef void every_call_answer(const char *call, sins_status status, void *context);
 
+/* A program that wants to do more about a call defines it before. */
+#ifndef EVERY_CALL
 #define EVERY_CALL(call) answer(#call, call, context)
+#endif
 
 static inline void every_read(sins_sim *sim, every_call_answer *answer, void *context)
 {

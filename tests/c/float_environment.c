@@ -1,5 +1,11 @@
 /* The host's floating-point state: whatever it is on entry, the results are the same bits and all of the state is back on exit.
- * Every exception unmasked (one that strikes ends this program), every rounding, denormals flushed, x87 at 24 bits. */
+ * Every exception unmasked (one that strikes ends this program), every rounding, denormals flushed, x87 at 24 bits, its registers
+ * in use. */
+
+#if defined(__i386__)
+/* The host's own numbers stay out of x87, which is full. */
+#pragma GCC target("sse2,fpmath=sse")
+#endif
 
 #include <stdint.h>
 #include <string.h>
@@ -8,36 +14,60 @@
 
 #if defined(__x86_64__) || defined(__i386__)
 
-/* MXCSR, and control, status and tag word of x87. */
+enum { NO_REGISTERS, MMX_REGISTERS, X87_REGISTERS };
+
+/* MXCSR, and control, status and tag word of x87, with its registers, which MMX has as well. */
 typedef struct {
     uint32_t mxcsr;
     uint16_t x87[3];
+    uint16_t in_use; /* to be set: some of the above */
+    unsigned char registers[80];
 } float_state;
 
 static float_state get_state(void)
 {
     float_state state;
-    uint32_t environment[7];
+    struct {
+        uint32_t environment[7];
+        unsigned char registers[80];
+    } x87;
+    int k;
     memset(&state, 0, sizeof state);
-    /* fnstenv masks all exceptions; fldenv puts them back. */
-    __asm__ volatile("fnstenv %0\n\tfldenv %0" : "=m"(environment));
+    /* fnsave empties all; frstor puts it back. */
+    __asm__ volatile("fnsave %0\n\tfrstor %0" : "=m"(x87));
     __asm__ volatile("stmxcsr %0" : "=m"(state.mxcsr));
-    state.x87[0] = (uint16_t)environment[0];
-    state.x87[1] = (uint16_t)environment[1];
-    state.x87[2] = (uint16_t)environment[2];
+    state.x87[0] = (uint16_t)x87.environment[0];
+    state.x87[1] = (uint16_t)x87.environment[1];
+    state.x87[2] = (uint16_t)x87.environment[2];
+    /* What stands in an empty register is nobody's. They lie from the top of the stack on, their tags do not. */
+    for (k = 0; k < 8; k++) {
+        int tag = state.x87[2] >> 2 * ((k + (state.x87[1] >> 11)) % 8) & 3;
+        if (tag != 3) {
+            memcpy(state.registers + 10 * k, x87.registers + 10 * k, 10);
+        }
+    }
     return state;
 }
 
 static void set_state(float_state state)
 {
-    __asm__ volatile("fnclex\n\tfldcw %0" ::"m"(state.x87[0]));
+    static const uint64_t values[8] = {1, 0x7ff0000000000001, 3, 0x8000000000000000, 5, 0, 7, ~(uint64_t)0};
+    __asm__ volatile("emms\n\tfnclex\n\tfldcw %0" ::"m"(state.x87[0]));
+    if (state.in_use == MMX_REGISTERS) {
+        __asm__ volatile("movq (%0), %%mm0\n\tmovq 8(%0), %%mm1\n\tmovq 16(%0), %%mm2\n\tmovq 24(%0), %%mm3\n\t"
+                         "movq 32(%0), %%mm4\n\tmovq 40(%0), %%mm5\n\tmovq 48(%0), %%mm6\n\tmovq 56(%0), %%mm7" ::"r"(values),
+                         "m"(values));
+    } else if (state.in_use == X87_REGISTERS) {
+        __asm__ volatile("fldpi\n\tfldz\n\tfld1");
+    }
     __asm__ volatile("ldmxcsr %0" ::"m"(state.mxcsr));
 }
 
 enum { STATES = 64 };
 
 /* MXCSR in all combinations of rounding, masks and flushing, and with all exceptions noted before; with each an x87 control word,
- * which in turn take all combinations of precision (24, 53, 64 bits), rounding and masks. */
+ * which in turn take all combinations of precision (24, 53, 64 bits), rounding and masks; and x87 registers empty, all in use as
+ * MMX leaves them without EMMS, or three in use. */
 static float_state state_of(int i)
 {
     static const uint32_t precisions[3] = {0x000, 0x200, 0x300};
@@ -47,6 +77,7 @@ static float_state state_of(int i)
     state.mxcsr = (uint32_t)(i & 3) << 13 | (i & 4 ? 0x1f80u : 0) | (i & 8 ? 0x8000u : 0) | (i & 16 ? 0x0040u : 0);
     state.mxcsr |= i & 32 ? 0x3fu : 0;
     state.x87[0] = (uint16_t)(0x40 | precisions[j % 3] | (uint32_t)(j / 3 % 4) << 10 | (j / 12 ? 0x3fu : 0));
+    state.in_use = (uint16_t)(i / 3 % 3);
     return state;
 }
 
@@ -164,7 +195,8 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
     CHECK(sins_get_options(sim, &found->options) == SINS_OK);
-    CHECK(sins_recommend(found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
+    read_texts(found);
+    CHECK(sins_recommend(sim, found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
     /* Of few samples: it times each effect in many rounds. */
     CHECK(scene_budget(found->piece, 5, found->rows, &found->budget) == SINS_OK);
     found->cost.ns_per_step = found->budget.ns_per_step = 0.0; /* times */
@@ -180,7 +212,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(other) == SINS_OK);
     after = get_state();
     set_state(normal);
-    /* Control bits and noted exceptions alike. */
+    /* Control bits, noted exceptions and registers alike. */
     CHECK(memcmp(&before, &after, sizeof before) == 0);
 }
 

@@ -68,6 +68,20 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_logs[OTHER_KIND] = (sins_log *)(void *)sim;
 }
 
+/* Of all functions this one alone takes NULL for a simulator. */
+static sins_status wrong_configured(const sins_sim *sim)
+{
+    sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}, {.time_s = 0.01}};
+    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1.0};
+    sins_options options = {.struct_size = sizeof options};
+    sins_cost cost = {.struct_size = sizeof cost};
+    sins_status status = sins_recommend(sim, piece, 2, &requirement, &options, &cost);
+    char text[100];
+    CHECK(options.subsamples == 0 && cost.tried == 0);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "configured: ") == text);
+    return status;
+}
+
 static void handles(void)
 {
     sins_status refused = SINS_ERROR_BAD_HANDLE;
@@ -89,6 +103,7 @@ static void handles(void)
         CHECK(sins_flight_destroy(wrong_flights[i]) == SINS_ERROR_BAD_HANDLE);
 
         /* Nothing is written. */
+        CHECK(i == NULL_HANDLE || wrong_configured(sim) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_run(sim, &sample, 1, 0, NULL, 0, &written) == SINS_ERROR_BAD_HANDLE && written == 77);
         CHECK(sins_flight_duration(wrong_flights[i], &duration) == SINS_ERROR_BAD_HANDLE && duration == -1.0);
         if (i != NULL_HANDLE) {
@@ -219,10 +234,10 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_flight_duration(flight, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_flight_sample_at(flight, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(made == NULL);
-    CHECK(sins_recommend(NULL, 2, &requirement, &options, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(piece, 2, NULL, &options, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(piece, 2, &requirement, NULL, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(piece, 2, &requirement, &options, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(sim, NULL, 2, &requirement, &options, &cost) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(sim, piece, 2, NULL, &options, &cost) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(sim, piece, 2, &requirement, NULL, &cost) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_recommend(sim, piece, 2, &requirement, &options, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_error_budget(NULL, 2, 0, 0, 0, 0, 0, 0, 0, 0, row, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_error_budget(piece, 2, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
 }

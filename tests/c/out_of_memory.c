@@ -36,7 +36,7 @@ static sins_status recommend(void)
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 10.0};
     sins_options options = {.struct_size = sizeof options};
     sins_cost cost = {.struct_size = sizeof cost};
-    sins_status status = sins_recommend(samples, 129, &requirement, &options, &cost);
+    sins_status status = sins_recommend(NULL, samples, 129, &requirement, &options, &cost);
     CHECK((status == SINS_OK) == (cost.tried != 0));
     return status;
 }

@@ -1,7 +1,6 @@
-/* sins_recommend through the interface: what is kept and what is replaced, the same answer twice, and that a refused call has
- * written nothing. */
+/* sins_recommend through the interface: what comes of the configured simulator and what is replaced, that nothing happens to it,
+ * the same answer twice, and that a refused call has written nothing. */
 
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -11,7 +10,7 @@
 
 enum { COUNT = 501 };
 
-static sins_flight_sample piece[COUNT];
+static sins_flight_sample piece[COUNT], sized[COUNT];
 
 /* Ten seconds of a turn at 50 Hz; only the first sample states its size. */
 static void make_piece(void)
@@ -30,27 +29,45 @@ static void make_piece(void)
     for (k = 0; k < COUNT; k++) {
         piece[k].struct_size = sizeof piece[k];
         CHECK(sins_flight_sample_at(flight, k / 50.0, &piece[k]) == SINS_OK);
+        sized[k] = piece[k];
         piece[k].struct_size = k == 0 ? sizeof piece[k] : 0;
     }
     CHECK(sins_flight_destroy(flight) == SINS_OK);
 }
 
+static void same_simulator(sins_sim *sim, const unsigned char *before, size_t size)
+{
+    static unsigned char after[SINS_SNAPSHOT_MAX_SIZE];
+    size_t written = 0;
+    CHECK(sins_snapshot_save(sim, after, sizeof after, &written) == SINS_OK);
+    CHECK(written == size && memcmp(before, after, size) == 0);
+}
+
 static void answers(void)
 {
+    static unsigned char before[SINS_SNAPSHOT_MAX_SIZE];
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-4, .duration_s = 10.0};
-    sins_options options = {.struct_size = sizeof options}, again, given;
+    sins_options options = {.struct_size = sizeof options}, again = {.struct_size = sizeof again}, given;
     sins_cost cost = {.struct_size = sizeof cost}, other = {.struct_size = sizeof other};
+    sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {20.0, 90.0, -50.0}};
+    sins_sim *sim = NULL, *twin = NULL;
+    size_t size = 0;
+    int k;
 
-    /* What the host flies with is kept, 0 as 0; what the three were does not matter. */
+    /* The options of the simulator come back; what the three were does not matter, nor what the struct held. */
     options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
     options.axes = SINS_AXES_FORWARD_RIGHT_DOWN;
     options.seed = 77;
-    given = again = options;
-    again.scheme = SINS_SCHEME_PAPER;
-    again.subsamples = 5;
-    again.updates_per_sample = 16;
-    CHECK(sins_recommend(piece, COUNT, &requirement, &options, &cost) == SINS_OK);
-    CHECK(sins_recommend(piece, COUNT, &requirement, &again, &other) == SINS_OK);
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    SINS_INIT(given);
+    CHECK(sins_get_options(sim, &given) == SINS_OK);
+    options.scheme = SINS_SCHEME_PAPER;
+    options.subsamples = 5;
+    options.updates_per_sample = 16;
+    CHECK(sins_create(&options, &twin) == SINS_OK);
+    memset(&again.frame, 0x5a, sizeof again - 8);
+    CHECK(sins_recommend(sim, piece, COUNT, &requirement, &options, &cost) == SINS_OK);
+    CHECK(sins_recommend(twin, piece, COUNT, &requirement, &again, &other) == SINS_OK);
     CHECK(memcmp(&options, &again, sizeof options) == 0);
     given.scheme = options.scheme;
     given.subsamples = options.subsamples;
@@ -69,27 +86,52 @@ static void answers(void)
 
     /* The margin of 0 is 2. */
     requirement.margin = 2.0;
-    CHECK(sins_recommend(piece, COUNT, &requirement, &again, &other) == SINS_OK);
+    CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_OK);
     CHECK(other.share == cost.share && other.tried == cost.tried);
+
+    /* Off the reference point there is more to integrate. In flight too it is the answer, and nothing happens to the flight. */
+    CHECK(sins_set_mounting(sim, &mounting) == SINS_OK);
+    for (k = 0; k < 3; k++) {
+        CHECK(sins_push_sample(sim, &sized[k]) == SINS_OK);
+    }
+    CHECK(sins_step(sim) == SINS_OK);
+    CHECK(sins_snapshot_save(sim, before, sizeof before, &size) == SINS_OK);
+    CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_OK);
+    CHECK(other.tried > cost.tried);
+    same_simulator(sim, before, size);
 
     /* None meets it: no error, the best is written, and nothing cheaper was as good. */
     requirement.position_m = 1e-12;
-    CHECK(sins_recommend(piece, COUNT, &requirement, &again, &other) == SINS_REQUIREMENT_NOT_MET);
-    CHECK(other.share > 1.0 && other.position_m < cost.position_m && other.tried > cost.tried);
+    CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_REQUIREMENT_NOT_MET);
+    CHECK(other.share > 1.0 && other.tried > cost.tried);
+    same_simulator(sim, before, size);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(twin) == SINS_OK);
+
+    /* No simulator: the recommended one. */
+    requirement.position_m = 1e-4;
+    CHECK(sins_create(NULL, &sim) == SINS_OK);
+    CHECK(sins_recommend(sim, piece, COUNT, &requirement, &options, &cost) == SINS_OK);
+    CHECK(sins_recommend(NULL, piece, COUNT, &requirement, &again, &other) == SINS_OK);
+    other.ns_per_step = cost.ns_per_step;
+    CHECK(memcmp(&options, &again, sizeof options) == 0 && memcmp(&cost, &other, sizeof cost) == 0);
+    CHECK(sins_destroy(sim) == SINS_OK);
 }
 
-static sins_status refused(const sins_flight_sample *samples, size_t count, sins_requirement requirement,
-                           sins_options options, const char *sentence)
+static sins_status refused(const sins_sim *configured, const sins_flight_sample *samples, size_t count,
+                           sins_requirement requirement, const char *sentence)
 {
-    sins_options before = options;
+    sins_options options, options_before;
     sins_cost cost, cost_before;
     char text[512];
     sins_status status;
+    memset(&options, 0x5a, sizeof options);
     memset(&cost, 0x5a, sizeof cost);
+    options.struct_size = sizeof options;
     cost.struct_size = sizeof cost;
+    options_before = options;
     cost_before = cost;
-    status = sins_recommend(samples, count, &requirement, &options, &cost);
-    CHECK(memcmp(&options, &before, sizeof options) == 0);
+    status = sins_recommend(configured, samples, count, &requirement, &options, &cost);
+    CHECK(memcmp(&options, &options_before, sizeof options) == 0);
     CHECK(memcmp(&cost, &cost_before, sizeof cost) == 0);
     CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
     if (strstr(text, sentence) == NULL) {
@@ -102,16 +144,16 @@ static sins_status refused(const sins_flight_sample *samples, size_t count, sins
 static void refusals(void)
 {
     const sins_requirement good = {.struct_size = sizeof good, .position_m = 1.0};
-    const sins_options zero = {.struct_size = sizeof zero};
     sins_requirement bad;
-    sins_options options;
+    sins_options options = {.struct_size = sizeof options};
+    sins_sim *sim = NULL;
     sins_flight_sample samples[4];
 
 #define BAD_REQUIREMENT(field, value, sentence)                                                          \
     do {                                                                                                 \
         bad = good;                                                                                      \
         bad.field = value;                                                                               \
-        CHECK(refused(piece, COUNT, bad, zero, sentence) == SINS_ERROR_INVALID_ARGUMENT);                \
+        CHECK(refused(NULL, piece, COUNT, bad, sentence) == SINS_ERROR_INVALID_ARGUMENT);                \
     } while (0)
     BAD_REQUIREMENT(reserved, 1, "requirement.reserved = 1: must be 0");
     BAD_REQUIREMENT(duration_s, -1.0, "requirement.duration_s = -1: must be from 0 to 1000000");
@@ -123,29 +165,16 @@ static void refusals(void)
     BAD_REQUIREMENT(margin, 0.5, "requirement.margin = 0.5: must be from 1 to");
     BAD_REQUIREMENT(margin, -0.0 - 2.0, "requirement.margin = -2");
 
-    CHECK(refused(piece, 0, good, zero, "count = 0: must be from 2 to 360000") == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(refused(piece, 1, good, zero, "count = 1") == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(refused(piece, 360001, good, zero, "count = 360001") == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(refused(piece, (size_t)-1, good, zero, "count = ") == SINS_ERROR_INVALID_ARGUMENT);
-
-#define BAD_OPTION(field, value, sentence)                                                               \
-    do {                                                                                                 \
-        options = zero;                                                                                  \
-        options.field = value;                                                                           \
-        CHECK(refused(piece, COUNT, good, options, sentence) == SINS_ERROR_INVALID_ARGUMENT);            \
-    } while (0)
-    BAD_OPTION(frame, 7, "options.frame = 7");
-    BAD_OPTION(scheme, -1, "options.scheme = -1");
-    BAD_OPTION(subsamples, INT_MAX, "options.subsamples = ");
-    BAD_OPTION(max_gap_s, NAN, "options.max_gap_s = NaN");
-    BAD_OPTION(reserved, 5, "options.reserved = 5");
-    BAD_OPTION(closed_loop_time_s, 5.0, "options.closed_loop_time_s = 5");
+    CHECK(refused(NULL, piece, 0, good, "count = 0: must be from 2 to 360000") == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(refused(NULL, piece, 1, good, "count = 1") == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(refused(NULL, piece, 360001, good, "count = 360001") == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(refused(NULL, piece, (size_t)-1, good, "count = ") == SINS_ERROR_INVALID_ARGUMENT);
 
 #define BAD_SAMPLE(index, field, value, status, sentence)                                                \
     do {                                                                                                 \
         memcpy(samples, piece, sizeof samples);                                                          \
         samples[index].field = value;                                                                    \
-        CHECK(refused(samples, 4, good, zero, sentence) == status);                                      \
+        CHECK(refused(NULL, samples, 4, good, sentence) == status);                                      \
     } while (0)
     BAD_SAMPLE(2, latitude_rad, NAN, SINS_ERROR_INVALID_ARGUMENT, "(samples[2])");
     BAD_SAMPLE(3, flags, 0x80, SINS_ERROR_INVALID_ARGUMENT, "(samples[3])");
@@ -159,9 +188,10 @@ static void refusals(void)
     samples[0].struct_size = sizeof samples[0];
     samples[0].latitude_rad = samples[1].latitude_rad = 1.5705;
     samples[1].time_s = 0.1;
-    options = zero;
     options.frame = SINS_FRAME_GEOGRAPHIC;
-    CHECK(refused(samples, 2, good, options, "cosine of") == SINS_ERROR_SINGULAR);
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    CHECK(refused(sim, samples, 2, good, "cosine of") == SINS_ERROR_SINGULAR);
+    CHECK(sins_destroy(sim) == SINS_OK);
 }
 
 int main(void)

@@ -253,6 +253,10 @@ static void sentences(sins_sim *sim)
                  "gyro.reference_temperature_c = -274: must be from -273.15 to 1000");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, scale_factor_temperature2_per_k2), 2, 2.0), NULL,
                  "gyro.scale_factor_temperature2_per_k2[2] = 2: must be from -1 to 1");
+    out_of_range(sim, gyro_with(offsetof(sins_gyro_params, misalignment_sigma_rad), 5, -1e-3), NULL,
+                 "gyro.misalignment_sigma_rad[5] = -0.001: must be from 0 to 1");
+    out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, misalignment_sigma_rad), 4, 1e-3),
+                 "accel.misalignment_sigma_rad[4] = 0.001: must be 0 on the diagonal; use scale_factor_sigma");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, bias_temperature2_m_s2_per_k2), 1, 1e5),
                  "accel.bias_temperature2_m_s2_per_k2[1] = 100000: must be from -10000 to 10000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, vibration_rectification_s2_m), 2, 0.0 / zero),

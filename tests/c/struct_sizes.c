@@ -85,7 +85,7 @@ static sins_status recommend_for(const sins_flight_sample *piece, const sins_req
     sins_options good_options = {.struct_size = sizeof good_options};
     sins_cost good_cost = {.struct_size = sizeof good_cost};
     rest[1].time_s = 1.0;
-    return sins_recommend(piece ? piece : rest, 2, requirement ? requirement : &good_requirement,
+    return sins_recommend(NULL, piece ? piece : rest, 2, requirement ? requirement : &good_requirement,
                           options ? options : &good_options, cost ? cost : &good_cost);
 }
 
@@ -232,7 +232,6 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_flight_start, create_flight(pointer, NULL));
     INPUT_SIZES(sins_manoeuvre, create_flight(NULL, pointer));
     INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
-    INPUT_SIZES(sins_options, recommend(NULL, pointer, NULL));
 
     INPUT_SIZES(sins_options, BUDGET_OF(options));
     INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, BUDGET_OF(gyro));
@@ -245,6 +244,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
 
     OUTPUT_SIZES(sins_budget_row, BUDGET_OF(row));
     OUTPUT_SIZES(sins_budget, BUDGET_OF(budget));
+    OUTPUT_SIZES(sins_options, recommend(NULL, pointer, NULL));
     OUTPUT_SIZES(sins_cost, recommend(NULL, NULL, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_navigation(sim, pointer));

@@ -1,30 +1,37 @@
 #!/usr/bin/env bash
 # Every fuzz target for so many seconds (20), from its kept corpus. New inputs that reach more and inputs that fail are left in
-# target/fuzz; KEEP=1 adds the former to the corpus. What cannot be had is told at the end.
+# target/fuzz; KEEP=1 brings the corpus to the fewest and smallest inputs that reach all. What cannot be had is told at the end.
 #
 #     tests/fuzz/run.sh [SECONDS [TARGET...]]
 #
-# A target is a program of fuzz_targets (Rust, the library) or a folder with NAME_fuzz.c (C, the harness), and its folder in corpus.
+# A target is a program of fuzz_targets (Rust, the library) or a folder with NAME_fuzz.c (C, the harness), and its folder in
+# corpus. random_calls is none of libFuzzer's: it needs stable Rust alone, and runs at full speed, from seed FIRST (0).
+# SANITIZER=none builds the Rust targets without one: twice as fast. SANITIZER=address builds random_calls with it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tests/support/need.sh
 
 seconds=${1:-20}
 shift || true
-targets=${*:-flight_csv scene calls snapshots}
+targets=${*:-flight_csv scene calls snapshots random_calls}
 triple=x86_64-unknown-linux-gnu
 folder=$PWD/target/fuzz
-mkdir -p "$folder"
+findings=$folder/findings
+mkdir -p "$findings"
 
 # fuzz TARGET PROGRAM OPTIONS...
 fuzz() {
     local kept=tests/fuzz/corpus/$1 new=$folder/corpus/$1
-    mkdir -p "$new" "$folder/findings"
+    mkdir -p "$new"
     echo "== fuzzing $1, $seconds s"
     "$2" -max_total_time="$seconds" -timeout=60 -max_len=8192 -len_control=0 -print_final_stats=1 -verbosity=0 "${@:3}" \
-        -artifact_prefix="$folder/findings/$1-" "$new" "$kept"
+        -artifact_prefix="$findings/$1-" "$new" "$kept"
     if [ -n "${KEEP:-}" ]; then
-        "$2" -merge=1 -verbosity=0 "$kept" "$new"
+        rm -rf "$folder/fewest"
+        mkdir "$folder/fewest"
+        "$2" -set_cover_merge=1 -use_counters=0 -verbosity=0 "$folder/fewest" "$kept" "$new"
+        rm -f "$kept"/*
+        cp "$folder"/fewest/* "$kept"
     fi
 }
 
@@ -47,24 +54,54 @@ fuzz_c() {
     fuzz "$1" "$folder/$1" -close_fd_mask=3 # the harness tells what is wrong
 }
 
-# As cargo fuzz builds it, without that tool.
-fuzz_rust() {
-    local sanitizer="-Zsanitizer=address -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
-        -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table
-        -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 --cfg fuzzing"
-    RUSTFLAGS=$(echo $sanitizer) cargo +nightly build --quiet --release --manifest-path tests/fuzz/Cargo.toml --bin "$1" \
-        --target "$triple" --target-dir target/sanitizers
-    fuzz "$1" "target/sanitizers/$triple/release/$1"
+# build TOOLCHAIN FLAGS FOLDER OPTIONS...
+build() {
+    RUSTFLAGS=$(echo $2) cargo "+$1" build --quiet --release --manifest-path tests/fuzz/Cargo.toml --target "$triple" \
+        --target-dir "target/$3" "${@:4}"
+    program=target/$3/$triple/release
 }
 
-need g++ g++
+# As cargo fuzz builds it, without that tool.
+fuzz_rust() {
+    local coverage="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
+        -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table
+        -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 --cfg fuzzing"
+    if [ "${SANITIZER:-address}" = none ]; then
+        build nightly "$coverage" fuzz-coverage --bin "$1"
+    else
+        build nightly "-Zsanitizer=address $coverage" sanitizers --bin "$1"
+    fi
+    fuzz "$1" "$program/$1"
+}
+
+random_calls() {
+    if [ "${SANITIZER:-none}" = address ]; then
+        build nightly -Zsanitizer=address fuzz-address --no-default-features --bin random_calls
+    else
+        build stable "" fuzz-plain --no-default-features --bin random_calls
+    fi
+    echo "== random calls, $seconds s"
+    "$program/random_calls" --seconds "$seconds" --first "${FIRST:-0}" --folder "$findings"
+}
+
+has_nightly() {
+    rustup run nightly rustc --version >/dev/null 2>&1 || rustup toolchain install nightly --profile minimal
+}
+
 for target in $targets; do
+    if [ "$target" = random_calls ] && [ "${SANITIZER:-none}" != address ]; then
+        random_calls
+        continue
+    fi
+    need g++ g++
     if [ -d "tests/fuzz/$target" ]; then
         fuzz_c "$target"
-    elif rustup run nightly rustc --version >/dev/null 2>&1 || rustup toolchain install nightly --profile minimal; then
-        fuzz_rust "$target"
-    else
+    elif ! has_nightly; then
         could_not "fuzzing of $target" "no nightly Rust to be had"
+    elif [ "$target" = random_calls ]; then
+        random_calls
+    else
+        fuzz_rust "$target"
     fi
 done
 report_not_run

@@ -10,7 +10,7 @@ use super::support::{options_at, resting_sample};
 type Set = fn(&mut TriadParameters) -> &mut [f64];
 
 /// Each field of a triad: its name with gyros and with accelerometers, and whether it may be negative.
-const FIELDS: [(Set, &str, &str, bool); 24] = [
+const FIELDS: [(Set, &str, &str, bool); 26] = [
     (|p| p.bias.as_mut_slice(), "bias_rad_s", "bias_m_s2", true),
     (|p| p.bias_sigma.as_mut_slice(), "bias_sigma_rad_s", "bias_sigma_m_s2", false),
     (|p| p.markov_sigma.as_mut_slice(), "markov_sigma_rad_s", "markov_sigma_m_s2", false),
@@ -80,11 +80,13 @@ const FIELDS: [(Set, &str, &str, bool); 24] = [
         "scale_factor_temperature2_per_k2",
         true,
     ),
+    (|p| p.scale_factor_sigma.as_mut_slice(), "scale_factor_sigma", "scale_factor_sigma", false),
+    (|p| p.misalignment_sigma.as_mut_slice(), "misalignment_sigma_rad", "misalignment_sigma_rad", false),
 ];
 
 /// Every number of a triad is in a field of the table.
 const _: () = {
-    let (vectors, matrices, numbers) = (20, 3, 1);
+    let (vectors, matrices, numbers) = (21, 4, 1);
     assert!(vectors + matrices + numbers == FIELDS.len());
     assert!((3 * vectors + 9 * matrices + numbers) * size_of::<f64>() == size_of::<TriadParameters>());
 };

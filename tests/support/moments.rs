@@ -114,6 +114,8 @@ pub fn every_effect() -> (TriadParameters, TriadParameters) {
         range: sizes(1e6 * u),
         bandwidth_hz: Vector3::new(20.0, 40.0, 90.0),
         dead_zone: sizes(0.01 * u),
+        scale_factor_sigma: sizes(1e-4),
+        misalignment_sigma: misalignment.abs(),
         ..Default::default()
     };
     let gyro = TriadParameters { g_sensitivity: matrix(1e-9), ..of_scale(1e-5) };

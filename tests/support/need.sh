@@ -3,9 +3,10 @@
 # What is built lies in target, wherever the caller builds his own.
 unset CARGO_TARGET_DIR
 
-# need PACKAGE PROGRAM: installs the Debian package if the program is not there.
+# need PACKAGE PROGRAM: installs the Debian package if the program, or a file of that path, is not there. Recommended packages
+# do not come along: g++ brings the headers of the C library, gcc alone does not.
 need() {
-    command -v "$2" >/dev/null || install "$1"
+    [ -e "$2" ] || command -v "$2" >/dev/null || install "$1"
 }
 
 # One at a time, when scripts run side by side.

@@ -2,12 +2,13 @@
 
 use nalgebra::Vector3;
 
+use super::ERRORS;
 use super::geometry::LocalGeometry;
 use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::MotionNode;
-use crate::snapshot::{ANY, stored};
+use crate::snapshot::stored;
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
@@ -21,7 +22,7 @@ pub(super) struct EarthFixedForm {
     pub(super) dr: Vector3<f64>,
 }
 
-stored!(EarthFixedForm { psi: ANY, dv: ANY, dr: ANY });
+stored!(EarthFixedForm { psi: ERRORS, dv: ERRORS, dr: ERRORS });
 
 impl EarthFixedForm {
     pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StateErrors) -> Self {
@@ -76,6 +77,11 @@ impl EarthFixedForm {
         self.psi += (p1 + 2.0 * (p2 + p3) + p4) * sixth;
         self.dv += free * t + (c1 + 2.0 * (c2 + c3) + c4 + row_v(&k, &(dv + r2 + r3)) * t) * sixth;
         self.dr += dv * t + k * (t * sixth);
+    }
+
+    /// ψ, δv, δr.
+    pub fn state(&mut self) -> [&mut Vector3<f64>; 3] {
+        [&mut self.psi, &mut self.dv, &mut self.dr]
     }
 
     /// Error of the height [m].

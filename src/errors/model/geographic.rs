@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 
+use super::ERRORS;
 use super::geometry::LocalGeometry;
 use super::runge_kutta::LinearEquations;
 use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::MotionNode;
-use crate::snapshot::{ANY, stored};
+use crate::snapshot::stored;
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
@@ -23,7 +24,7 @@ pub(super) struct GeographicForm {
     d_place: Vector3<f64>,
 }
 
-stored!(GeographicForm { phi: ANY, dv: ANY, d_place: ANY });
+stored!(GeographicForm { phi: ERRORS, dv: ERRORS, d_place: ERRORS });
 
 /// The coefficients at an instant.
 pub(super) struct Coefficients {
@@ -103,6 +104,11 @@ impl GeographicForm {
         let at = |i: usize| Coefficients::at(earth, &nodes[i], &errors_e[i]);
         let coefficients = [at(0), at(1), at(2)];
         *self = self.after(&coefficients, t);
+    }
+
+    /// φ, δv, (δL, δλ, δh).
+    pub fn state(&mut self) -> [&mut Vector3<f64>; 3] {
+        [&mut self.phi, &mut self.dv, &mut self.d_place]
     }
 
     /// Error of the height [m].

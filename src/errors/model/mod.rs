@@ -29,6 +29,12 @@ use geometry::LocalGeometry;
 const VALID_MISALIGNMENT_RAD: f64 = 0.035;
 const VALID_DISPLACEMENT_M: f64 = 100e3;
 
+/// Errors at which the linear model stops [rad, m/s, m]: it goes on to grow where a solution turns or diverges.
+const LARGEST: f64 = 1e20;
+
+/// For errors that a snapshot has: more than an interval makes of [`LARGEST`], with squares that are finite.
+const ERRORS: f64 = 1e140;
+
 /// Errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes: a straight line in
 /// u = 0..1, of the same mean and first moment as those that the mechanization receives. The moment matters: noise of the
 /// first subsample tilts the force for longer than that of the last.
@@ -164,9 +170,39 @@ impl ErrorModel {
                 self.advance_forms(motion, &block.nodes(motion), &errors.in_body_axes(block));
             }
         }
-        let t = motion.interval_s;
+        self.correct_vertical(motion.interval_s, truth, aid, block);
+        let [.., displacement] = self.state();
+        // False for NaN too.
+        if displacement.norm_squared() < LARGEST * LARGEST {
+            return;
+        }
+        self.stop();
+    }
+
+    /// Keeps the errors within [`LARGEST`].
+    #[cold]
+    #[inline(never)]
+    fn stop(&mut self) {
+        for errors in self.state() {
+            errors.apply(|error| *error = error.max(-LARGEST).min(LARGEST));
+        }
+        self.vertical = VerticalLoop::new();
+    }
+
+    /// Errors of attitude, velocity and position, in the terms of the form.
+    #[inline(always)]
+    fn state(&mut self) -> [&mut Vector3<f64>; 3] {
+        match &mut self.form {
+            Form::EarthFixed(form) => form.state(),
+            Form::Geographic(form) => form.state(),
+        }
+    }
+
+    /// Keeps the vertical channel over an interval of `t` [s].
+    #[inline(always)]
+    fn correct_vertical(&mut self, t: f64, truth: &TruthPoint, aid: &VerticalAid, block: Option<&Block>) {
         let correction = match *aid {
-            VerticalAid::None => return,
+            VerticalAid::None => return self.vertical.skip(),
             VerticalAid::Truth { .. } => VerticalCorrection::to_truth(
                 -self.height_error(truth, block),
                 -self.velocity_up_error(truth, block),

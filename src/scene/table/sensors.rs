@@ -118,6 +118,17 @@ pub const GYRO: &[Key] = &[
     numbers(
         G,
         (
+            "scale_factor_sigma_ppm",
+            unit("ppm", PPM),
+            "standard deviation of the scale factor error, drawn at turn-on",
+        ),
+        Shape::Axes,
+        "gyro.scale_factor_sigma",
+        |d| vector(&mut d.scene.gyro.scale_factor_sigma),
+    ),
+    numbers(
+        G,
+        (
             "scale_factor_asymmetry_ppm",
             unit("ppm", PPM),
             "scale factor error of positive less that of negative signals",
@@ -147,6 +158,17 @@ pub const GYRO: &[Key] = &[
         Shape::OffDiagonal,
         "gyro.misalignment_rad",
         |d| matrix(&mut d.scene.gyro.misalignment),
+    ),
+    numbers(
+        G,
+        (
+            "misalignment_sigma_arcsec",
+            unit("arcsec", ARCSEC),
+            "standard deviation of the misalignment, drawn at turn-on",
+        ),
+        Shape::OffDiagonal,
+        "gyro.misalignment_sigma_rad",
+        |d| matrix(&mut d.scene.gyro.misalignment_sigma),
     ),
     numbers(
         G,
@@ -304,6 +326,17 @@ pub const ACCELEROMETER: &[Key] = &[
     numbers(
         A,
         (
+            "scale_factor_sigma_ppm",
+            unit("ppm", PPM),
+            "standard deviation of the scale factor error, drawn at turn-on",
+        ),
+        Shape::Axes,
+        "accel.scale_factor_sigma",
+        |d| vector(&mut d.scene.accel.scale_factor_sigma),
+    ),
+    numbers(
+        A,
+        (
             "scale_factor_asymmetry_ppm",
             unit("ppm", PPM),
             "scale factor error of positive less that of negative signals",
@@ -333,6 +366,17 @@ pub const ACCELEROMETER: &[Key] = &[
         Shape::OffDiagonal,
         "accel.misalignment_rad",
         |d| matrix(&mut d.scene.accel.misalignment),
+    ),
+    numbers(
+        A,
+        (
+            "misalignment_sigma_arcsec",
+            unit("arcsec", ARCSEC),
+            "standard deviation of the misalignment, drawn at turn-on",
+        ),
+        Shape::OffDiagonal,
+        "accel.misalignment_sigma_rad",
+        |d| matrix(&mut d.scene.accel.misalignment_sigma),
     ),
     numbers(
         A,

@@ -1,11 +1,13 @@
 //! What only some flights have beside the plain chain: a mounting, gravity beyond the normal field, a closed loop.
 
-use super::{Chain, navigate};
+use super::Chain;
+use super::fly::navigate;
 use crate::mechanization::VerticalAid;
 use crate::mounting::Block;
 use crate::signal::IntervalMotion;
 use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
+use crate::simulator::suite::IntervalConditions;
 use crate::truth::{Recent, TruthPoint};
 
 impl Chain {
@@ -18,11 +20,17 @@ impl Chain {
         recent: &Recent<'_>,
         sensors: &mut SensorSuite,
     ) {
-        let (count, next) = (self.increments(), recent.next);
+        let (parts, next) = (self.parts.clone(), recent.next);
         let t = next.interval_s;
-        let ideal = &mut self.ideal[..count];
+        let ideal = &mut self.ideal[parts];
         if let Some(block) = &mut self.block {
-            block.mount(&self.earth, motion, recent.current, ideal);
+            let revised = self.generator.take_revised();
+            if let Some(dv_e) = block.mount(&self.earth, motion, recent.current, revised, ideal) {
+                self.mechanization.shift_velocity(&dv_e);
+                if let Some(closed_loop) = &mut self.closed_loop {
+                    closed_loop.shift_velocity(&dv_e);
+                }
+            }
         }
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.trim(ideal, t);
@@ -40,12 +48,11 @@ impl Chain {
 
     /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
     #[inline(never)]
-    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid) {
-        let (count, t) = (self.increments(), next.interval_s);
-        let sensors_were_ideal = self.last.sensors_were_ideal();
+    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
+        let (parts, t) = (self.parts.clone(), next.interval_s);
         if let Some(block) = &mut self.block {
             let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
-            block.observe(&self.ideal[..count], &increments[..count], t);
+            block.observe(&self.ideal[parts.clone()], &increments[parts], t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);
@@ -53,5 +60,21 @@ impl Chain {
             let truth = self.block.as_ref().map_or(next.state, |block| block.state(next));
             closed_loop.observe(&self.mechanization, &truth, next.time_s);
         }
+    }
+}
+
+/// What the interval of `motion` brings to the sensors of `block`.
+#[cold]
+#[inline(never)]
+pub(super) fn conditions(
+    recent: &Recent<'_>,
+    motion: &IntervalMotion<'_>,
+    block: Option<&Block>,
+) -> IntervalConditions {
+    let turning = motion.turning();
+    let turning = block.map_or(turning, |block| turning.in_axes(|vector_b| block.in_block_axes(vector_b)));
+    IntervalConditions {
+        temperatures_c: [recent.current.sample.temperature_c, recent.next.sample.temperature_c],
+        turning: Some(turning),
     }
 }

@@ -9,9 +9,9 @@ use crate::mechanization::Mechanization;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::mounted::block_at_start;
+use crate::simulator::start::Start;
 use crate::simulator::{ImuInterval, Options, SensorSuite};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
-use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// Read over a chain that was made at the current point. Of the increments the sums are kept.
@@ -23,8 +23,9 @@ impl Stored for Chain {
             generator,
             ideal: _,
             measured: _,
-            updates: _,
+            parts: _,
             last: _,
+            north_unknown,
             mechanization,
             error_model,
             accuracy,
@@ -39,6 +40,7 @@ impl Stored for Chain {
         generator.save(to);
         self.imu().save(to);
         self.last.vertical_unaided().unwrap_or_default().save(to);
+        to.flag(*north_unknown);
         block.iter().for_each(|block| block.save(to));
         disturbance.iter().for_each(|disturbance| disturbance.save(to));
         mechanization.save(to);
@@ -59,6 +61,7 @@ impl Stored for Chain {
         imu.load(from)?;
         let vertical_unaided = from.flag()?;
         self.last = imu.map_or(LastInterval::None, |imu| LastInterval::Loaded { imu, vertical_unaided });
+        self.north_unknown = from.flag()?;
         if let Some(block) = &mut self.block {
             block.load(from)?;
         }
@@ -76,7 +79,7 @@ impl Stored for Chain {
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.load(from)?;
         }
-        Ok(())
+        self.check()
     }
 }
 
@@ -104,7 +107,7 @@ impl Chain {
             disturbance: sensors.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
             sensors_state: current.state,
         };
-        Self::new(options, earth, current, &StateErrors::NONE, navigator, true, beside)
+        Self::new(options, earth, current, &Start::TRUE, navigator, true, beside)
     }
 
     /// Looks back at the points `behind`, newest first.

@@ -2,12 +2,17 @@
 
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
+use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use sins::{Options, Simulator};
+use sins_fuzz::Random;
+use sins_fuzz::words::{snapshot_of, words_of};
 
 /// All that can be read, as text, which has every bit of a finite number.
 fn reads(simulator: &Simulator) -> String {
-    format!("{:?}", (simulator.truth(), simulator.navigation(), simulator.imu(), simulator.accuracy()))
+    let text =
+        format!("{:?}", (simulator.truth(), simulator.navigation(), simulator.imu(), simulator.accuracy()));
+    assert!(!text.contains("NaN") && !text.contains("inf"), "infinite or no number");
+    text
 }
 
 fn thawed(snapshot: &[u8]) -> Option<Simulator> {
@@ -26,4 +31,26 @@ fuzz_target!(|bytes: &[u8]| {
         assert_eq!(format!("{:?}", simulator.step()), format!("{:?}", twin.step()));
         assert_eq!(reads(&simulator), reads(&twin));
     }
+});
+
+// A word is altered, or copied from another place: whatever its size, the others stay what they are.
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
+    let mut random = Random(u64::from(seed));
+    let mut words = words_of(&data[..size]);
+    if words.is_empty() || random.word() % 8 == 0 {
+        return fuzzer_mutate(data, size, max_size);
+    }
+    let (at, from) = (random.word() as usize % words.len(), random.word() as usize % words.len());
+    let mut bytes = words[at].to_le_bytes();
+    words[at] = match random.word() % 4 {
+        0 => words[from],
+        _ => {
+            fuzzer_mutate(&mut bytes, 8, 8);
+            u64::from_le_bytes(bytes)
+        }
+    };
+    let snapshot = snapshot_of(&words);
+    let length = snapshot.len().min(max_size);
+    data[..length].copy_from_slice(&snapshot[..length]);
+    length
 });

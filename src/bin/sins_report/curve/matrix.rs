@@ -1,6 +1,7 @@
 //! The errors of the matrix: every configuration at every rate.
 
-use sins::recommend::{Refusal, fly};
+use sins::Simulator;
+use sins::recommend::{Refusal, track};
 
 use super::configuration::Configuration;
 use super::reference::Judgement;
@@ -17,7 +18,8 @@ pub fn outcomes(scene: &Scene, configurations: &[Configuration]) -> Vec<(Rate, C
         let (samples, instants) = (scene.samples_at(rate), scene.instants_at(rate));
         let flown = in_parallel(configurations, |configuration| {
             let options = rate.applied_to(&configuration.options());
-            fly(&options, &samples, &instants).map(|track| scene.judge.judge(&track))
+            let mut simulator = Simulator::new(&options)?;
+            track(&mut simulator, &samples, &instants).map(|track| scene.judge.judge(&track))
         });
         outcomes.extend(configurations.iter().zip(flown).map(|(which, outcome)| (*rate, *which, outcome)));
     }

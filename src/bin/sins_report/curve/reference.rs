@@ -80,7 +80,7 @@ impl Judge {
 
     /// The finest solution that the samples of a log allow; what lies between them nobody knows.
     pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Failure> {
-        let Reference { track, uncertainty } = Reference::new(options, samples, instants)?;
+        let Reference { track, uncertainty } = Reference::new(&(*options).into(), samples, instants)?;
         let rounding = of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0);
         let uncertainty = SolutionError {
             position_m: uncertainty.position_m.max(rounding.position_m),

@@ -1,0 +1,134 @@
+//! The name of the calling thread, and waiting until a word changes, without anything that is thread-local in Rust: signal
+//! handlers may come here, and on Windows thread-local storage can run out.
+
+use core::sync::atomic::AtomicUsize;
+
+/// Free in the name of every thread.
+pub(super) const WAITED_FOR: usize = 1;
+
+pub(super) use system::{has_ended, this_thread};
+pub(super) use waiting::{wait_while, wake};
+
+#[cfg(unix)]
+mod system {
+    unsafe extern "C" {
+        // A pointer, or a number as large, on all that this builds for.
+        safe fn pthread_self() -> usize;
+    }
+
+    /// The name of the calling thread, even and not 0: where its control block lies.
+    #[inline(always)]
+    pub fn this_thread() -> usize {
+        pthread_self()
+    }
+
+    /// Nothing tells that of a thread that may be gone.
+    pub fn has_ended(_thread: usize) -> bool {
+        false
+    }
+}
+
+#[cfg(windows)]
+mod system {
+    use core::ffi::c_void;
+
+    const SYNCHRONIZE: u32 = 0x0010_0000;
+    const ERROR_INVALID_PARAMETER: i32 = 87;
+    const WAIT_OBJECT_0: u32 = 0;
+
+    #[link(name = "kernel32")]
+    unsafe extern "system" {
+        safe fn GetCurrentThreadId() -> u32;
+        safe fn OpenThread(access: u32, inherit: i32, thread: u32) -> *mut c_void;
+        fn WaitForSingleObject(object: *mut c_void, milliseconds: u32) -> u32;
+        fn CloseHandle(object: *mut c_void) -> i32;
+    }
+
+    /// The name of the calling thread, even and not 0: twice its number.
+    #[inline(always)]
+    pub fn this_thread() -> usize {
+        (GetCurrentThreadId() as usize) << 1
+    }
+
+    /// Whether a thread was terminated.
+    pub fn has_ended(thread: usize) -> bool {
+        let object = OpenThread(SYNCHRONIZE, 0, (thread >> 1) as u32);
+        if object.is_null() {
+            return std::io::Error::last_os_error().raw_os_error() == Some(ERROR_INVALID_PARAMETER);
+        }
+        // SAFETY: an object of ours, not used again.
+        unsafe {
+            let ended = WaitForSingleObject(object, 0) == WAIT_OBJECT_0;
+            CloseHandle(object);
+            ended
+        }
+    }
+}
+
+/// The kernel's own queue: nothing here could be held by the code that a signal interrupted.
+#[cfg(target_os = "linux")]
+mod waiting {
+    use super::AtomicUsize;
+    use core::ffi::{c_int, c_long};
+    use core::ptr::{from_ref, null};
+
+    #[cfg(target_arch = "x86_64")]
+    const SYS_FUTEX: c_long = 202;
+    #[cfg(target_arch = "x86")]
+    const SYS_FUTEX: c_long = 240;
+    #[cfg(target_arch = "aarch64")]
+    const SYS_FUTEX: c_long = 98;
+    const WAIT_PRIVATE: c_int = 128;
+    const WAKE_PRIVATE: c_int = 128 | 1;
+
+    unsafe extern "C" {
+        fn syscall(number: c_long, ...) -> c_long;
+    }
+
+    /// The half that the kernel compares, which holds `WAITED_FOR`. Two threads that are named alike in it do no harm: who
+    /// waits for the one is woken by the other as well.
+    fn half(word: &AtomicUsize) -> *const u32 {
+        const _: () = assert!(cfg!(target_endian = "little"));
+        from_ref(word).cast()
+    }
+
+    /// Returns when the word may have changed.
+    pub fn wait_while(word: &AtomicUsize, value: usize) {
+        // SAFETY: the word lives; no timeout is stated.
+        unsafe { syscall(SYS_FUTEX, half(word), WAIT_PRIVATE, value as u32, null::<u8>()) };
+    }
+
+    /// Wakes a thread that waits for the word.
+    pub fn wake(word: &AtomicUsize) {
+        // SAFETY: nothing but the address of the word is used.
+        unsafe { syscall(SYS_FUTEX, half(word), WAKE_PRIVATE, 1_u32) };
+    }
+}
+
+/// One queue for all words, where no signal interrupts.
+#[cfg(not(target_os = "linux"))]
+mod waiting {
+    use super::AtomicUsize;
+    use core::sync::atomic::Ordering;
+    use std::sync::{Condvar, Mutex, PoisonError};
+    use std::time::Duration;
+
+    static QUEUE: Mutex<()> = Mutex::new(());
+    static CHANGED: Condvar = Condvar::new();
+    /// After so long it is asked again whether the owner still lives.
+    const PATIENCE: Duration = Duration::from_millis(100);
+
+    /// Returns when the word may have changed.
+    pub fn wait_while(word: &AtomicUsize, value: usize) {
+        let queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
+        if word.load(Ordering::Relaxed) == value {
+            drop(CHANGED.wait_timeout(queue, PATIENCE));
+        }
+    }
+
+    /// Wakes the threads that wait.
+    pub fn wake(_word: &AtomicUsize) {
+        let _queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
+        CHANGED.notify_all();
+    }
+}

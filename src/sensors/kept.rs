@@ -1,0 +1,79 @@
+//! What an effect keeps from one interval to the next, with what it was before the interval at hand.
+
+use core::ops::{Deref, DerefMut};
+
+use crate::error::Error;
+use crate::snapshot::{Numbers, Reader, Stored, Writer};
+
+/// A state that can go back by one interval. It reads and writes as the state now.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Kept<T> {
+    now: T,
+    before: T,
+}
+
+impl<T: Clone> Kept<T> {
+    pub fn new(state: T) -> Self {
+        Self { before: state.clone(), now: state }
+    }
+
+    /// An interval begins.
+    #[inline(always)]
+    pub fn keep(&mut self) {
+        self.before.clone_from(&self.now);
+    }
+
+    /// An interval begins, with this state.
+    #[inline(always)]
+    pub fn kept(&mut self) -> T {
+        self.before = self.now.clone();
+        self.now.clone()
+    }
+
+    /// The state is again that of the last [`Self::keep`].
+    pub fn undo(&mut self) {
+        self.now.clone_from(&self.before);
+    }
+}
+
+impl<T> Deref for Kept<T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn deref(&self) -> &T {
+        &self.now
+    }
+}
+
+impl<T> DerefMut for Kept<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut T {
+        &mut self.now
+    }
+}
+
+impl<T: PartialEq> PartialEq for Kept<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.now == other.now
+    }
+}
+
+impl<T: Stored> Stored for Kept<T> {
+    fn save(&self, to: &mut Writer<'_>) {
+        self.now.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.now.load(from)
+    }
+}
+
+impl<T: Numbers> Numbers for Kept<T> {
+    fn save(&self, to: &mut Writer<'_>) {
+        self.now.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>, limit: f64) -> Result<(), Error> {
+        self.now.load(from, limit)
+    }
+}

@@ -1,0 +1,196 @@
+//! One interval after the other: flown, and taken back where the solution left its limits.
+
+use core::ops::Range;
+
+use super::Chain;
+use super::beside::conditions;
+use crate::error::Error;
+use crate::errors::SensorErrors;
+use crate::math::sin_cos;
+use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode, check_state};
+use crate::signal::{Increment, MAX_INCREMENTS};
+use crate::simulator::aid::vertical_aid;
+use crate::simulator::interval::LastInterval;
+use crate::simulator::views::Views;
+use crate::simulator::{ImuFlags, SensorSuite, singular};
+use crate::truth::{Recent, TruthPoint};
+
+impl Chain {
+    /// Flies the interval that `recent` ends; on an error nothing has changed.
+    pub fn advance(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
+        self.check_truth(recent.next)?;
+        let count = self.options.subsamples * self.options.updates_over(recent);
+        // The increments of the last interval stay until this one is known to be good.
+        let Range { start, end } = self.parts;
+        let first = if count <= start { 0 } else { end };
+        if self.is_plain && count <= MAX_INCREMENTS - first {
+            return self.fly(first..first + count, recent, sensors);
+        }
+        self.fly_what_is_rare(first, count, recent, sensors)
+    }
+
+    /// Flies a chain that is not plain, or where there is no room for the increments of both intervals.
+    #[cold]
+    #[inline(never)]
+    fn fly_what_is_rare(
+        &mut self,
+        first: usize,
+        count: usize,
+        recent: &Recent<'_>,
+        sensors: &mut SensorSuite,
+    ) -> Result<(), Error> {
+        let has_room = count <= MAX_INCREMENTS - first;
+        let first = if has_room { first } else { 0 };
+        let last = (!has_room).then_some((self.ideal, self.measured));
+        let (block, disturbance, closed_loop) = (self.block, self.disturbance, self.closed_loop.clone());
+        let result = self.fly(first..first + count, recent, sensors);
+        if result.is_err() {
+            if let Some(last) = last {
+                (self.ideal, self.measured) = last;
+            }
+            (self.block, self.disturbance, self.closed_loop) = (block, disturbance, closed_loop);
+        }
+        result
+    }
+
+    /// Whether the mechanization can follow the truth to `next`.
+    fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
+        if self.options.frame == Frame::Geographic {
+            let cos = sin_cos(next.sample.place.latitude_rad).1;
+            if cos < Mechanization::MIN_COS_LATITUDE {
+                return Err(singular(
+                    "cosine of sample.latitude_rad",
+                    cos,
+                    "the geographic frame needs at least",
+                    Mechanization::MIN_COS_LATITUDE,
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that all solutions are within their limits: the sensors', the shadow's, and that of the reference point.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.mechanization.check()?;
+        if let Some(closed_loop) = &self.closed_loop {
+            closed_loop.check()?;
+        }
+        match &self.block {
+            Some(block) => {
+                check_state(&self.earth, &block.belief().reference_point(&self.mechanization.state()))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Flies with the increments at the places `parts`. Whether the interval is good is known at the end of the navigation: what
+    /// changes before can be undone, and the errors come after.
+    #[inline(never)]
+    fn fly(
+        &mut self,
+        parts: Range<usize>,
+        recent: &Recent<'_>,
+        sensors: &mut SensorSuite,
+    ) -> Result<(), Error> {
+        let next = recent.next;
+        let t = next.interval_s;
+        let before = (self.generator.settled(), *self.mechanization.solution());
+        let last = core::mem::replace(&mut self.parts, parts.clone());
+        self.views = Views::default();
+
+        // Signal generator.
+        let motion = self.generator.advance(recent);
+        motion.integrate(&mut self.ideal[parts.clone()]);
+        if !self.is_plain {
+            self.complete_ideal_signals(&motion, recent, sensors);
+        }
+        let ideal = &self.ideal[parts.clone()];
+
+        // Sensors.
+        let sensors_were_ideal = sensors.are_ideal();
+        let mut flags = ImuFlags::default();
+        let increments = if sensors_were_ideal {
+            ideal
+        } else {
+            let measured = &mut self.measured[parts.clone()];
+            sensors.begin_interval(t, || conditions(recent, &motion, self.block.as_ref()));
+            flags = sensors.sense(ideal, t / ideal.len() as f64, measured);
+            &*measured
+        };
+
+        // Mechanization.
+        let aid = vertical_aid(self.options.vertical, next, |height_m| {
+            sensors.altimeter.sense(height_m, next.interval_s)
+        });
+        navigate(&mut self.mechanization, self.options.subsamples, increments, t);
+        let result = if self.is_plain {
+            self.mechanization.aid_vertical(&aid, t);
+            self.mechanization.check()
+        } else {
+            self.aid_and_observe(next, &aid, sensors_were_ideal);
+            self.check()
+        };
+        if let Err(error) = result {
+            let (settled, solution) = before;
+            self.generator.go_back(settled, recent);
+            self.mechanization.set_solution(&solution);
+            self.parts = last;
+            self.undo_sensors(sensors);
+            return Err(error);
+        }
+        self.last = LastInterval::Flown {
+            time_s: next.time_s,
+            interval_s: t,
+            sensors_were_ideal,
+            flags,
+            vertical_unaided: aid == VerticalAid::None,
+        };
+
+        // Errors.
+        if let Some(model) = &mut self.error_model {
+            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
+            let mut errors = SensorErrors::between(&self.ideal[parts.clone()], &increments[parts], t);
+            if let Some(disturbance) = &self.disturbance {
+                errors = errors.plus(disturbance.felt());
+            }
+            model.advance(&motion, next, &errors, &aid, self.block.as_ref());
+        }
+        let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
+        self.closure.advance(&self.earth, next, &inconsistency);
+        self.intervals += 1;
+        if self.accuracy.is_due(next.time_s) {
+            let errors = *self.navigation_errors(next);
+            self.accuracy.add(next.time_s, &errors, next.is_near_pole());
+        }
+        Ok(())
+    }
+
+    /// The sensors take the interval back: each of them that took part.
+    #[cold]
+    #[inline(never)]
+    fn undo_sensors(&self, sensors: &mut SensorSuite) {
+        if !sensors.are_ideal() {
+            sensors.undo();
+        }
+        if self.options.vertical == VerticalMode::Damped {
+            sensors.altimeter.undo();
+        }
+        if self.disturbance.is_some() {
+            sensors.gravity.undo();
+        }
+    }
+}
+
+/// Navigates over an interval of length `t` [s], in updates of so many subsamples.
+pub(super) fn navigate(
+    mechanization: &mut Mechanization,
+    subsamples: usize,
+    increments: &[Increment],
+    t: f64,
+) {
+    let updates = increments.chunks_exact(subsamples);
+    let update_s = t / updates.len() as f64;
+    for update in updates {
+        mechanization.update(update, update_s);
+    }
+}

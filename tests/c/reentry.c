@@ -1,0 +1,207 @@
+/* A handle that its own thread is inside, or that no thread will ever leave: calls are answered SINS_ERROR_BAD_STATE instead of
+ * waiting for ever. Signal handlers that use the handle they interrupt, siglongjmp() out of a call, fork() while another thread
+ * is in one. */
+
+#define _GNU_SOURCE
+#include <pthread.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "every_call.h"
+
+enum { INTERRUPTIONS = 200, FORKS = 30, PATIENCE_S = 120 };
+
+static sins_flight_sample samples[SCENE_COUNT];
+static sins_record expected[SCENE_COUNT - 1], found[SCENE_COUNT - 1];
+static sins_sim *used, *other;
+static volatile sig_atomic_t interruptions;
+static sigjmp_buf *volatile way_out;
+
+/* Ends a program that waits for ever. */
+static void *watch(void *unused)
+{
+    static const char text[] = "waits for ever\n";
+    sleep(PATIENCE_S);
+    _exit(write(STDERR_FILENO, text, sizeof text - 1) > 0 ? 1 : 2);
+    return unused;
+}
+
+/* Whether the handle is answered so, then by all functions. */
+static int is_held(sins_sim *sim)
+{
+    static const sins_status bad_state = SINS_ERROR_BAD_STATE;
+    sins_options options = {.struct_size = sizeof options};
+    char text[10];
+    sins_status status = sins_get_options(sim, &options);
+    if (status == SINS_OK) {
+        return 0;
+    }
+    CHECK(status == SINS_ERROR_BAD_STATE);
+    every_call(sim, every_answer_is, (void *)&bad_state);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_ERROR_BAD_STATE);
+    CHECK(sins_destroy(sim) == SINS_ERROR_BAD_STATE);
+    return 1;
+}
+
+/* Another handle is used as ever. */
+static void interrupt(int signal)
+{
+    (void)signal;
+    if (is_held(used)) {
+        interruptions++;
+        CHECK(sins_step(other) == SINS_NEED_SAMPLE);
+        if (way_out != NULL) {
+            siglongjmp(*way_out, 1);
+        }
+    }
+}
+
+static void interrupt_every_half_millisecond(int on)
+{
+    struct itimerval timer;
+    memset(&timer, 0, sizeof timer);
+    timer.it_interval.tv_usec = timer.it_value.tv_usec = on ? 500 : 0;
+    CHECK(setitimer(ITIMER_REAL, &timer, NULL) == 0);
+}
+
+static void fly_and_compare(sins_sim *sim)
+{
+    scene_fly(sim, samples, found);
+    CHECK(memcmp(found, expected, sizeof expected) == 0);
+    CHECK(sins_reset(sim) == SINS_OK);
+}
+
+static volatile int over;
+
+/* SIG_BLOCK or SIG_UNBLOCK, for this thread and those that it makes. */
+static void alarms(int how)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGALRM);
+    CHECK(pthread_sigmask(how, &set, NULL) == 0);
+}
+
+/* So that the interrupted thread waits for another now and then. */
+static void *read_all_the_time(void *unused)
+{
+    alarms(SIG_BLOCK);
+    while (!over) {
+        sins_options options = {.struct_size = sizeof options};
+        CHECK(sins_get_options(used, &options) == SINS_OK);
+    }
+    return unused;
+}
+
+static void signal_handlers(void)
+{
+    pthread_t reader;
+    CHECK(pthread_create(&reader, NULL, read_all_the_time, NULL) == 0);
+    interrupt_every_half_millisecond(1);
+    while (interruptions < INTERRUPTIONS) {
+        fly_and_compare(used);
+    }
+    interrupt_every_half_millisecond(0);
+    over = 1;
+    CHECK(pthread_join(reader, NULL) == 0);
+}
+
+/* The handle is lost; its memory too. */
+static void long_jumps(void)
+{
+    sigjmp_buf buffer;
+    way_out = &buffer;
+    used = scene_simulator(NULL, 4);
+    if (sigsetjmp(buffer, 1) == 0) {
+        interrupt_every_half_millisecond(1);
+        for (;;) {
+            scene_fly(used, samples, found);
+            CHECK(sins_reset(used) == SINS_OK);
+        }
+    }
+    interrupt_every_half_millisecond(0);
+    way_out = NULL;
+    CHECK(is_held(used));
+}
+
+static sins_sim *shared;
+
+static void *fly_all_the_time(void *unused)
+{
+    static sins_record records[SCENE_COUNT - 1];
+    alarms(SIG_BLOCK);
+    while (!over) {
+        scene_fly(shared, samples, records);
+        CHECK(sins_reset(shared) == SINS_OK);
+    }
+    return unused;
+}
+
+/* What another thread of the parent had in use; all else is there. Gives how often that was so. */
+static int forks(void)
+{
+    pthread_t flier;
+    int i, held = 0;
+    shared = scene_simulator(NULL, 4);
+    over = 0;
+    CHECK(pthread_create(&flier, NULL, fly_all_the_time, NULL) == 0);
+    for (i = 0; i < FORKS; i++) {
+        int status;
+        pid_t child;
+        usleep(1000 * (1 + i % 3));
+        child = fork();
+        CHECK(child >= 0);
+        if (child == 0) {
+            int is = is_held(shared);
+            alarm(PATIENCE_S);
+            CHECK(is || sins_destroy(shared) == SINS_OK);
+            CHECK(sins_destroy(other) == SINS_OK);
+            fly_and_compare(scene_simulator(NULL, 4));
+            _exit(2 + is);
+        }
+        CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) >= 2);
+        held += WEXITSTATUS(status) - 2;
+    }
+    over = 1;
+    CHECK(pthread_join(flier, NULL) == 0);
+    CHECK(!is_held(shared) && sins_destroy(shared) == SINS_OK);
+    return held;
+}
+
+int main(void)
+{
+    pthread_t watcher;
+    struct sigaction action;
+    sins_sim *sim;
+    int held;
+
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupt;
+    scene_samples(samples);
+    used = scene_simulator(NULL, 4);
+    scene_fly(used, samples, expected);
+    CHECK(sins_reset(used) == SINS_OK);
+    CHECK(sins_create(NULL, &other) == SINS_OK);
+    alarms(SIG_BLOCK);
+    CHECK(pthread_create(&watcher, NULL, watch, NULL) == 0);
+    CHECK(sigaction(SIGALRM, &action, NULL) == 0);
+    alarms(SIG_UNBLOCK);
+
+    signal_handlers();
+    CHECK(sins_destroy(used) == SINS_OK);
+    long_jumps();
+    sim = scene_simulator(NULL, 4);
+    fly_and_compare(sim);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(signal(SIGALRM, SIG_DFL) != SIG_ERR);
+    held = forks();
+    CHECK(held > 0);
+    CHECK(sins_destroy(other) == SINS_OK);
+    printf("reentry: %d calls from signal handlers, a jump out of a call, %d of %d forks within one: none waits\n",
+           (int)interruptions, held, FORKS);
+    return 0;
+}

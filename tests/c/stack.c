@@ -1,0 +1,273 @@
+/* The stack that each function takes: at most 48 KB, so that a thread of 64 KB can call it. The stack below a call is painted;
+ * the lowest byte that has changed after the call tells how deep it went. */
+
+#define _GNU_SOURCE
+#include <pthread.h>
+#include <string.h>
+
+/* A call that succeeds, or one of which the answer does not matter. */
+#define TRY(call) (paint(), measured(#call, call))
+#define MEASURE(call) CHECK(TRY(call) == SINS_OK)
+#define EVERY_CALL(call) ((void)answer, (void)context, (void)TRY(call))
+
+static void paint(void);
+static sins_status measured(const char *call, sins_status status);
+
+#include "every_call.h"
+#include "small_stack.h"
+
+enum { DEEPEST = 48 * 1024, FUNCTIONS = 128, PAINT = 0x5a, SAMPLES = 8 };
+
+static struct {
+    char name[40];
+    size_t bytes;
+} deepest[FUNCTIONS];
+
+static sins_flight_sample samples[SCENE_COUNT];
+static sins_record records[SAMPLES];
+static sins_budget_row rows[64];
+static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
+static char *bottom;
+
+static void find_bottom(void)
+{
+    pthread_attr_t attributes;
+    void *lowest = NULL;
+    size_t size = 0;
+    CHECK(pthread_getattr_np(pthread_self(), &attributes) == 0);
+    CHECK(pthread_attr_getstack(&attributes, &lowest, &size) == 0);
+    CHECK(pthread_attr_destroy(&attributes) == 0);
+    bottom = lowest;
+}
+
+/* All that is free below this frame, but for what the loop itself may use. */
+static __attribute__((noinline)) void paint(void)
+{
+    volatile char *end = (char *)__builtin_frame_address(0) - 512, *place;
+    for (place = bottom; place < end; place++) {
+        *place = PAINT;
+    }
+}
+
+/* `call` is the text of a call that has just returned. */
+static __attribute__((noinline)) sins_status measured(const char *call, sins_status status)
+{
+    const volatile char *place = bottom;
+    size_t length = strcspn(call, "("), depth, k = 0;
+    while (*place == PAINT) {
+        place++;
+    }
+    depth = (size_t)((const char *)__builtin_frame_address(0) - place);
+    while (deepest[k].name[0] != '\0' && !(strncmp(deepest[k].name, call, length) == 0 && deepest[k].name[length] == '\0')) {
+        k++;
+    }
+    CHECK(k < FUNCTIONS && length < sizeof deepest[k].name);
+    memcpy(deepest[k].name, call, length);
+    deepest[k].bytes = depth > deepest[k].bytes ? depth : deepest[k].bytes;
+    return status;
+}
+
+static void read_all(sins_sim *sim)
+{
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_accuracy accuracy = {.struct_size = sizeof accuracy};
+    sins_options options = {.struct_size = sizeof options};
+    sins_record record = {.struct_size = sizeof record};
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
+    sins_initial_errors initial = {.struct_size = sizeof initial};
+    sins_mounting mounting = {.struct_size = sizeof mounting};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity};
+    sins_failure failure = {.struct_size = sizeof failure};
+    size_t size;
+    MEASURE(sins_get_truth(sim, &navigation));
+    MEASURE(sins_get_navigation(sim, &navigation));
+    MEASURE(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors));
+    MEASURE(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors));
+    MEASURE(sins_get_accuracy(sim, &accuracy));
+    MEASURE(sins_get_record(sim, &record));
+    MEASURE(sins_get_options(sim, &options));
+    MEASURE(sins_get_gyro(sim, &gyro));
+    MEASURE(sins_get_accel(sim, &accel));
+    MEASURE(sins_get_altimeter(sim, &altimeter));
+    MEASURE(sins_get_initial_errors(sim, &initial));
+    MEASURE(sins_get_mounting(sim, &mounting));
+    MEASURE(sins_get_gravity_disturbance(sim, &gravity));
+    MEASURE(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, &failure));
+    TRY(sins_get_imu(sim, &imu));
+    MEASURE(sins_snapshot_size(sim, &size));
+    MEASURE(sins_snapshot_save(sim, snapshot, sizeof snapshot, &size));
+    MEASURE(sins_snapshot_load(sim, snapshot, size));
+}
+
+static void set_all(sins_sim *sim)
+{
+    sins_gyro_params gyro = scene_gyro();
+    sins_accel_params accel = scene_accel();
+    sins_altimeter_params altimeter = scene_altimeter();
+    sins_initial_errors initial = scene_initial_errors();
+    sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
+    sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {1.5, 3.0, -0.8}};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity, .deflection_north_rad = 1e-5};
+    initial.alignment = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS;
+    mounting.boresight_error_rad[0] = 1e-3;
+    gyro.bias_temperature_rad_s_per_k[0] = 1e-9;
+    MEASURE(sins_set_gyro(sim, &gyro));
+    MEASURE(sins_set_accel(sim, &accel));
+    MEASURE(sins_set_altimeter(sim, &altimeter));
+    MEASURE(sins_set_initial_errors(sim, &initial));
+    MEASURE(sins_set_mounting(sim, &mounting));
+    MEASURE(sins_set_gravity_disturbance(sim, &gravity));
+    MEASURE(sins_set_failure(sim, SINS_SENSOR_ACCEL, 1, &stuck));
+}
+
+/* A flight with everything on, refused samples and steps, navigation on increments, all reads at each stage. */
+static void fly(const sins_options *options)
+{
+    sins_navigation start = {.struct_size = sizeof start, .quaternion_nb = {1.0}};
+    sins_imu_increment increment = {.struct_size = sizeof increment, .interval_s = 0.01, .count = 5};
+    sins_gyro_params ideal = {.struct_size = sizeof ideal};
+    char text[200];
+    sins_sim *sim = NULL;
+    int k;
+    MEASURE(sins_create(options, &sim));
+    set_all(sim);
+    for (k = 0; k < SAMPLES; k++) {
+        MEASURE(sins_push_sample(sim, &samples[k]));
+        if (k == 0) {
+            read_all(sim);
+            TRY(sins_push_sample(sim, &samples[k])); /* refused */
+            MEASURE(sins_last_error(sim, text, sizeof text, NULL));
+        }
+        TRY(sins_step(sim));
+    }
+    read_all(sim);
+    MEASURE(sins_run(sim, &samples[SAMPLES], SAMPLES, 1, records, SAMPLES, NULL));
+    MEASURE(sins_reposition(sim, &samples[0]));
+    read_all(sim);
+    MEASURE(sins_reset(sim));
+    MEASURE(sins_run(sim, samples, SAMPLES, 1, records, SAMPLES, NULL));
+    MEASURE(sins_reset(sim));
+    MEASURE(sins_set_gyro(sim, &ideal));
+    MEASURE(sins_start_navigation(sim, &start));
+    for (k = 0; k < 3; k++) {
+        MEASURE(sins_push_imu(sim, &increment));
+    }
+    MEASURE(sins_destroy(sim));
+}
+
+static void ask(const sins_options *options)
+{
+    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-20};
+    sins_options answer = {.struct_size = sizeof answer};
+    sins_cost cost = {.struct_size = sizeof cost};
+    sins_gyro_params gyro = {.struct_size = sizeof gyro, .bias_rad_s = {1e-6}};
+    sins_accel_params accel = {.struct_size = sizeof accel, .velocity_random_walk_m_s_sqrt_s = {1e-3}};
+    sins_altimeter_params altimeter = {.struct_size = sizeof altimeter, .noise_m = 1.0};
+    sins_initial_errors initial = {.struct_size = sizeof initial, .alignment = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS};
+    sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {1.0}, .lever_arm_error_m = {1.0}};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity, .deflection_north_rad = 1e-5};
+    sins_budget_request request = {.struct_size = sizeof request, .runs = 8, .position_m = 1e-9};
+    sins_budget budget = {.struct_size = sizeof budget};
+    sins_sim *sim = NULL;
+    CHECK(sins_create(options, &sim) == SINS_OK && sins_set_mounting(sim, &mounting) == SINS_OK);
+    CHECK(TRY(sins_recommend(sim, samples, SAMPLES, &requirement, &answer, &cost)) == SINS_REQUIREMENT_NOT_MET);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    rows[0].struct_size = sizeof rows[0];
+    MEASURE(sins_error_budget(samples, SAMPLES, options, &gyro, &accel, &altimeter, &initial, &mounting, &gravity, &request,
+                              rows, 64, NULL, &budget));
+}
+
+static void call_without_a_simulator(void)
+{
+    sins_flight_start start = {.struct_size = sizeof start, .speed_m_s = 100.0};
+    sins_manoeuvre turn = {.struct_size = sizeof turn, .kind = SINS_MANOEUVRE_TURN, .heading_change_rad = 1.0, .bank_rad = 0.5};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_flight *flight = NULL;
+    uint32_t number;
+    double duration;
+    const char *text;
+    MEASURE(sins_abi_version(&number));
+    MEASURE(sins_version(&number, &number, &number));
+    MEASURE(sins_version_string(&text));
+    MEASURE(sins_status_string(SINS_OK, &text));
+    MEASURE(sins_gyro_preset(SINS_GRADE_CONSUMER, &gyro));
+    MEASURE(sins_accel_preset(SINS_GRADE_CONSUMER, &accel));
+    MEASURE(sins_flight_create(&start, &turn, 1, &flight));
+    MEASURE(sins_flight_duration(flight, &duration));
+    MEASURE(sins_flight_sample_at(flight, 1.0, &sample));
+    MEASURE(sins_flight_destroy(flight));
+}
+
+/* Scenes: one that flies with all that it can plan, one of nested arrays as deep as the reader follows them; and a flight log. */
+static void read_texts(void)
+{
+    static const char log_text[] = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n"
+                                   "0,0,0,0,0,0,0\n0.01,0,0,0,0,0,0\n";
+    static char deep[4096] = "x = ", keys[40000];
+    sins_scene *scene = NULL, *faulty = NULL;
+    sins_log *log = NULL;
+    sins_sim *sim = NULL;
+    sins_fault fault = {.struct_size = sizeof fault};
+    memset(deep + 4, '[', 1000);
+    MEASURE(sins_create(NULL, &sim));
+    MEASURE(sins_scene_create(&scene));
+    MEASURE(sins_scene_destroy(scene));
+    MEASURE(sins_scene_create_builtin("simulation2", &scene));
+    every_scene_call(scene, sim, NULL, NULL);
+    CHECK(TRY(sins_scene_parse(deep, strlen(deep), &faulty)) == SINS_SCENE_HAS_FAULTS);
+    MEASURE(sins_scene_get_fault(faulty, 0, &fault));
+    MEASURE(sins_scene_write_keys(keys, sizeof keys, NULL));
+    MEASURE(sins_log_parse(log_text, sizeof log_text - 1, &log, &fault));
+    every_log_call(log, NULL, NULL);
+    MEASURE(sins_log_destroy(log));
+    MEASURE(sins_scene_destroy(scene));
+    MEASURE(sins_scene_destroy(faulty));
+    MEASURE(sins_destroy(sim));
+}
+
+static void call_all(void)
+{
+    sins_options options = {.struct_size = sizeof options, .subsamples = 5, .updates_per_sample = 16};
+    find_bottom();
+    call_without_a_simulator();
+    read_texts();
+    options.error_model = SINS_ERROR_MODEL_RK4;
+    for (options.frame = SINS_FRAME_EARTH_FIXED; options.frame <= SINS_FRAME_GEOGRAPHIC; options.frame++) {
+        for (options.scheme = SINS_SCHEME_EXACT; options.scheme <= SINS_SCHEME_POLYNOMIAL; options.scheme++) {
+            for (options.signal = SINS_SIGNAL_PHYSICAL; options.signal <= SINS_SIGNAL_CLOSED_LOOP; options.signal++) {
+                fly(&options);
+            }
+        }
+        options.scheme = SINS_SCHEME_EXACT;
+        options.signal = SINS_SIGNAL_PHYSICAL;
+        ask(&options);
+    }
+}
+
+int main(void)
+{
+    int k;
+    size_t most = 0;
+    scene_samples(samples);
+    records[0].struct_size = sizeof records[0];
+    for (k = 0; k < SCENE_COUNT; k++) {
+        samples[k].flags |= SINS_SAMPLE_TEMPERATURE;
+        samples[k].temperature_c = 20.0 + k;
+    }
+    on_a_small_stack(call_all);
+    for (k = 0; k < FUNCTIONS && deepest[k].name[0] != '\0'; k++) {
+        printf("%6zu %s\n", deepest[k].bytes, deepest[k].name);
+        most = deepest[k].bytes > most ? deepest[k].bytes : most;
+    }
+#ifndef __SANITIZE_ADDRESS__
+    CHECK(most <= DEEPEST);
+#endif
+    printf("stack: at most %zu bytes a call\n", most);
+    return 0;
+}

@@ -1,0 +1,59 @@
+/* Windows: a thread that was terminated in a call holds the handle for ever; others are answered SINS_ERROR_BAD_STATE, those that
+ * wait already among them. */
+
+#include "every_call.h"
+#include "loader.h"
+
+static sins_flight_sample samples[SCENE_COUNT];
+static sins_sim *sim;
+
+static DWORD WINAPI fly_all_the_time(LPVOID unused)
+{
+    static sins_record records[SCENE_COUNT - 1];
+    (void)unused;
+    for (;;) {
+        scene_fly(sim, samples, records);
+        CHECK(sins_reset(sim) == SINS_OK);
+    }
+}
+
+static DWORD WINAPI read_until_refused(LPVOID unused)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_status status;
+    (void)unused;
+    do {
+        status = sins_get_options(sim, &options);
+    } while (status == SINS_OK);
+    return (DWORD)status;
+}
+
+int main(void)
+{
+    static const sins_status bad_state = SINS_ERROR_BAD_STATE;
+    int held = 0, rounds;
+    scene_samples(samples);
+    for (rounds = 0; held < 3; rounds++) {
+        HANDLE flier, reader;
+        DWORD answer;
+        CHECK(rounds < 1000);
+        sim = scene_simulator(NULL, 4);
+        flier = CreateThread(NULL, 0, fly_all_the_time, NULL, 0, NULL);
+        reader = CreateThread(NULL, 0, read_until_refused, NULL, 0, NULL);
+        CHECK(flier != NULL && reader != NULL);
+        Sleep(20);
+        CHECK(TerminateThread(flier, 1) && WaitForSingleObject(flier, INFINITE) == WAIT_OBJECT_0);
+        if (sins_reset(sim) == SINS_ERROR_BAD_STATE) {
+            held++;
+            every_call(sim, every_answer_is, (void *)&bad_state);
+            CHECK(sins_destroy(sim) == SINS_ERROR_BAD_STATE);
+        } else {
+            CHECK(sins_destroy(sim) == SINS_OK); /* between two calls: the reader gets SINS_ERROR_BAD_HANDLE */
+        }
+        CHECK(WaitForSingleObject(reader, 60000) == WAIT_OBJECT_0 && GetExitCodeThread(reader, &answer));
+        CHECK((sins_status)answer == SINS_ERROR_BAD_STATE || (sins_status)answer == SINS_ERROR_BAD_HANDLE);
+        CHECK(CloseHandle(flier) && CloseHandle(reader));
+    }
+    printf("terminated: threads in a call, %d times: none waits for them\n", held);
+    return 0;
+}

@@ -1,0 +1,87 @@
+/* Windows: a process without a TLS index is answered SINS_ERROR_OUT_OF_MEMORY where it was aborted; a library that was loaded
+ * while there were some works, and its threads end. Arguments: the library, and a copy of it to load at run time. */
+
+#include <string.h>
+
+#include "every_call.h"
+#include "loader.h"
+
+static DWORD taken[4096];
+static int count;
+
+static void take_all(void)
+{
+    while ((taken[count] = TlsAlloc()) != TLS_OUT_OF_INDEXES) {
+        count++;
+    }
+}
+
+static void give_back_all(void)
+{
+    while (count > 0) {
+        CHECK(TlsFree(taken[--count]));
+    }
+}
+
+/* A thread of its own: what the library keeps for a thread is made in its first call, and goes at its end. */
+static DWORD WINAPI fly(LPVOID unused)
+{
+    static sins_flight_sample samples[SCENE_COUNT];
+    static sins_record records[SCENE_COUNT - 1];
+    sins_sim *sim = scene_simulator(NULL, 4);
+    char text[200];
+    (void)unused;
+    scene_samples(samples);
+    scene_fly(sim, samples, records);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(sins_create(NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "sim") == text);
+    return 0;
+}
+
+/* Not by pthread_create(), which takes an index. */
+static void fly_in_a_thread(void)
+{
+    HANDLE thread = CreateThread(NULL, 0, fly, NULL, 0, NULL);
+    CHECK(thread != NULL && WaitForSingleObject(thread, INFINITE) == WAIT_OBJECT_0 && CloseHandle(thread));
+}
+
+int main(int arguments, char **paths)
+{
+    void *late;
+    sins_sim *sim = NULL;
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    char text[200];
+    double duration;
+    __typeof__(&sins_create) create;
+    __typeof__(&sins_destroy) destroy;
+    __typeof__(&sins_last_error) last_error;
+    __typeof__(&sins_get_truth) get_truth;
+    __typeof__(&sins_flight_duration) flight_duration;
+
+    CHECK(arguments == 3);
+    take_all();
+    CHECK(count > 1000);
+    fly_in_a_thread();
+
+    late = open_library(paths[2]);
+    CHECK(late != NULL && late != (void *)GetModuleHandleA("sins.dll"));
+    create = (__typeof__(create))symbol(late, "sins_create");
+    destroy = (__typeof__(destroy))symbol(late, "sins_destroy");
+    last_error = (__typeof__(last_error))symbol(late, "sins_last_error");
+    get_truth = (__typeof__(get_truth))symbol(late, "sins_get_truth");
+    flight_duration = (__typeof__(flight_duration))symbol(late, "sins_flight_duration");
+    CHECK(create(NULL, &sim) == SINS_ERROR_OUT_OF_MEMORY && sim == NULL);
+    CHECK(last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "TLS") != NULL);
+    CHECK(get_truth(NULL, &navigation) == SINS_ERROR_BAD_HANDLE);
+    CHECK(flight_duration(NULL, &duration) == SINS_ERROR_BAD_HANDLE);
+
+    give_back_all();
+    CHECK(create(NULL, &sim) == SINS_OK && destroy(sim) == SINS_OK);
+    take_all();
+    CHECK(create(NULL, &sim) == SINS_OK && destroy(sim) == SINS_OK);
+    fly_in_a_thread();
+    CHECK(close_library(late));
+    printf("tls_indexes: answers without one of them\n");
+    return 0;
+}
