@@ -185,7 +185,7 @@ mod tests {
         let earth = Earth::default();
         let place =
             crate::earth::Geodetic { latitude_rad: 0.5 * core::f64::consts::PI, ..Default::default() };
-        let mut intake = Intake::new(earth, BodyAxes::default(), IntakeLimits::default());
+        let mut intake = Intake::new(earth, BodyAxes::default(), IntakeLimits::default()).unwrap();
         intake.push(&FlightSample::at_rest(0.0, place, Euler::default())).unwrap();
         let point = intake.front().unwrap();
         let omega2 = -point.gravity_e.dot(&point.state.r_e) / point.state.r_e.norm_squared();

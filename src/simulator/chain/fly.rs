@@ -94,7 +94,7 @@ impl Chain {
     ) -> Result<(), Error> {
         let next = recent.next;
         let t = next.interval_s;
-        let before = (self.generator.settled(), *self.mechanization.solution());
+        let before = (self.generator.settled(), self.mechanization.kept());
         let last = core::mem::replace(&mut self.parts, parts.clone());
         self.views = Views::default();
 
@@ -133,7 +133,7 @@ impl Chain {
         if let Err(error) = result {
             let (settled, solution) = before;
             self.generator.go_back(settled, recent);
-            self.mechanization.set_solution(&solution);
+            self.mechanization.go_back(&solution);
             self.parts = last;
             self.undo_sensors(sensors);
             return Err(error);
