@@ -213,7 +213,7 @@ fn a_snapshot_of_the_longest_interval_loads() {
     simulator.set_accel(&accel).unwrap();
     for k in 0..12 {
         let mut sample = at_rest(0, 1.0, 0.7);
-        sample.time_s = 1_700_000_000.123_456_7 + f64::from(k) * 1000.000_000_2;
+        sample.time_s = 1_700_000_000.123_456_7 + f64::from(k) * 1_000.000_000_2;
         simulator.push_sample(&sample).unwrap();
         simulator.step().unwrap();
         let saved = snapshot(&simulator);

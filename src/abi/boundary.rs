@@ -32,7 +32,8 @@ pub(super) fn touch_thread_locals() {
 /// Runs `body` as the inside of an exported function.
 #[inline(always)]
 pub(super) fn enter(body: impl FnOnce() -> sins_status) -> sins_status {
-    let state = FloatState::enter();
+    let mut state = FloatState::UNKNOWN;
+    state.enter();
     let status = guarded(body);
     state.leave();
     status

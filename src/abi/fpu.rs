@@ -6,7 +6,7 @@ use core::arch::asm;
 #[cfg(target_arch = "x86")]
 use core::mem::MaybeUninit;
 
-/// What the host had.
+/// What the host had. Filled in its place: on i686 it is too large to be moved in every call.
 pub(super) struct FloatState {
     #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
     mxcsr: u32,
@@ -48,20 +48,21 @@ impl FloatState {
         }
     }
 
+    pub const UNKNOWN: Self = Self { mxcsr: 0 };
+
     /// Saves the host's state and sets the default. A load of MXCSR costs 10 ns: it is spared where nothing would change.
     #[inline(always)]
-    pub fn enter() -> Self {
-        let mxcsr = Self::read();
-        if mxcsr & MXCSR_CONTROL != DEFAULT_MXCSR {
+    pub fn enter(&mut self) {
+        self.mxcsr = Self::read();
+        if self.mxcsr & MXCSR_CONTROL != DEFAULT_MXCSR {
             // SAFETY: no floating-point code has run yet.
             unsafe { Self::load(&DEFAULT_MXCSR) }
         }
-        Self { mxcsr }
     }
 
     /// Puts the host's state back, noted exceptions included.
     #[inline(always)]
-    pub fn leave(self) {
+    pub fn leave(&self) {
         if Self::read() != self.mxcsr {
             // SAFETY: what `enter` stored; no floating-point code of ours follows.
             unsafe { Self::load(&self.mxcsr) }
@@ -71,6 +72,8 @@ impl FloatState {
 
 #[cfg(target_arch = "x86")]
 impl FloatState {
+    pub const UNKNOWN: Self = Self { mxcsr: 0, x87: [0; 14], x87_registers: MaybeUninit::uninit() };
+
     /// Whether the host left x87 registers in use, as MMX code without EMMS does: a full stack takes no number more.
     #[inline(always)]
     fn has_registers(&self) -> bool {
@@ -81,32 +84,30 @@ impl FloatState {
 
     /// Saves the host's state and sets the default.
     #[inline(always)]
-    pub fn enter() -> Self {
+    pub fn enter(&mut self) {
         static DEFAULT_X87: u16 = 0x037f;
-        let mut state = Self { mxcsr: 0, x87: [0; 14], x87_registers: MaybeUninit::uninit() };
         // SAFETY: the instructions touch the floating-point state and the named bytes alone; no floating-point code has run
         // yet. fnstenv masks all exceptions, so that none that is pending strikes in here.
         unsafe {
             asm!(
                 "stmxcsr [{mxcsr}]", "ldmxcsr [{default_mxcsr}]", "fnstenv [{x87}]",
-                mxcsr = in(reg) &raw mut state.mxcsr,
+                mxcsr = in(reg) &raw mut self.mxcsr,
                 default_mxcsr = in(reg) &raw const DEFAULT_MXCSR,
-                x87 = in(reg) &raw mut state.x87,
+                x87 = in(reg) &raw mut self.x87,
                 options(nostack, preserves_flags)
             );
-            if state.has_registers() {
+            if self.has_registers() {
                 // Empties them, and sets the default.
-                asm!("fnsave [{0}]", in(reg) state.x87_registers.as_mut_ptr(), options(nostack, preserves_flags));
+                asm!("fnsave [{0}]", in(reg) self.x87_registers.as_mut_ptr(), options(nostack, preserves_flags));
             } else {
                 asm!("fnclex", "fldcw [{0}]", in(reg) &raw const DEFAULT_X87, options(nostack, preserves_flags));
             }
         }
-        state
     }
 
     /// Puts the host's state back, noted exceptions included.
     #[inline(always)]
-    pub fn leave(self) {
+    pub fn leave(&self) {
         // SAFETY: loads what `enter` stored; no floating-point code of ours follows. The registers' environment has all
         // exceptions masked: the host's own comes last.
         unsafe {
@@ -125,9 +126,11 @@ impl FloatState {
 
 #[cfg(target_arch = "aarch64")]
 impl FloatState {
+    pub const UNKNOWN: Self = Self { fpcr: 0 };
+
     /// Saves the host's state and sets the default.
     #[inline(always)]
-    pub fn enter() -> Self {
+    pub fn enter(&mut self) {
         let fpcr: u64;
         // SAFETY: reads and writes the control register alone; no floating-point code has run yet.
         unsafe {
@@ -136,12 +139,12 @@ impl FloatState {
                 asm!("msr fpcr, {0}", in(reg) 0_u64, options(nostack, preserves_flags));
             }
         }
-        Self { fpcr }
+        self.fpcr = fpcr;
     }
 
     /// Puts the host's state back.
     #[inline(always)]
-    pub fn leave(self) {
+    pub fn leave(&self) {
         if self.fpcr != 0 {
             // SAFETY: writes what `enter` read; no floating-point code of ours follows.
             unsafe { asm!("msr fpcr, {0}", in(reg) self.fpcr, options(nostack, preserves_flags)) }

@@ -3,7 +3,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{BodyMotion, StateDifference, VerticalCorrection, renormalize};
+use super::{BodyMotion, MAX_NORM_ERROR, MAX_SPEED_M_S, StateDifference, VerticalCorrection, renormalize};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{
     Compensated, axis_cross, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix,
@@ -26,6 +26,16 @@ pub struct EarthFixed {
 stored!(EarthFixed { r_e: 1e9, v_e: 1e9, q_eb: 2.0, gravity_e: 1e18, track });
 
 impl EarthFixed {
+    /// Whether the distance from the centre is between `low` and `high` [m], and speed and attitude are within their limits.
+    #[inline(always)]
+    pub fn is_far_within(&self, (low, high): (f64, f64)) -> bool {
+        let r2 = self.r_e.value.norm_squared();
+        r2 > low * low
+            && r2 < high * high
+            && self.v_e.value.norm_squared() < MAX_SPEED_M_S * MAX_SPEED_M_S
+            && (self.q_eb.value.norm_squared() - 1.0).abs() <= MAX_NORM_ERROR
+    }
+
     /// Starts from `state`.
     pub fn new(earth: &Earth, state: &EarthFixedState) -> Self {
         Self {

@@ -11,6 +11,7 @@ mod vertical;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
+use vertical::KeptLoop;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
 
 use nalgebra::{Quaternion, Vector3};
@@ -55,6 +56,9 @@ codes!(Scheme { Exact = 0, Paper = 1, Polynomial = 2 });
 const HEIGHTS_M: (f64, f64) = (-500e3, 20_000e3);
 const MAX_SPEED_M_S: f64 = 100e3;
 
+/// Distances from the centre of any ellipsoid that are within these heights whatever the latitude [m].
+const WELL_WITHIN_M: (f64, f64) = (6.0e6, 26.0e6);
+
 /// What the squared norm of an attitude's quaternion may be off 1 by.
 const MAX_NORM_ERROR: f64 = 1e-12;
 
@@ -96,9 +100,16 @@ pub struct Mechanization {
 
 /// What changes from one update to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Solution {
+struct Solution {
     axes: Axes,
     vertical: VerticalLoop,
+}
+
+/// A solution to which [`Mechanization::go_back`] goes back, without what follows from the rest.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct KeptSolution {
+    axes: Axes,
+    vertical: KeptLoop,
 }
 
 stored!(Mechanization { solution } rebuilt { earth, scheme } then |navigator, _| navigator.check());
@@ -121,20 +132,29 @@ impl Mechanization {
         Self { earth, scheme, solution: Solution { axes, vertical: VerticalLoop::new() } }
     }
 
-    /// The solution, to which [`Self::set_solution`] goes back.
+    /// What [`Self::go_back`] needs.
     #[inline]
-    pub(crate) fn solution(&self) -> &Solution {
-        &self.solution
+    pub(crate) fn kept(&self) -> KeptSolution {
+        KeptSolution { axes: self.solution.axes, vertical: self.solution.vertical.kept() }
     }
 
     /// The solution is again the one that was kept.
-    pub(crate) fn set_solution(&mut self, solution: &Solution) {
-        self.solution = *solution;
+    pub(crate) fn go_back(&mut self, kept: &KeptSolution) {
+        self.solution.axes = kept.axes;
+        self.solution.vertical.go_back(&kept.vertical);
     }
 
     /// Checks that the solution is within its limits. The comparisons fail for NaN too, which any of the sums keeps.
-    #[inline]
+    #[inline(always)]
     pub fn check(&self) -> Result<(), Error> {
+        match &self.solution.axes {
+            Axes::EarthFixed(axes) if axes.is_far_within(WELL_WITHIN_M) => Ok(()),
+            _ => self.check_closely(),
+        }
+    }
+
+    #[inline(never)]
+    fn check_closely(&self) -> Result<(), Error> {
         let (height, speed2, q) = match &self.solution.axes {
             Axes::EarthFixed(axes) => {
                 let state = axes.state();

@@ -106,6 +106,14 @@ stored!(VerticalLoop { bias_m_s2: 1e30, residual_m: 1e30, t: INTERVALS_S.1 } reb
     Ok(())
 });
 
+/// A loop without its gains, which follow from the length of the interval.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct KeptLoop {
+    bias_m_s2: f64,
+    residual_m: f64,
+    t: f64,
+}
+
 /// Corrections of the vertical channel over one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalCorrection {
@@ -162,6 +170,22 @@ impl VerticalLoop {
     #[inline]
     pub fn skip(&mut self) {
         self.t = 0.0;
+    }
+
+    /// What [`Self::go_back`] needs.
+    #[inline]
+    pub(super) fn kept(&self) -> KeptLoop {
+        let Self { bias_m_s2, residual_m, t, gains: _ } = *self;
+        KeptLoop { bias_m_s2, residual_m, t }
+    }
+
+    /// The loop is again the one that was kept.
+    pub(super) fn go_back(&mut self, kept: &KeptLoop) {
+        let KeptLoop { bias_m_s2, residual_m, t } = *kept;
+        if t > 0.0 {
+            self.set_interval(t);
+        }
+        (self.bias_m_s2, self.residual_m, self.t) = (bias_m_s2, residual_m, t);
     }
 
     #[cold]

@@ -69,6 +69,9 @@ impl SizeEffect {
 
     /// An interval begins, in which the block turns so; [`Self::undo`] takes it back.
     pub fn begin_interval(&mut self, turning: Option<Turning>) {
+        if !self.is_active() {
+            return;
+        }
         self.past.keep();
         self.rate.keep();
         if let Some(turning) = &turning {

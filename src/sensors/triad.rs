@@ -238,9 +238,8 @@ impl Triad {
     #[inline(never)]
     fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         for step in self.plan.before_felt() {
-            match self.plan.effect(step) {
-                Effect::Bandwidth => self.bandwidth.keep(),
-                _ => {}
+            if self.plan.effect(step) == Effect::Bandwidth {
+                self.bandwidth.keep();
             }
         }
         for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {

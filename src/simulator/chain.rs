@@ -11,6 +11,7 @@ use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
 use super::interval::LastInterval;
 use super::mounted::block_at_start;
+use super::signals::Signals;
 use super::start::{Start, with_errors};
 use super::views::Views;
 use super::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
@@ -19,7 +20,7 @@ use crate::error::Error;
 use crate::errors::{Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, navigation_minus_truth};
 use crate::mechanization::{Mechanization, VerticalMode};
 use crate::mounting::Block;
-use crate::signal::{Increment, MAX_INCREMENTS, SignalGenerator};
+use crate::signal::{Increment, SignalGenerator};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
 use crate::truth::{Recent, TruthPoint};
 
@@ -29,9 +30,8 @@ pub(super) struct Chain {
     options: Options,
     earth: Earth,
     generator: SignalGenerator,
-    /// Ideal increments of the last interval, and measured ones unless the sensors were ideal, at the places `parts`.
-    ideal: [Increment; MAX_INCREMENTS],
-    measured: [Increment; MAX_INCREMENTS],
+    /// Those of the last interval are at the places `parts`. A chain that is only read has none.
+    pub signals: Signals,
     parts: Range<usize>,
     last: LastInterval,
     /// The alignment at the start could not find north.
@@ -111,8 +111,7 @@ impl Chain {
             options: *options,
             earth,
             generator: SignalGenerator::new(earth.rate_rad_s),
-            ideal: [Increment::ZERO; MAX_INCREMENTS],
-            measured: [Increment::ZERO; MAX_INCREMENTS],
+            signals: Signals::default(),
             parts: 0..0,
             last: LastInterval::None,
             north_unknown: start.north_unknown,
@@ -152,7 +151,7 @@ impl Chain {
 
     pub fn ideal_increments(&self) -> &[Increment] {
         match self.last {
-            LastInterval::Flown { .. } => &self.ideal[self.parts.clone()],
+            LastInterval::Flown { .. } => &self.signals.ideal[self.parts.clone()],
             LastInterval::None | LastInterval::Loaded { .. } => &[],
         }
     }
@@ -165,7 +164,8 @@ impl Chain {
                 (time_s, interval_s, sensors_were_ideal, flags)
             }
         };
-        let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
+        let Signals { ideal, measured } = &self.signals;
+        let measured = if sensors_were_ideal { ideal } else { measured };
         Some(ImuInterval {
             time_s,
             interval_s,

@@ -1,5 +1,6 @@
 //! Simulators off the stack.
 
+use super::signals::Signals;
 use super::{Options, Simulator};
 use crate::error::Error;
 use crate::memory::room;
@@ -8,8 +9,8 @@ use crate::memory::room;
 /// a `Box` can be allocated without aborting.
 #[inline(never)]
 pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
-    let intake = Simulator::intake(options)?;
+    let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
     let mut memory = room(1)?;
-    memory.push(Simulator::with(options, intake));
+    memory.push(Simulator::with(options, intake, signals));
     Ok(memory.into_boxed_slice())
 }

@@ -14,6 +14,7 @@ mod navigator;
 mod options;
 mod readback;
 mod settings;
+mod signals;
 mod snapshot;
 mod solution;
 mod start;
@@ -35,6 +36,7 @@ use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
 use chain::Chain;
 use navigator::Navigator;
+use signals::Signals;
 use suite::SensorSuite;
 
 /// Which of the two error outputs.
@@ -77,13 +79,15 @@ pub struct Simulator {
     earth: Earth,
     intake: Intake,
     sensors: SensorSuite,
+    /// Of a flight to come: a chain that flies has them.
+    signals: Signals,
     mode: Mode,
 }
 
 impl Simulator {
     /// A simulator with ideal sensors.
     pub fn new(options: &Options) -> Result<Self, Error> {
-        Ok(Self::with(options, Self::intake(options)?))
+        Ok(Self::with(options, Self::intake(options)?, Signals::new()?))
     }
 
     /// What can fail of making a simulator.
@@ -93,12 +97,13 @@ impl Simulator {
     }
 
     /// The rest: no `Result` that would hold another copy on the stack.
-    fn with(options: &Options, intake: Intake) -> Self {
+    fn with(options: &Options, intake: Intake, signals: Signals) -> Self {
         Self {
             options: *options,
             earth: options.earth(),
             intake,
             sensors: SensorSuite::new(options),
+            signals,
             mode: Mode::Waiting,
         }
     }
@@ -136,7 +141,11 @@ impl Simulator {
         let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
         let mut sensors = self.sensors.clone();
         sensors.reposition(first.current.sample.place.height_m);
-        chain.advance(&first, &mut sensors)?;
+        chain.signals = core::mem::take(&mut self.signals);
+        if let Err(error) = chain.advance(&first, &mut sensors) {
+            self.signals = chain.signals;
+            return Err(error);
+        }
         self.sensors = sensors;
         self.intake.take();
         self.intake.take();
@@ -171,7 +180,7 @@ impl Simulator {
         self.refuse_while_navigating()?;
         self.sensors.check_temperature(sample.temperature_c)?;
         self.intake.restart(sample)?;
-        self.mode = Mode::Waiting;
+        self.wait();
         Ok(())
     }
 
@@ -180,6 +189,14 @@ impl Simulator {
     pub fn reset(&mut self) {
         self.intake.clear();
         self.sensors = self.sensors.restarted(&self.options);
+        self.wait();
+    }
+
+    /// No flight any more: before the first step.
+    fn wait(&mut self) {
+        if let Mode::Flying(chain) = &mut self.mode {
+            self.signals = core::mem::take(&mut chain.signals);
+        }
         self.mode = Mode::Waiting;
     }
 

@@ -57,7 +57,7 @@ impl Navigator {
             return Err(Error::invalid("imu.angle_rad", largest.sqrt(), rule));
         }
 
-        let before = *self.mechanization.solution();
+        let before = self.mechanization.kept();
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         let measured = &mut measured[..increments.len()];
@@ -65,7 +65,7 @@ impl Navigator {
         let flags = sensors.sense(increments, dt, measured);
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {
-            self.mechanization.set_solution(&before);
+            self.mechanization.go_back(&before);
             sensors.undo();
             return Err(error);
         }

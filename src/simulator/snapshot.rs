@@ -51,7 +51,7 @@ impl Simulator {
 
     /// The length of the snapshot, of which as much is written as `buffer` has room for.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
-        let Self { options, earth: _, intake, sensors, mode } = self;
+        let Self { options, earth: _, intake, sensors, signals: _, mode } = self;
         let mut to = Writer::new(buffer);
         options.save(&mut to);
         sensors.save(&mut to);
@@ -87,6 +87,7 @@ impl Simulator {
                 // Made in its place: chains take much of a stack.
                 self.mode = Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.sensors));
                 if let Mode::Flying(chain) = &mut self.mode {
+                    chain.signals = core::mem::take(&mut self.signals);
                     chain.load(&mut from)?;
                     chain.look_back(&behind);
                 }

@@ -184,7 +184,10 @@ impl ErrorModel {
     #[inline(never)]
     fn stop(&mut self) {
         for errors in self.state() {
-            errors.apply(|error| *error = error.max(-LARGEST).min(LARGEST));
+            // Out of an overflow it can be no number.
+            errors.apply(|error| {
+                *error = if error.is_nan() { LARGEST } else { error.clamp(-LARGEST, LARGEST) };
+            });
         }
         self.vertical = VerticalLoop::new();
     }

@@ -7,6 +7,7 @@ use crate::mounting::Block;
 use crate::signal::IntervalMotion;
 use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
+use crate::simulator::signals::Signals;
 use crate::simulator::suite::IntervalConditions;
 use crate::truth::{Recent, TruthPoint};
 
@@ -22,7 +23,7 @@ impl Chain {
     ) {
         let (parts, next) = (self.parts.clone(), recent.next);
         let t = next.interval_s;
-        let ideal = &mut self.ideal[parts];
+        let ideal = &mut self.signals.ideal[parts];
         if let Some(block) = &mut self.block {
             let revised = self.generator.take_revised();
             if let Some(dv_e) = block.mount(&self.earth, motion, recent.current, revised, ideal) {
@@ -51,8 +52,9 @@ impl Chain {
     pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
         let (parts, t) = (self.parts.clone(), next.interval_s);
         if let Some(block) = &mut self.block {
-            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
-            block.observe(&self.ideal[parts.clone()], &increments[parts], t);
+            let Signals { ideal, measured } = &self.signals;
+            let increments = if sensors_were_ideal { ideal } else { measured };
+            block.observe(&ideal[parts.clone()], &increments[parts], t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);

@@ -8,9 +8,10 @@ use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::math::sin_cos;
 use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode, check_state};
-use crate::signal::{Increment, MAX_INCREMENTS};
+use crate::signal::Increment;
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
+use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
 use crate::simulator::{ImuFlags, SensorSuite, singular};
 use crate::truth::{Recent, TruthPoint};
@@ -21,33 +22,23 @@ impl Chain {
         self.check_truth(recent.next)?;
         let count = self.options.subsamples * self.options.updates_over(recent);
         // The increments of the last interval stay until this one is known to be good.
-        let Range { start, end } = self.parts;
-        let first = if count <= start { 0 } else { end };
-        if self.is_plain && count <= MAX_INCREMENTS - first {
-            return self.fly(first..first + count, recent, sensors);
-        }
-        self.fly_what_is_rare(first, count, recent, sensors)
+        let first = Signals::place_after(self.parts.start);
+        let parts = first..first + count;
+        if self.is_plain { self.fly(parts, recent, sensors) } else { self.fly_beside(parts, recent, sensors) }
     }
 
-    /// Flies a chain that is not plain, or where there is no room for the increments of both intervals.
+    /// Flies a chain that is not plain.
     #[cold]
     #[inline(never)]
-    fn fly_what_is_rare(
+    fn fly_beside(
         &mut self,
-        first: usize,
-        count: usize,
+        parts: Range<usize>,
         recent: &Recent<'_>,
         sensors: &mut SensorSuite,
     ) -> Result<(), Error> {
-        let has_room = count <= MAX_INCREMENTS - first;
-        let first = if has_room { first } else { 0 };
-        let last = (!has_room).then_some((self.ideal, self.measured));
         let (block, disturbance, closed_loop) = (self.block, self.disturbance, self.closed_loop.clone());
-        let result = self.fly(first..first + count, recent, sensors);
+        let result = self.fly(parts, recent, sensors);
         if result.is_err() {
-            if let Some(last) = last {
-                (self.ideal, self.measured) = last;
-            }
             (self.block, self.disturbance, self.closed_loop) = (block, disturbance, closed_loop);
         }
         result
@@ -94,17 +85,17 @@ impl Chain {
     ) -> Result<(), Error> {
         let next = recent.next;
         let t = next.interval_s;
-        let before = (self.generator.settled(), *self.mechanization.solution());
+        let before = (self.generator.settled(), self.mechanization.kept());
         let last = core::mem::replace(&mut self.parts, parts.clone());
         self.views = Views::default();
 
         // Signal generator.
         let motion = self.generator.advance(recent);
-        motion.integrate(&mut self.ideal[parts.clone()]);
+        motion.integrate(&mut self.signals.ideal[parts.clone()]);
         if !self.is_plain {
             self.complete_ideal_signals(&motion, recent, sensors);
         }
-        let ideal = &self.ideal[parts.clone()];
+        let ideal = &self.signals.ideal[parts.clone()];
 
         // Sensors.
         let sensors_were_ideal = sensors.are_ideal();
@@ -112,7 +103,7 @@ impl Chain {
         let increments = if sensors_were_ideal {
             ideal
         } else {
-            let measured = &mut self.measured[parts.clone()];
+            let measured = &mut self.signals.measured[parts.clone()];
             sensors.begin_interval(t, || conditions(recent, &motion, self.block.as_ref()));
             flags = sensors.sense(ideal, t / ideal.len() as f64, measured);
             &*measured
@@ -133,7 +124,7 @@ impl Chain {
         if let Err(error) = result {
             let (settled, solution) = before;
             self.generator.go_back(settled, recent);
-            self.mechanization.set_solution(&solution);
+            self.mechanization.go_back(&solution);
             self.parts = last;
             self.undo_sensors(sensors);
             return Err(error);
@@ -148,8 +139,9 @@ impl Chain {
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let increments = if sensors_were_ideal { &self.ideal } else { &self.measured };
-            let mut errors = SensorErrors::between(&self.ideal[parts.clone()], &increments[parts], t);
+            let Signals { ideal, measured } = &self.signals;
+            let increments = if sensors_were_ideal { ideal } else { measured };
+            let mut errors = SensorErrors::between(&ideal[parts.clone()], &increments[parts], t);
             if let Some(disturbance) = &self.disturbance {
                 errors = errors.plus(disturbance.felt());
             }

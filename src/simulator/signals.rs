@@ -1,0 +1,31 @@
+//! The increments of the last intervals.
+
+use crate::error::Error;
+use crate::memory::room;
+use crate::signal::{Increment, MAX_INCREMENTS};
+
+/// Ideal increments and, unless the sensors were ideal, measured ones: those of the last interval and of the one at hand, which
+/// take turns. On the heap: 15 KB are much of a stack.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Signals {
+    pub ideal: Box<[Increment]>,
+    pub measured: Box<[Increment]>,
+}
+
+impl Signals {
+    /// Room for both. The one allocation of their life.
+    pub fn new() -> Result<Self, Error> {
+        let increments = || -> Result<Box<[Increment]>, Error> {
+            let mut increments = room(2 * MAX_INCREMENTS)?;
+            increments.resize(2 * MAX_INCREMENTS, Increment::ZERO);
+            Ok(increments.into_boxed_slice())
+        };
+        Ok(Self { ideal: increments()?, measured: increments()? })
+    }
+
+    /// Where the increments of an interval begin whose predecessor's begin at `last`.
+    #[inline]
+    pub fn place_after(last: usize) -> usize {
+        if last < MAX_INCREMENTS { MAX_INCREMENTS } else { 0 }
+    }
+}
