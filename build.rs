@@ -32,7 +32,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 24] = [
     "version",
     "failure",
     "options",
@@ -54,11 +54,6 @@ const SOURCES: [&str; 29] = [
     "preset",
     "manoeuvre",
     "flight",
-    "fault_report",
-    "scene",
-    "scene_settings",
-    "scene_flight",
-    "log",
     "recommend",
     "budget",
     "budget_answer",

@@ -51,11 +51,12 @@ struct Settings {
 impl Settings {
     fn new() -> Self {
         let all = |size: usize| 1..size / 8;
-        // The diagonal of the misalignment is 0, row by row.
+        // The diagonals of the misalignment and of its scatter are 0, row by row.
         let mut gyro: sins_gyro_params = filled(all(size_of::<sins_gyro_params>()));
         let mut accel: sins_accel_params = filled(all(size_of::<sins_accel_params>()));
         for place in [0, 4, 8] {
             (gyro.misalignment_rad[place], accel.misalignment_rad[place]) = (0.0, 0.0);
+            (gyro.misalignment_sigma_rad[place], accel.misalignment_sigma_rad[place]) = (0.0, 0.0);
         }
         let mut initial: sins_initial_errors = filled(1..size_of::<sins_initial_errors>() / 8 - 1);
         initial.alignment = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS;

@@ -123,10 +123,8 @@ extern "C" {
 #endif
 
 /*
- * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
  * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
-typedef struct sins_scene sins_scene;
-typedef struct sins_log sins_log;

@@ -7,10 +7,7 @@
 
 typedef void every_call_answer(const char *call, sins_status status, void *context);
 
-/* A program that wants to do more about a call defines it before. */
-#ifndef EVERY_CALL
 #define EVERY_CALL(call) answer(#call, call, context)
-#endif
 
 static inline void every_read(sins_sim *sim, every_call_answer *answer, void *context)
 {
@@ -84,62 +81,6 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
     double duration;
     EVERY_CALL(sins_flight_duration(flight, &duration));
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, &sample));
-}
-
-/* Likewise of a scene that is flown by sim, all but sins_scene_destroy() and sins_scene_get_fault(), which answer otherwise. */
-static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
-{
-    static char text[20000];
-    sins_options options = {.struct_size = sizeof options};
-    sins_gyro_params gyro = {.struct_size = sizeof gyro};
-    sins_accel_params accel = {.struct_size = sizeof accel};
-    sins_altimeter_params altimeter = {.struct_size = sizeof altimeter};
-    sins_initial_errors initial = {.struct_size = sizeof initial};
-    sins_mounting mounting = {.struct_size = sizeof mounting};
-    sins_gravity_params gravity = {.struct_size = sizeof gravity};
-    sins_scene_setup setup = {.struct_size = sizeof setup, .rate_hz = 100.0};
-    sins_planned_failure failure = {.struct_size = sizeof failure, .kind = SINS_FAILURE_DEAD};
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    sins_sim *made_sim = NULL;
-    sins_flight *made_flight = NULL;
-    size_t count = 0;
-    EVERY_CALL(sins_scene_get_options(scene, &options));
-    EVERY_CALL(sins_scene_set_options(scene, &options));
-    EVERY_CALL(sins_scene_get_gyro(scene, &gyro));
-    EVERY_CALL(sins_scene_set_gyro(scene, &gyro));
-    EVERY_CALL(sins_scene_get_accel(scene, &accel));
-    EVERY_CALL(sins_scene_set_accel(scene, &accel));
-    EVERY_CALL(sins_scene_get_altimeter(scene, &altimeter));
-    EVERY_CALL(sins_scene_set_altimeter(scene, &altimeter));
-    EVERY_CALL(sins_scene_get_initial_errors(scene, &initial));
-    EVERY_CALL(sins_scene_set_initial_errors(scene, &initial));
-    EVERY_CALL(sins_scene_get_mounting(scene, &mounting));
-    EVERY_CALL(sins_scene_set_mounting(scene, &mounting));
-    EVERY_CALL(sins_scene_get_gravity_disturbance(scene, &gravity));
-    EVERY_CALL(sins_scene_set_gravity_disturbance(scene, &gravity));
-    EVERY_CALL(sins_scene_get_setup(scene, &setup));
-    EVERY_CALL(sins_scene_set_setup(scene, &setup));
-    EVERY_CALL(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "A title"));
-    EVERY_CALL(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, text, sizeof text, NULL));
-    EVERY_CALL(sins_scene_clear_failures(scene));
-    EVERY_CALL(sins_scene_add_failure(scene, &failure));
-    EVERY_CALL(sins_scene_get_failure(scene, 0, &failure));
-    EVERY_CALL(sins_scene_get_failure_count(scene, &count));
-    EVERY_CALL(sins_scene_write(scene, text, sizeof text, NULL));
-    EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, &sample));
-    EVERY_CALL(sins_scene_create_simulator(scene, &made_sim));
-    EVERY_CALL(sins_scene_create_flight(scene, &made_flight));
-    sins_destroy(made_sim);
-    sins_flight_destroy(made_flight);
-}
-
-/* Likewise of a flight log, all but sins_log_destroy(). */
-static inline void every_log_call(sins_log *log, every_call_answer *answer, void *context)
-{
-    sins_log_info info = {.struct_size = sizeof info};
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    EVERY_CALL(sins_log_get_info(log, &info));
-    EVERY_CALL(sins_log_get_sample(log, 1, &sample, NULL));
 }
 
 /* An answer that must be the status at `context`. */

@@ -195,7 +195,6 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
     CHECK(sins_get_options(sim, &found->options) == SINS_OK);
-    read_texts(found);
     CHECK(sins_recommend(sim, found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
     /* Of few samples: it times each effect in many rounds. */
     CHECK(scene_budget(found->piece, 5, found->rows, &found->budget) == SINS_OK);

@@ -11,25 +11,6 @@ enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
 
 static sins_sim *wrong_sims[WRONG_HANDLES];
 static sins_flight *wrong_flights[WRONG_HANDLES];
-static sins_scene *wrong_scenes[WRONG_HANDLES];
-static sins_log *wrong_logs[WRONG_HANDLES];
-
-static const char log_text[] = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n"
-                               "0,0,0,0,0,0,0\n0.01,0,0,0,0,0,0\n";
-
-static sins_scene *make_scene(void)
-{
-    sins_scene *scene = NULL;
-    CHECK(sins_scene_create(&scene) == SINS_OK);
-    return scene;
-}
-
-static sins_log *make_log(void)
-{
-    sins_log *log = NULL;
-    CHECK(sins_log_parse(log_text, sizeof log_text - 1, &log, NULL) == SINS_OK);
-    return log;
-}
 
 static sins_flight *make_flight(void)
 {
@@ -45,13 +26,9 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
 {
     sins_sim *stale = NULL;
     sins_flight *stale_flight = make_flight();
-    sins_scene *stale_scene = make_scene();
-    sins_log *stale_log = make_log();
     CHECK(sins_create(NULL, &stale) == SINS_OK);
     CHECK(sins_destroy(stale) == SINS_OK);
     CHECK(sins_flight_destroy(stale_flight) == SINS_OK);
-    CHECK(sins_scene_destroy(stale_scene) == SINS_OK);
-    CHECK(sins_log_destroy(stale_log) == SINS_OK);
     wrong_sims[NULL_HANDLE] = NULL;
     wrong_sims[STALE] = stale;
     wrong_sims[MADE_UP] = (sins_sim *)(uintptr_t)0xdeadbeef;
@@ -60,12 +37,6 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_flights[STALE] = stale_flight;
     wrong_flights[MADE_UP] = (sins_flight *)(uintptr_t)4;
     wrong_flights[OTHER_KIND] = (sins_flight *)(void *)sim;
-    wrong_scenes[STALE] = stale_scene;
-    wrong_scenes[MADE_UP] = (sins_scene *)(uintptr_t)3;
-    wrong_scenes[OTHER_KIND] = (sins_scene *)(void *)sim;
-    wrong_logs[STALE] = stale_log;
-    wrong_logs[MADE_UP] = (sins_log *)(uintptr_t)4;
-    wrong_logs[OTHER_KIND] = (sins_log *)(void *)sim;
 }
 
 /* Of all functions this one alone takes NULL for a simulator. */
@@ -95,10 +66,6 @@ static void handles(void)
 
         every_call(sim, every_answer_is, &refused);
         every_flight_call(wrong_flights[i], every_answer_is, &refused);
-        every_scene_call(wrong_scenes[i], wrong_sims[OTHER_KIND], every_answer_is, &refused);
-        every_log_call(wrong_logs[i], every_answer_is, &refused);
-        CHECK(sins_scene_destroy(wrong_scenes[i]) == SINS_ERROR_BAD_HANDLE);
-        CHECK(sins_log_destroy(wrong_logs[i]) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_flight_destroy(wrong_flights[i]) == SINS_ERROR_BAD_HANDLE);
 
@@ -111,66 +78,6 @@ static void handles(void)
             CHECK(needed == 77 && strcmp(text, "before") == 0);
         }
     }
-}
-
-/* Of scenes and logs. */
-static void null_pointers_of_texts(sins_sim *sim)
-{
-    sins_scene *scene = make_scene(), *faulty = NULL;
-    sins_log *log = make_log();
-    sins_sim *wrong = wrong_sims[STALE];
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    sins_fault fault = {.struct_size = sizeof fault};
-    sins_gyro_params gyro = {.struct_size = sizeof gyro};
-    CHECK(sins_scene_create(NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_parse(NULL, 0, &faulty) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_parse("", 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_builtin(NULL, &faulty) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_builtin("patrol", NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_builtin("petrol", &faulty) == SINS_ERROR_INVALID_ARGUMENT && faulty == NULL);
-    CHECK(sins_scene_get_fault(scene, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_write(scene, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_write_keys(NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_simulator(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_flight(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_prepare(scene, sim, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_prepare(scene, NULL, 0.0, &sample) == SINS_ERROR_BAD_HANDLE); /* and not _NULL_POINTER */
-    CHECK(sins_scene_prepare(scene, wrong, 0.0, &sample) == SINS_ERROR_BAD_HANDLE);
-    CHECK(sins_scene_get_options(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_options(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_gyro(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_gyro(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_accel(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_accel(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_altimeter(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_altimeter(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_initial_errors(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_initial_errors(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_mounting(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_mounting(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_gravity_disturbance(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_gravity_disturbance(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_setup(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_setup(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_add_failure(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_failure(scene, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_failure_count(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_parse(NULL, 0, &wrong_logs[NULL_HANDLE], NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_parse(log_text, sizeof log_text - 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_get_info(log, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_get_sample(log, 0, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-
-    /* A text with faults makes a handle for these alone. */
-    CHECK(sins_scene_parse("[gyro]\nbais_deg_h = 1\n", 22, &faulty) == SINS_SCENE_HAS_FAULTS);
-    CHECK(sins_scene_get_fault(faulty, 1, &fault) == SINS_OK && fault.count == 2 && fault.line == 2);
-    CHECK(strstr(fault.sentence, "bias_deg_h?") != NULL);
-    CHECK(sins_scene_get_fault(faulty, 2, &fault) == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(sins_scene_get_gyro(faulty, &gyro) == SINS_ERROR_BAD_STATE);
-    CHECK(sins_scene_create_simulator(faulty, &sim) == SINS_ERROR_BAD_STATE);
-    CHECK(sins_scene_destroy(faulty) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
-    CHECK(sins_log_destroy(log) == SINS_OK);
 }
 
 static void null_pointers(sins_sim *sim, sins_flight *flight)
@@ -261,7 +168,6 @@ int main(void)
     make_wrong_handles(sim, flight);
     handles();
     null_pointers(sim, flight);
-    null_pointers_of_texts(sim);
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

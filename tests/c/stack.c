@@ -5,18 +5,10 @@
 #include <pthread.h>
 #include <string.h>
 
-/* A call that succeeds, or one of which the answer does not matter. */
-#define TRY(call) (paint(), measured(#call, call))
-#define MEASURE(call) CHECK(TRY(call) == SINS_OK)
-#define EVERY_CALL(call) ((void)answer, (void)context, (void)TRY(call))
-
-static void paint(void);
-static sins_status measured(const char *call, sins_status status);
-
-#include "every_call.h"
+#include "scene.h"
 #include "small_stack.h"
 
-enum { DEEPEST = 48 * 1024, FUNCTIONS = 128, PAINT = 0x5a, SAMPLES = 8 };
+enum { DEEPEST = 48 * 1024, FUNCTIONS = 64, PAINT = 0x5a, SAMPLES = 8 };
 
 static struct {
     char name[40];
@@ -66,6 +58,10 @@ static __attribute__((noinline)) sins_status measured(const char *call, sins_sta
     deepest[k].bytes = depth > deepest[k].bytes ? depth : deepest[k].bytes;
     return status;
 }
+
+/* A call that succeeds, or one of which the answer does not matter. */
+#define TRY(call) (paint(), measured(#call, call))
+#define MEASURE(call) CHECK(TRY(call) == SINS_OK)
 
 static void read_all(sins_sim *sim)
 {
@@ -204,39 +200,11 @@ static void call_without_a_simulator(void)
     MEASURE(sins_flight_destroy(flight));
 }
 
-/* Scenes: one that flies with all that it can plan, one of nested arrays as deep as the reader follows them; and a flight log. */
-static void read_texts(void)
-{
-    static const char log_text[] = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n"
-                                   "0,0,0,0,0,0,0\n0.01,0,0,0,0,0,0\n";
-    static char deep[4096] = "x = ", keys[40000];
-    sins_scene *scene = NULL, *faulty = NULL;
-    sins_log *log = NULL;
-    sins_sim *sim = NULL;
-    sins_fault fault = {.struct_size = sizeof fault};
-    memset(deep + 4, '[', 1000);
-    MEASURE(sins_create(NULL, &sim));
-    MEASURE(sins_scene_create(&scene));
-    MEASURE(sins_scene_destroy(scene));
-    MEASURE(sins_scene_create_builtin("simulation2", &scene));
-    every_scene_call(scene, sim, NULL, NULL);
-    CHECK(TRY(sins_scene_parse(deep, strlen(deep), &faulty)) == SINS_SCENE_HAS_FAULTS);
-    MEASURE(sins_scene_get_fault(faulty, 0, &fault));
-    MEASURE(sins_scene_write_keys(keys, sizeof keys, NULL));
-    MEASURE(sins_log_parse(log_text, sizeof log_text - 1, &log, &fault));
-    every_log_call(log, NULL, NULL);
-    MEASURE(sins_log_destroy(log));
-    MEASURE(sins_scene_destroy(scene));
-    MEASURE(sins_scene_destroy(faulty));
-    MEASURE(sins_destroy(sim));
-}
-
 static void call_all(void)
 {
     sins_options options = {.struct_size = sizeof options, .subsamples = 5, .updates_per_sample = 16};
     find_bottom();
     call_without_a_simulator();
-    read_texts();
     options.error_model = SINS_ERROR_MODEL_RK4;
     for (options.frame = SINS_FRAME_EARTH_FIXED; options.frame <= SINS_FRAME_GEOGRAPHIC; options.frame++) {
         for (options.scheme = SINS_SCHEME_EXACT; options.scheme <= SINS_SCHEME_POLYNOMIAL; options.scheme++) {

@@ -185,32 +185,6 @@ static void strides(sins_sim *sim)
     }
 }
 
-/* Scenes and flight logs. */
-static void texts(sins_sim *sim)
-{
-    static const char text[] = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n"
-                               "0,0,0,0,0,0,0\n0.01,0,0,0,0,0,0\n";
-    sins_scene *scene = NULL, *faulty = NULL;
-    sins_log *log = NULL;
-    CHECK(sins_scene_create(&scene) == SINS_OK);
-    CHECK(sins_scene_parse("x = 1", 5, &faulty) == SINS_SCENE_HAS_FAULTS);
-    CHECK(sins_log_parse(text, sizeof text - 1, &log, NULL) == SINS_OK);
-    OUTPUT_SIZES(sins_fault, sins_scene_get_fault(faulty, 0, pointer));
-    OUTPUT_SIZES(sins_log_info, sins_log_get_info(log, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
-    OUTPUT_SIZES(sins_scene_setup, sins_scene_get_setup(scene, pointer));
-    INPUT_SIZES(sins_options, sins_scene_set_options(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_set_gyro(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_set_accel(scene, pointer));
-    INPUT_SIZES(sins_altimeter_params, sins_scene_set_altimeter(scene, pointer));
-    INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
-    INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
-    INPUT_SIZES(sins_gravity_params, sins_scene_set_gravity_disturbance(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));
-    CHECK(sins_log_destroy(log) == SINS_OK && sins_scene_destroy(faulty) == SINS_OK);
-    CHECK(sins_scene_destroy(scene) == SINS_OK);
-}
-
 static void struct_sizes(sins_sim *sim, sins_flight *flight)
 {
     sins_sim *fresh = NULL;
@@ -265,7 +239,6 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
-    texts(fresh);
     strides(fresh);
     CHECK(sins_destroy(fresh) == SINS_OK);
 }

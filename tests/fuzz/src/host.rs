@@ -78,13 +78,22 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         6 => {
             call!(sins_get_options(sim, &mut init()));
         }
+        7 => drop(check::<sins_gyro_params>(|params| call!(sins_get_gyro(sim, params)))),
+        8 => drop(check::<sins_accel_params>(|params| call!(sins_get_accel(sim, params)))),
+        9 => drop(check::<sins_altimeter_params>(|params| call!(sins_get_altimeter(sim, params)))),
+        10 => drop(check::<sins_initial_errors>(|errors| call!(sins_get_initial_errors(sim, errors)))),
+        11 => drop(check::<sins_mounting>(|mounting| call!(sins_get_mounting(sim, mounting)))),
+        12 => drop(check::<sins_gravity_params>(|params| call!(sins_get_gravity_disturbance(sim, params)))),
+        13 => {
+            check::<sins_failure>(|failure| call!(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, failure)));
+        }
         _ => drop(check::<sins_navigation>(|navigation| call!(sins_get_navigation(sim, navigation)))),
     }
 }
 
 /// Reads all there is.
 pub fn look_at_all(sim: *mut sins_sim) {
-    (0..8).for_each(|what| look(sim, what));
+    (0..15).for_each(|what| look(sim, what));
 }
 
 impl Host {
@@ -167,7 +176,7 @@ impl Host {
         }
         self.follower.follow(place, status, call);
         if status == SINS_OK && self.input.one_in(8) {
-            look(sim, self.input.below(8));
+            look(sim, self.input.below(15));
         }
         status
     }

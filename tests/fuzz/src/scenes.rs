@@ -247,7 +247,7 @@ impl Host {
                 self.hold_to_limits(place);
             }
         }
-        look(sim, self.input.below(8));
+        look(sim, self.input.below(15));
     }
 
     pub fn create_flight(&mut self) {
