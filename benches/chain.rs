@@ -27,7 +27,7 @@ fn limits() -> IntakeLimits {
 }
 
 fn points(samples: &[FlightSample]) -> Vec<TruthPoint> {
-    let mut intake = Intake::new(Earth::default(), BodyAxes::default(), limits());
+    let mut intake = Intake::new(Earth::default(), BodyAxes::default(), limits()).unwrap();
     let mut points = Vec::new();
     for sample in samples {
         intake.push(sample).unwrap();
@@ -51,7 +51,7 @@ fn stages(criterion: &mut Criterion) {
 
     group.bench_function("intake", |bencher| {
         bencher.iter_batched_ref(
-            || Intake::new(earth, BodyAxes::default(), limits()),
+            || Intake::new(earth, BodyAxes::default(), limits()).unwrap(),
             |intake| {
                 for sample in &samples[..STEPS] {
                     intake.push(black_box(sample)).unwrap();

@@ -31,6 +31,8 @@
 //!     [error data 2]       [error data 1, (4)-(6)]
 //! ```
 //!
+//! With the feature `scenes`, `scene` reads and writes a whole scene as a text, and `log` reads flight logs.
+//!
 //! Each block is a module, each arrow a type; [`earth`] (ellipsoid, gravity) and [`math`] serve them all, [`flight`] makes
 //! samples from manoeuvres, `simulator` puts the blocks together, [`snapshot`] keeps the state of all of them.
 //!
@@ -85,6 +87,8 @@
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
+//! | what every setter takes, its getter gives back | `tests/read_back.rs` |
+//! | a scene that is written reads back to the bit, and a faulty one tells every fault | `tests/scene_text.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |
 //! | hard cases are right, or told to be beyond it | `tests/hard_*.rs`, with their figures in `tests/README.md` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
 //!
