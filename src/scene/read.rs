@@ -38,9 +38,26 @@ impl Item {
     }
 }
 
+/// A value that takes the place of the text's.
+#[derive(Debug)]
+struct Setting {
+    section: Section,
+    name: String,
+    text: String,
+    value: Value,
+    span: Span,
+}
+
 impl Scene {
     /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
     pub fn parse(text: &[u8]) -> Result<Self, Vec<Fault>> {
+        Self::parse_with(text, &[])
+    }
+
+    /// The scene of a text that has these keys with these values: `("gyro.bias_deg_h", "0.01")`. Keys and values are those of the
+    /// text, whose own values of the same keys do not count; a text needs no quotes; of a key that is set twice the last counts.
+    /// What stands in double brackets is the text's alone.
+    pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
         let whole = |sentence: String| vec![Fault { line: 1, column: 1, sentence }];
         if text.len() > MAX_TEXT {
             return Err(whole(format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
@@ -58,7 +75,9 @@ impl Scene {
             sections: Section::ALL.map(|_| Item::default()),
             manoeuvres: Vec::new(),
             items: Vec::new(),
+            settings: Vec::new(),
         };
+        reader.take_settings(settings);
         for error in &errors {
             reader.faults.add(&error.span().unwrap_or(0..0), error.message());
         }
@@ -78,6 +97,7 @@ struct Reader<'t> {
     manoeuvres: Vec<Manoeuvre>,
     /// Where each manoeuvre stands.
     items: Vec<Item>,
+    settings: Vec<Setting>,
 }
 
 impl Reader<'_> {
@@ -85,7 +105,39 @@ impl Reader<'_> {
         &self.sections[section as usize]
     }
 
+    fn take_settings(&mut self, settings: &[(&str, &str)]) {
+        for (index, (path, text)) in settings.iter().enumerate() {
+            let span = self.faults.setting_span(index);
+            let Some((section, name)) = path.rsplit_once('.') else {
+                self.faults.add(&span, format!("{}: expected section.key", excerpt(path)));
+                continue;
+            };
+            match Section::ALL.into_iter().find(|known| known.name() == section) {
+                Some(section) if section.is_list() => {
+                    let sentence = format!("[[{}]]: only in the text of a scene", section.name());
+                    self.faults.add(&span, sentence);
+                }
+                Some(section) => {
+                    self.settings.retain(|earlier| (earlier.section, earlier.name.as_str()) != (section, name));
+                    let (name, text) = (name.to_owned(), (*text).to_owned());
+                    let value = Value::of_setting(&text);
+                    self.settings.push(Setting { section, name, text, value, span });
+                }
+                None => {
+                    let names = Section::ALL.into_iter().map(Section::name);
+                    self.faults.add(&span, unknown("section", section, nearest(section, names)));
+                }
+            }
+        }
+    }
+
     fn read_root(&mut self, root: &DeTable<'_>) {
+        for section in Section::ALL {
+            let is_set = self.settings.iter().any(|setting| setting.section == section);
+            if is_set && !root.contains_key(section.name()) {
+                self.sections[section as usize] = self.read_keys(section, 0..0, &DeTable::new());
+            }
+        }
         for (name, value) in root {
             let (name, span) = (name.get_ref().as_ref(), name.span());
             let section = Section::ALL.into_iter().find(|section| section.name() == name);
@@ -125,7 +177,24 @@ impl Reader<'_> {
     /// Reads the keys of a section in the order of the table, so that a preset comes before what differs from it.
     fn read_keys(&mut self, section: Section, head: Span, section_table: &DeTable<'_>) -> Item {
         let mut item = Item { head, keys: Vec::new() };
+        self.check_settings(section);
         for (index, key) in table::of_section(section) {
+            let is_of_key = |setting: &&Setting| {
+                setting.section == section
+                    && (setting.name == key.name || Some(setting.name.as_str()) == key.si_name())
+            };
+            // The last of them: the same quantity may be set in its unit and in SI.
+            if let Some(setting) = self.settings.iter().rfind(is_of_key) {
+                let value = match key.target {
+                    Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => &Value::Text(setting.text.clone()),
+                    _ => &setting.value,
+                };
+                item.keys.push((index, setting.span.clone()));
+                if let Err(sentence) = put(&mut self.draft, key, setting.name != key.name, value) {
+                    self.faults.add(&setting.span, sentence);
+                }
+                continue;
+            }
             let mut first: Option<&str> = None;
             for (name, in_si) in [(Some(key.name), false), (key.si_name(), true)] {
                 let found =
@@ -154,6 +223,17 @@ impl Reader<'_> {
             }
         }
         item
+    }
+
+    /// Whether there are keys of the names that are set.
+    fn check_settings(&mut self, section: Section) {
+        let names = || table::of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten();
+        for setting in self.settings.iter().filter(|setting| setting.section == section) {
+            let name = setting.name.as_str();
+            if !names().any(|known| known == name) {
+                self.faults.add(&setting.span, unknown("key", name, nearest(name, names())));
+            }
+        }
     }
 
     fn read_manoeuvre(&mut self, head: Span, section_table: &DeTable<'_>) {

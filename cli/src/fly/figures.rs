@@ -1,0 +1,100 @@
+//! The figures of a flight: what was flown, and how well.
+
+use sins::errors::AccuracyFigures;
+use sins::scene::{PlannedFailure, Scene};
+use sins::sensors::{Axis, Failure as SensorFailure, SensorOutput};
+use sins::{ClosureFigures, TrimFigures};
+
+use super::flight::Flown;
+use crate::failure::{Failure, Kind};
+use crate::given::Given;
+
+/// Samples that a rate of growth needs at the least: there is no slope through one.
+const LEAST_SAMPLES: u64 = 2;
+
+/// Everything that summary and terminal say.
+pub struct Figures<'a> {
+    pub given: &'a Given,
+    pub name: &'a str,
+    pub flown: &'a Flown,
+    pub accuracy: AccuracyFigures,
+    pub closure: ClosureFigures,
+    pub trim: TrimFigures,
+    /// Time between two records [s].
+    pub every_s: f64,
+    pub is_interrupted: bool,
+}
+
+impl<'a> Figures<'a> {
+    pub fn gather(
+        given: &'a Given,
+        name: &'a str,
+        every: u64,
+        flown: &'a Flown,
+        is_interrupted: bool,
+    ) -> Result<Self, Failure> {
+        let none = || Failure::of_kind(Kind::Failed, "no interval was flown");
+        let (accuracy, closure, trim) = flown.accuracy.ok_or_else(none)?;
+        let every_s = every as f64 * given.period_s;
+        Ok(Self { given, name, flown, accuracy, closure, trim, every_s, is_interrupted })
+    }
+
+    pub fn scene(&self) -> &Scene {
+        &self.given.scene
+    }
+
+    pub fn rate_hz(&self) -> f64 {
+        1.0 / self.given.period_s
+    }
+
+    /// Computing time of a step [ns].
+    pub fn ns_per_step(&self) -> f64 {
+        1e9 * self.flown.seconds / self.flown.steps.max(1) as f64
+    }
+
+    /// Whether there are rates of growth: they count from a time on that a short flight does not reach.
+    pub fn has_rates(&self) -> bool {
+        self.accuracy.window_samples >= LEAST_SAMPLES
+    }
+
+    /// What is set in a section of the scene, in words; "none" if nothing.
+    pub fn set_in(&self, section: &str) -> String {
+        let set = self.scene().set_keys();
+        let words: Vec<String> = set
+            .iter()
+            .filter(|key| key.section == section)
+            .map(|key| format!("{} {} {}", key.doc, key.value, key.unit).trim_end().to_owned())
+            .collect();
+        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+    }
+
+    /// Each failure with its time; "none" without.
+    pub fn failures(&self) -> String {
+        let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
+        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+    }
+}
+
+fn failure_text(planned: &PlannedFailure) -> String {
+    let axis = |axis: Axis| match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+        Axis::Z => "z",
+    };
+    let output = match planned.output {
+        SensorOutput::Gyro(which) => format!("gyro {}", axis(which)),
+        SensorOutput::Accelerometer(which) => format!("accelerometer {}", axis(which)),
+        SensorOutput::Altimeter => "altimeter".to_owned(),
+    };
+    let kind = match planned.failure {
+        SensorFailure::Stuck => "stuck",
+        SensorFailure::Dead => "dead",
+        SensorFailure::BiasStep { .. } => "bias step",
+        SensorFailure::Spikes { .. } => "spikes",
+        SensorFailure::Noise { .. } => "noise",
+        SensorFailure::RandomDropOuts { .. } | SensorFailure::PeriodicDropOuts { .. } => "drop-outs",
+    };
+    let until_s = planned.failing.until_s;
+    let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
+    format!("{output} {kind} {} s to {until}", planned.failing.from_s)
+}
