@@ -2,6 +2,9 @@
 
 use std::io::{BufRead, BufReader, Read, Result};
 
+/// With which some editors begin a file in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// Gives the data on and counts the lines.
 pub struct Lines<R: Read> {
     input: BufReader<R>,
@@ -31,6 +34,9 @@ impl<R: Read> Lines<R> {
                 return Ok(());
             }
             self.count += 1;
+            if self.count == 1 && self.line.starts_with(BYTE_ORDER_MARK) {
+                self.line.drain(..BYTE_ORDER_MARK.len());
+            }
             let text = self.line.trim_ascii_start();
             if !text.is_empty() && text[0] != b'#' {
                 self.numbers.push(self.count);
@@ -63,5 +69,9 @@ mod tests {
         let mut text = String::new();
         lines.read_to_string(&mut text).unwrap();
         assert_eq!((text.as_str(), lines.numbers()), ("a,b\r\n1,2\n3,4", &[1, 5, 7][..]));
+        let mut lines = Lines::new("\u{feff}# first\na,b\n1,2".as_bytes());
+        text.clear();
+        lines.read_to_string(&mut text).unwrap();
+        assert_eq!((text.as_str(), lines.numbers()), ("a,b\n1,2", &[2, 3][..]));
     }
 }

@@ -8,6 +8,18 @@ use csv::{ReaderBuilder, StringRecord};
 use crate::failure::Failure;
 use crate::lines::Lines;
 
+/// Numbers beyond it would overflow on their way into a page; nothing that is measured or simulated comes near.
+const LARGEST: f64 = 1e30;
+
+/// Numbers below it are nothing: their squares and quotients would be none.
+const SMALLEST: f64 = 1e-60;
+
+/// The number of a text, if a page can hold it.
+pub fn number(text: &str) -> Option<f64> {
+    let value = text.trim().parse::<f64>().ok().filter(|value| value.abs() <= LARGEST)?;
+    Some(if value.abs() < SMALLEST { 0.0 } else { value })
+}
+
 /// The columns of a file.
 pub struct Table {
     path: PathBuf,
@@ -50,11 +62,11 @@ impl Table {
                 if !is_chosen[place] {
                     continue;
                 }
-                match text.trim().parse::<f64>() {
-                    Ok(value) if value.is_finite() => values.push(value),
-                    _ => {
+                match number(text) {
+                    Some(value) => values.push(value),
+                    None => {
                         let what = format!(
-                            "column {} ({name}): expected a finite number, found \"{text}\"",
+                            "column {} ({name}): expected a finite number up to {LARGEST:e}, found \"{text}\"",
                             place + 1
                         );
                         return Err(Failure::of_line(path, line, &what));
@@ -110,10 +122,12 @@ mod tests {
 
     #[test]
     fn a_bad_number_is_told_with_line_and_column() {
-        let expected = "run.csv:3: column 2 (x): expected a finite number, found";
+        let expected = "run.csv:3: column 2 (x): expected a finite number up to 1e30, found";
         assert_eq!(read("t,x\n0,1\n1,one\n").err(), Some(format!("{expected} \"one\"")));
         assert_eq!(read("t,x\n0,1\n1,nan\n").err(), Some(format!("{expected} \"nan\"")));
         assert_eq!(read("t,x\n0,1\n1,\n").err(), Some(format!("{expected} \"\"")));
+        assert_eq!(read("t,x\n0,1\n1,-1e308\n").err(), Some(format!("{expected} \"-1e308\"")));
+        assert_eq!(read("t,x\n0,1\n1,5e-324\n").unwrap().take("x").unwrap(), [1.0, 0.0]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Units chosen by size, and numbers as text.
 
-use std::f64::consts::PI;
+use sins::units::{ARCSEC, DEG};
 
 /// A unit and how much of the SI unit it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +18,7 @@ pub const METRE: Unit = unit("m", 1.0);
 /// See [`METRE`].
 pub const KILOMETRE: Unit = unit("km", 1e3);
 
-/// Units of one quantity, from small to large.
+/// Units of one quantity, from small to large. No nm: beside positions it would be read as nautical miles.
 #[derive(Debug, PartialEq)]
 pub struct Family {
     /// For zero, and in texts for what is far below all others.
@@ -31,32 +31,32 @@ pub struct Family {
 /// Units of length.
 pub const LENGTH: &Family = &Family {
     si: METRE,
-    tiny: &[unit("10⁻¹² m", 1e-12)],
-    usual: &[unit("nm", 1e-9), unit("µm", 1e-6), unit("mm", 1e-3), METRE, KILOMETRE],
+    tiny: &[unit("10⁻¹² m", 1e-12), unit("10⁻⁹ m", 1e-9)],
+    usual: &[unit("µm", 1e-6), unit("mm", 1e-3), METRE, KILOMETRE],
 };
 
 /// Units of speed.
 pub const SPEED: &Family = &Family {
     si: unit("m/s", 1.0),
-    tiny: &[unit("10⁻¹⁵ m/s", 1e-15), unit("10⁻¹² m/s", 1e-12)],
-    usual: &[unit("nm/s", 1e-9), unit("µm/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0)],
+    tiny: &[unit("10⁻¹⁵ m/s", 1e-15), unit("10⁻¹² m/s", 1e-12), unit("10⁻⁹ m/s", 1e-9)],
+    usual: &[unit("µm/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0)],
 };
 
 /// Units of angle: those of attitude errors.
 pub const ANGLE: &Family = &Family {
     si: unit("rad", 1.0),
     tiny: &[unit("10⁻¹⁵ rad", 1e-15), unit("10⁻¹² rad", 1e-12)],
-    usual: &[unit("nrad", 1e-9), unit("arcsec", PI / 648_000.0), unit("deg", PI / 180.0)],
+    usual: &[unit("nrad", 1e-9), unit("arcsec", ARCSEC), unit("deg", DEG)],
 };
 
 /// Degree an hour [rad/s].
-pub const DEG_PER_HOUR: Unit = unit("deg/h", PI / 648_000.0);
+pub const DEG_PER_HOUR: Unit = unit("deg/h", sins::units::DEG_PER_HOUR);
 
 /// Millionth of g [m/s²].
-pub const MICRO_G: Unit = unit("µg", 9.80665e-6);
+pub const MICRO_G: Unit = unit("µg", sins::units::MICRO_G);
 
 /// Nautical mile an hour [m/s].
-pub const NMI_PER_HOUR: Unit = unit("nmi/h", 1852.0 / 3600.0);
+pub const NMI_PER_HOUR: Unit = unit("nmi/h", sins::units::NMI_PER_HOUR);
 
 /// The family of an SI unit.
 pub fn family(si_name: &str) -> Option<&'static Family> {
@@ -80,36 +80,39 @@ pub fn in_unit(value: f64, unit: Unit) -> String {
     format!("{} {}", significant(value / unit.si), unit.name)
 }
 
-/// The largest usual unit of which `value` [SI] is at least one, of the smallest of them a thousandth; or the SI unit.
+/// The largest usual unit of which `value` [SI] is at least one; or the SI unit.
 pub fn usual(value: f64, family: &Family) -> Unit {
-    let fits =
-        |(place, unit): &(usize, &Unit)| value.abs() >= if *place == 0 { 1e-3 * unit.si } else { unit.si };
-    family.usual.iter().enumerate().rfind(fits).map_or(family.si, |(_, unit)| *unit)
+    family.usual.iter().rfind(|unit| value.abs() >= unit.si).copied().unwrap_or(family.si)
 }
 
 /// Four significant digits; powers of ten where plain digits would be long.
 pub fn significant(value: f64) -> String {
+    digits(value, 3)
+}
+
+/// Two significant digits, or all before the point; powers of ten where plain digits would be long.
+pub fn short(value: f64) -> String {
+    if (1e-3..1e6).contains(&value.abs()) { two_digits(value) } else { digits(value, 1) }
+}
+
+/// So many digits behind the first.
+fn digits(value: f64, behind: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let scientific = format!("{value:.3e}");
+    let scientific = format!("{value:.behind$e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     match exponent.parse::<i32>() {
-        Ok(exponent @ -3..6) => format!("{value:.*}", usize::try_from(3 - exponent).unwrap_or(0)),
+        Ok(exponent @ -3..6) => format!("{value:.*}", usize::try_from(behind as i32 - exponent).unwrap_or(0)),
         Ok(exponent) => format!("{mantissa}×10{}", superscript(exponent)),
         Err(_) => scientific,
     }
 }
 
-/// `value` [SI] with two digits in the usual unit that fits it; with four in the SI unit where none does.
+/// `value` [SI] with two digits in the usual unit that fits it, or in the SI unit.
 pub fn brief(value: f64, family: &Family) -> String {
     let unit = usual(value, family);
-    match value / unit.si {
-        fitting if fitting == 0.0 || (1e-3..1e6).contains(&fitting.abs()) => {
-            format!("{} {}", two_digits(fitting), unit.name)
-        }
-        _ => in_unit(value, unit),
-    }
+    format!("{} {}", short(value / unit.si), unit.name)
 }
 
 /// Two significant digits, or all before the point.
@@ -157,7 +160,7 @@ mod tests {
     #[test]
     fn units_follow_the_size() {
         for (size, family, name) in [
-            (1.2e-8, LENGTH, "nm"),
+            (1.2e-8, LENGTH, "10⁻⁹ m"),
             (1e-14, LENGTH, "10⁻¹² m"),
             (0.4, LENGTH, "mm"),
             (-850.0, LENGTH, "m"),
@@ -178,10 +181,21 @@ mod tests {
     #[test]
     fn what_rounding_leaves_is_a_power_of_ten_of_the_si_unit() {
         assert_eq!(with_unit(0.002_16, ANGLE), "445.5 arcsec");
-        assert_eq!(with_unit(2.5e-12, ANGLE), "0.002500 nrad");
+        assert_eq!(with_unit(2.5e-12, ANGLE), "2.500×10⁻¹² rad");
+        assert_eq!(with_unit(2.931e-8, LENGTH), "2.931×10⁻⁸ m");
         assert_eq!(with_unit(2.5e-15, ANGLE), "2.500×10⁻¹⁵ rad");
         assert_eq!(with_unit(2.22e-27, SPEED), "2.220×10⁻²⁷ m/s");
         assert_eq!(with_unit(0.0, SPEED), "0 m/s");
+    }
+
+    /// Readers navigate: nm is a nautical mile to them.
+    #[test]
+    fn no_unit_looks_like_a_nautical_mile() {
+        for family in [LENGTH, SPEED, ANGLE] {
+            for unit in family.tiny.iter().chain(family.usual) {
+                assert!(!unit.name.starts_with("nm"), "{}", unit.name);
+            }
+        }
     }
 
     #[test]
@@ -209,8 +223,9 @@ mod tests {
             (1234.0, LENGTH, "1.2 km"),
             (0.84, LENGTH, "840 mm"),
             (-9.96e-6, SPEED, "-10 µm/s"),
-            (9.1e-12, SPEED, "0.0091 nm/s"),
-            (2.65e-15, ANGLE, "2.650×10⁻¹⁵ rad"),
+            (9.1e-12, SPEED, "9.1×10⁻¹² m/s"),
+            (2.93e-8, LENGTH, "2.9×10⁻⁸ m"),
+            (2.65e-15, ANGLE, "2.7×10⁻¹⁵ rad"),
             (0.0, ANGLE, "0 rad"),
         ] {
             assert_eq!(brief(value, family), text);

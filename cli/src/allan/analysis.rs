@@ -41,7 +41,14 @@ pub struct Coefficient {
 impl Coefficient {
     /// Whether the record tells it from nothing.
     pub fn is_resolved(&self) -> bool {
-        self.interval.low > 0.0
+        self.interval.low > 0.0 && !self.is_at_bound()
+    }
+
+    /// Whether the estimate sits on an end of its own interval: it is what the constraint of the fit left, nothing that the record
+    /// shows.
+    pub fn is_at_bound(&self) -> bool {
+        let Interval { low, high } = self.interval;
+        self.value > 0.0 && (self.value <= low || self.value >= high)
     }
 }
 

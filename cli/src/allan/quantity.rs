@@ -1,10 +1,9 @@
 //! What a column holds, by the end of its name.
 
-use std::f64::consts::PI;
+use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
 use super::command::Wanted;
 use crate::failure::Failure;
-use crate::units::MICRO_G;
 
 /// Which sensor a column is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,15 +33,15 @@ const fn increment(unit: &'static str, sensor: Sensor, si: f64) -> Quantity {
 
 const QUANTITIES: [Quantity; 11] = [
     rate("rad_s", Sensor::Gyro, 1.0),
-    rate("deg_s", Sensor::Gyro, PI / 180.0),
-    rate("deg_h", Sensor::Gyro, PI / 648_000.0),
+    rate("deg_s", Sensor::Gyro, DEG),
+    rate("deg_h", Sensor::Gyro, DEG_PER_HOUR),
     rate("m_s2", Sensor::Accelerometer, 1.0),
-    rate("g", Sensor::Accelerometer, 1e6 * MICRO_G.si),
-    rate("mg", Sensor::Accelerometer, 1e3 * MICRO_G.si),
-    rate("ug", Sensor::Accelerometer, MICRO_G.si),
+    rate("g", Sensor::Accelerometer, STANDARD_GRAVITY),
+    rate("mg", Sensor::Accelerometer, 1e-3 * STANDARD_GRAVITY),
+    rate("ug", Sensor::Accelerometer, MICRO_G),
     increment("rad", Sensor::Gyro, 1.0),
-    increment("deg", Sensor::Gyro, PI / 180.0),
-    increment("arcsec", Sensor::Gyro, PI / 648_000.0),
+    increment("deg", Sensor::Gyro, DEG),
+    increment("arcsec", Sensor::Gyro, ARCSEC),
     increment("m_s", Sensor::Accelerometer, 1.0),
 ];
 
@@ -149,7 +148,7 @@ mod tests {
     #[test]
     fn columns_are_chosen_and_given_units() {
         let columns = chosen("t,wx,roll_rad", &[("roll_rad", None), ("wx", Some("deg_h"))]).unwrap();
-        assert!(columns[0].1.is_increment && columns[1].1.si == PI / 648_000.0);
+        assert!(columns[0].1.is_increment && columns[1].1.si == DEG_PER_HOUR);
         assert!(chosen("t,wx", &[("wx", None)]).unwrap_err().contains("NAME:UNIT"));
         assert!(chosen("t,wx", &[("wy", None)]).unwrap_err().contains("\"wy\""));
         assert!(chosen("t,wx", &[]).unwrap_err().contains("--columns"));

@@ -1,12 +1,11 @@
 //! The units of data sheets, and those of SI.
 
-use std::f64::consts::PI;
+use sins::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR};
 
 use super::estimate::terms::Term;
 use super::quantity::Sensor;
 use crate::units::{MICRO_G, Unit};
 
-const DEGREE: f64 = PI / 180.0;
 const HOUR_S: f64 = 3600.0;
 const ROOT_HOUR: f64 = 60.0;
 
@@ -22,11 +21,11 @@ pub fn deviation(sensor: Sensor) -> Unit {
 /// Of a coefficient.
 pub fn coefficient(sensor: Sensor, term: Term) -> Unit {
     match (sensor, term) {
-        (Sensor::Gyro, Term::Quantization) => unit("arcsec", DEGREE / HOUR_S),
-        (Sensor::Gyro, Term::RandomWalk) => unit("°/√h", DEGREE / ROOT_HOUR),
-        (Sensor::Gyro, Term::Flicker) => unit("°/h", DEGREE / HOUR_S),
-        (Sensor::Gyro, Term::RateRandomWalk) => unit("°/h/√h", DEGREE / HOUR_S / ROOT_HOUR),
-        (Sensor::Gyro, Term::Ramp) => unit("°/h/h", DEGREE / HOUR_S / HOUR_S),
+        (Sensor::Gyro, Term::Quantization) => unit("arcsec", ARCSEC),
+        (Sensor::Gyro, Term::RandomWalk) => unit("°/√h", DEG_PER_SQRT_HOUR),
+        (Sensor::Gyro, Term::Flicker) => unit("°/h", DEG_PER_HOUR),
+        (Sensor::Gyro, Term::RateRandomWalk) => unit("°/h/√h", DEG_PER_HOUR / ROOT_HOUR),
+        (Sensor::Gyro, Term::Ramp) => unit("°/h/h", DEG_PER_HOUR / HOUR_S),
         (Sensor::Accelerometer, Term::Quantization) => unit("mm/s", 1e-3),
         (Sensor::Accelerometer, Term::RandomWalk) => unit("m/s/√h", 1.0 / ROOT_HOUR),
         (Sensor::Accelerometer, Term::Flicker) => MICRO_G,
@@ -38,7 +37,7 @@ pub fn coefficient(sensor: Sensor, term: Term) -> Unit {
 /// Another unit that random walks are quoted in.
 pub fn density(sensor: Sensor) -> Unit {
     match sensor {
-        Sensor::Gyro => unit("°/h/√Hz", DEGREE / HOUR_S),
+        Sensor::Gyro => unit("°/h/√Hz", DEG_PER_HOUR),
         Sensor::Accelerometer => unit("µg/√Hz", MICRO_G.si),
     }
 }

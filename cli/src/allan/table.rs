@@ -10,7 +10,9 @@ use crate::units::{Unit, in_unit, significant, time_text};
 pub fn value(coefficient: &Coefficient, unit: Unit) -> String {
     let [value, low, high] = [coefficient.value, coefficient.interval.low, coefficient.interval.high]
         .map(|value| significant(value / unit.si));
-    if coefficient.is_resolved() {
+    if coefficient.is_at_bound() {
+        "not shown by this record".to_owned()
+    } else if coefficient.is_resolved() {
         format!("{value} ({low} to {high}) {}", unit.name)
     } else {
         format!("below {high} {}", unit.name)

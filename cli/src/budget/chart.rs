@@ -8,7 +8,7 @@ use crate::drawing::axis::Axis;
 use crate::drawing::figure::Legend;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::FINE;
-use crate::units::{ANGLE, Family, LENGTH, SPEED, brief};
+use crate::units::{ANGLE, Family, LENGTH, SPEED, short};
 
 /// Room for the names, width of a panel and of the value behind its longest bar, height of a line and of its bar, of the
 /// panels' titles and of the ticks below [drawing units].
@@ -94,7 +94,7 @@ fn panel(survey: &Survey, lines: &[Line], (title, part, family): &Quantity, left
         @for (k, line) in lines.iter().enumerate() {
             (bar(line, at(part(&line.worst)), left, k))
             text class="value" x=((left + at(part(&line.worst)) + 6.0) * FINE) y=(text_y(k)) {
-                (brief(part(&line.worst), family))
+                (short(part(&line.worst)))
             }
         }
         (upright(Pen::Axis, left, TITLE, bottom))

@@ -63,13 +63,13 @@ fn figure(survey: &Survey) -> Figure {
 }
 
 fn figures(survey: &Survey) -> Markup {
+    let columns = table::Columns::of(survey);
     html! {
         table {
             thead {
                 tr {
-                    @for name in ["effect", "", "position", "velocity", "attitude", "ns a step", "field"] {
-                        th scope="col" { (name) }
-                    }
+                    @for head in columns.heads() { th scope="col" { (head) } }
+                    th scope="col" { "field" }
                 }
             }
             tbody {
@@ -77,8 +77,8 @@ fn figures(survey: &Survey) -> Markup {
                     tr {
                         th scope="row" { (line.name) }
                         td { (table::kind(&line)) }
-                        @for cell in table::cells(&line) { td.number { (cell) } }
-                        td.number { @if let Some(cost) = line.cost_ns { (format!("{cost:.0}")) } }
+                        @for cell in columns.cells(&line) { td.number { (cell) } }
+                        td.number { (columns.cost(&line)) }
                         td { code { (line.field) } }
                     }
                 }
@@ -145,8 +145,9 @@ mod tests {
         let tables = table::tables(&[made()]);
         let lines: Vec<&str> = tables.lines().filter(|line| line.starts_with("| ")).collect();
         assert_eq!(lines.len(), 1 + 2 + 3);
-        assert_eq!(lines[1], "| gyro bias |  | 1.2 km | 1.2 m/s | 0 rad | 30 |");
-        assert_eq!(lines[2], "| gyro turn-on bias | 1σ, can be left out | 500 mm | 500 µm/s | 0 rad | 10 |");
+        assert_eq!(lines[0], "| effect |  | position [km] | velocity [m/s] | attitude [rad] | a step [ns] |");
+        assert_eq!(lines[1], "| gyro bias |  | 1.2 | 1.2 | 0 | 30 |");
+        assert_eq!(lines[2], "| gyro turn-on bias | 1σ, can be left out | 5.0×10⁻⁴ | 5.0×10⁻⁴ | 0 | 10 |");
         assert!(
             tables.contains("1σ is 0.74 to 1.52 times") && tables.contains("change by 500 mm"),
             "{tables}"

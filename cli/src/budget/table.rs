@@ -1,7 +1,10 @@
 //! The budgets as Markdown.
 
 use super::survey::{Kind, Line, Survey};
-use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text};
+use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief, short, time_text, usual};
+
+/// Costs are uncertain by so much of a step: less is noise, and may be negative.
+const NOISE: f64 = 0.01;
 
 /// A table for each scene.
 pub fn tables(surveys: &[Survey]) -> String {
@@ -9,23 +12,66 @@ pub fn tables(surveys: &[Survey]) -> String {
 }
 
 fn table(survey: &Survey) -> String {
-    let mut text = format!(
-        "{}: {}\n\n| effect | | position | velocity | attitude | ns a step |\n|---|---|---|---|---|---|\n",
-        survey.name, survey.title
-    );
+    let columns = Columns::of(survey);
+    let mut text = format!("{}: {}\n\n|", survey.name, survey.title);
+    for head in columns.heads() {
+        text += &format!(" {head} |");
+    }
+    text += "\n|---|---|---|---|---|---|\n";
     for line in survey.lines() {
-        let (kind, cost) = (kind(&line), line.cost_ns.map_or_else(String::new, |cost| format!("{cost:.0}")));
-        let [position, velocity, attitude] = cells(&line);
-        text += &format!("| {} | {kind} | {position} | {velocity} | {attitude} | {cost} |\n", line.name);
+        let [position, velocity, attitude] = columns.cells(&line);
+        let cost = columns.cost(&line);
+        text += &format!("| {} | {} | {position} | {velocity} | {attitude} | {cost} |\n", line.name, kind(&line));
     }
     text + "\n" + &remark(survey) + "\n"
 }
 
-/// Position, velocity and attitude.
-pub fn cells(line: &Line) -> [String; 3] {
-    let worst = &line.worst;
-    [(worst.position_m, LENGTH), (worst.velocity_m_s, SPEED), (worst.attitude_rad, ANGLE)]
-        .map(|(value, family)| brief(value, family))
+/// One unit for each column, that of its largest value: rows are to be compared.
+pub struct Columns {
+    units: [Unit; 3],
+    step_ns: f64,
+}
+
+impl Columns {
+    pub fn of(survey: &Survey) -> Self {
+        let lines = survey.lines();
+        let unit = |part: usize, family: &Family| {
+            let largest = lines.iter().map(|line| parts(line)[part]).fold(0.0, f64::max);
+            usual(largest, family)
+        };
+        Self { units: [unit(0, LENGTH), unit(1, SPEED), unit(2, ANGLE)], step_ns: survey.costs.total_ns }
+    }
+
+    pub fn heads(&self) -> [String; 6] {
+        let [position, velocity, attitude] = self.units.map(|unit| unit.name);
+        [
+            "effect".to_owned(),
+            String::new(),
+            format!("position [{position}]"),
+            format!("velocity [{velocity}]"),
+            format!("attitude [{attitude}]"),
+            "a step [ns]".to_owned(),
+        ]
+    }
+
+    /// Position, velocity and attitude.
+    pub fn cells(&self, line: &Line) -> [String; 3] {
+        let parts = parts(line);
+        std::array::from_fn(|part| short(parts[part] / self.units[part].si))
+    }
+
+    /// What a step costs, where the clock can tell.
+    pub fn cost(&self, line: &Line) -> String {
+        match line.cost_ns {
+            None => String::new(),
+            Some(cost) if cost < NOISE * self.step_ns => "below noise".to_owned(),
+            Some(cost) => format!("{cost:.0}"),
+        }
+    }
+}
+
+fn parts(line: &Line) -> [f64; 3] {
+    [line.worst.position_m, line.worst.velocity_m_s, line.worst.attitude_rad]
 }
 
 /// What a line is.

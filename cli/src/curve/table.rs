@@ -88,6 +88,6 @@ mod tests {
         for (value, text) in [(9.96, "10"), (0.0123, "0.012"), (31.4, "31"), (1234.0, "1200"), (1.0, "1.0")] {
             assert_eq!(two_digits(value), text);
         }
-        assert_eq!((rounded(3.2e-9).as_str(), rounded(0.0)), ("3.2 nm", "0 m".into()));
+        assert_eq!((rounded(3.2e-9).as_str(), rounded(0.0)), ("3.2×10⁻⁹ m", "0 m".into()));
     }
 }

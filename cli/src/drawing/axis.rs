@@ -21,7 +21,10 @@ pub struct TimeAxis {
 impl Axis {
     /// From `low` to `high` with at most `most` ticks at 1, 2, 2.5 or 5 times a power of ten.
     pub fn linear(low: f64, high: f64, most: usize) -> Self {
-        let (low, high) = if high > low { (low, high) } else { (low - 1.0, high + 1.0) };
+        // A range that rounding makes is none: ticks closer than the numbers themselves have no end.
+        let size = low.abs().max(high.abs());
+        let margin = f64::max(1.0, 1e-6 * size);
+        let (low, high) = if high - low > 1e-9 * size { (low, high) } else { (low - margin, high + margin) };
         let rough = (high - low) / most.max(1) as f64;
         let decade = 10f64.powf(rough.log10().floor());
         let step = [1.0, 2.0, 2.5, 5.0]
@@ -133,6 +136,10 @@ mod tests {
         assert_eq!(texts(&Axis::linear(-3.0, 8.0, 6)), ["-2", "0", "2", "4", "6", "8"]);
         assert_eq!(texts(&Axis::linear(0.0, 2.4e-7, 3)), ["0", "1e-7", "2e-7"]);
         assert_eq!(texts(&Axis::linear(0.0, 0.0, 4)), ["-1.0", "-0.5", "0", "0.5", "1.0"]);
+        for size in [1e30, -1e30, 1e-59] {
+            let axis = Axis::around(size, size * (1.0 + 1e-15), 0.0, 5);
+            assert!(axis.ticks.len() < 12 && axis.low < axis.high, "{size}: {}", axis.ticks.len());
+        }
     }
 
     #[test]

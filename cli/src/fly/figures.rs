@@ -63,7 +63,7 @@ impl<'a> Figures<'a> {
         let words: Vec<String> = set
             .iter()
             .filter(|key| key.section == section)
-            .map(|key| format!("{} {} {}", key.doc, key.value, key.unit).trim_end().to_owned())
+            .map(|key| format!("{} {} {}", key.doc, rounded(&key.value), key.unit).trim_end().to_owned())
             .collect();
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     }
@@ -73,6 +73,25 @@ impl<'a> Figures<'a> {
         let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     }
+}
+
+/// The numbers of a value with six digits: what a person set, without what its unit makes of the last bit.
+fn rounded(value: &str) -> String {
+    let number = |word: &str| match word.parse::<f64>() {
+        Ok(number) if word.parse::<u64>().is_err() => number_text(number),
+        _ => word.to_owned(),
+    };
+    let is_between = |letter: char| matches!(letter, '[' | ']' | ',' | ' ' | '"');
+    let words = value.split_inclusive(is_between).map(|part| match part.strip_suffix(is_between) {
+        Some(word) => number(word) + &part[word.len()..],
+        None => number(part),
+    });
+    words.collect::<String>().replace('"', "")
+}
+
+fn number_text(number: f64) -> String {
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    crate::rows::number(rounded)
 }
 
 fn failure_text(planned: &PlannedFailure) -> String {
@@ -97,4 +116,22 @@ fn failure_text(planned: &PlannedFailure) -> String {
     let until_s = planned.failing.until_s;
     let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
     format!("{output} {kind} {} s to {until}", planned.failing.from_s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_in_words() {
+        for (value, words) in [
+            ("10.000000000000002", "10"),
+            ("[0.5, -0.2, 1e-7]", "[0.5, -0.2, 1e-7]"),
+            ("\"rk4\"", "rk4"),
+            ("true", "true"),
+            ("18446744073709551615", "18446744073709551615"),
+        ] {
+            assert_eq!(rounded(value), words);
+        }
+    }
 }

@@ -161,7 +161,7 @@ mod tests {
             _ => 0.0,
         });
         assert_eq!(drawing(&run, &POSITION).panels.len(), 4);
-        assert!(note(&run, &POSITION, 3).contains("up 1.000 nm"));
+        assert!(note(&run, &POSITION, 3).contains("up 1.000×10⁻⁹ m"));
 
         let row = |value: &str| Row {
             key: "vertical".into(),

@@ -56,6 +56,29 @@ pub fn time_label(time: &TimeAxis) -> String {
     format!("time since the start [{}]", time.unit)
 }
 
+/// The straight line through the radial error [m], [m/s].
+struct Growth {
+    from_s: f64,
+    level: f64,
+    slope: f64,
+}
+
+/// None for flights that end before the line would begin. The slope is that of the summary, which is of every second where the
+/// records are fewer: one figure, one number.
+fn growth(run: &Run, radius: &[f64]) -> Option<Growth> {
+    let window = run.time_s.iter().position(|t| *t >= FIT_FROM_S)?;
+    let (times, radius) = (&run.time_s[window..], &radius[window..]);
+    let (level, slope) = match run.summary.value("slope_nmi_h") {
+        Some(_) => {
+            let slope = run.summary.number("slope_nmi_h")? * units::NMI_PER_HOUR.si;
+            (mean(radius) - slope * mean(times), slope)
+        }
+        None if times.len() > 1 => straight_line(times, radius),
+        None => return None,
+    };
+    Some(Growth { from_s: times[0], level, slope })
+}
+
 /// Horizontal position error with its straight line and that of 1 nmi/h.
 fn radial(run: &Run) -> Result<Figure, Failure> {
     let title = "Radial position error".to_owned();
@@ -65,25 +88,22 @@ fn radial(run: &Run) -> Result<Figure, Failure> {
     let largest = magnitude(&radius);
     let unit = fitting(largest, units::LENGTH);
 
-    let window =
-        run.time_s.iter().position(|t| *t >= FIT_FROM_S).filter(|from| from + 1 < radius.len()).unwrap_or(0);
-    let (level, slope) = straight_line(&run.time_s[window..], &radius[window..]);
     let line = |(level, slope): (f64, f64), from: f64, to: f64| {
         scaled(vec![(from, level + slope * from), (to, level + slope * to)], &time, unit)
     };
     let end = run.duration_s();
-    let mut traces = vec![
-        Trace::new(Pen::Computed, over_time(run, &time, &radius, unit)),
-        Trace::new(Pen::Fit, line((level, slope), run.time_s[window], end)),
-    ];
-    let rate = format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
-    let mut legend = vec![
-        (Pen::Computed, "horizontal distance from truth".to_owned()),
-        (
-            Pen::Fit,
-            format!("straight line of least squares from {} on, slope {rate}", time_text(run.time_s[window])),
-        ),
-    ];
+    let mut traces = vec![Trace::new(Pen::Computed, over_time(run, &time, &radius, unit))];
+    let mut legend = vec![(Pen::Computed, "horizontal distance from truth".to_owned())];
+    let rate = match growth(run, &radius) {
+        Some(Growth { from_s, level, slope }) => {
+            let rate = format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
+            let words = format!("straight line of least squares from {} on, slope {rate}", time_text(from_s));
+            traces.push(Trace::new(Pen::Fit, line((level, slope), from_s, end)));
+            legend.push((Pen::Fit, words));
+            rate
+        }
+        None => format!("none, it counts from {} on", time_text(FIT_FROM_S)),
+    };
     let mile = units::NMI_PER_HOUR.si;
     if largest < COMPARABLE * mile * end && mile * end < COMPARABLE * largest {
         traces.push(Trace::new(Pen::NauticalMile, line((0.0, mile), 0.0, end.min(1.05 * largest / mile))));
@@ -153,6 +173,25 @@ mod tests {
                 && titles.contains(&"Gyro errors".into())
         );
         assert!(!titles.contains(&"Accelerometer errors".into()));
+    }
+
+    #[test]
+    fn the_slope_is_that_of_the_summary() {
+        let mut run = made(400, |name, t| if name == "navigation_error_position_north_m" { t } else { 0.0 });
+        let row = crate::report::summary::Row {
+            key: "slope_nmi_h".into(),
+            value: "0.6178".into(),
+            unit: "nmi/h".into(),
+            label: String::new(),
+        };
+        run.summary.rows.push(row);
+        assert!(radial(&run).unwrap().note.ends_with("0.6178 nmi/h."));
+        if let Some(row) = run.summary.rows.last_mut() {
+            (row.value, row.unit) = ("none".into(), String::new());
+        }
+        assert!(radial(&run).unwrap().note.contains("Slope of the straight line: none"));
+        let short = radial(&made(20, |_, t| t)).unwrap();
+        assert!(short.note.contains("none, it counts from") && short.legend.iter().all(|(pen, _)| *pen != Pen::Fit));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::path::Path;
 use csv::ReaderBuilder;
 
 use crate::failure::Failure;
+use crate::table::number;
 use crate::units;
 
 /// One row of the file.
@@ -40,7 +41,12 @@ impl Summary {
                 let what = format!("expected 4 columns, found {}", row.len());
                 return Err(Failure::of_line(path, line, &what));
             }
-            rows.push(Row { key: field(0), value: field(1), unit: field(2), label: field(3) });
+            let row = Row { key: field(0), value: field(1), unit: field(2), label: field(3) };
+            if !row.unit.is_empty() && number(&row.value).is_none() {
+                let what = format!("{}: expected a finite number, found \"{}\"", row.key, row.value);
+                return Err(Failure::of_line(path, line, &what));
+            }
+            rows.push(row);
         }
         Ok(Self { rows })
     }
@@ -117,7 +123,7 @@ mod tests {
         let row = |value: &str, unit: &str| {
             Row { key: "k".into(), value: value.into(), unit: unit.into(), label: String::new() }.text()
         };
-        assert_eq!(row("-1.9066e-9", "m"), "-1.907 nm");
+        assert_eq!(row("-1.9066e-9", "m"), "-1.907×10⁻⁹ m");
         assert_eq!(row("12345.678", "m"), "12.35 km");
         assert_eq!(row("0.0", "m"), "0 m");
         assert_eq!(row("3122.4500000000003", "s"), "3122.45 s (52 min)");
@@ -125,6 +131,9 @@ mod tests {
 
     #[test]
     fn a_wrong_header_or_row_is_told() {
+        let header = "key,value,unit,label\n";
+        assert!(read(&format!("{header}r,nan,m,\n")).unwrap_err().contains("s.csv:2: r: expected a finite number"));
+        assert!(read(&format!("{header}r,1e308,m,\n")).is_err() && read(&format!("{header}name,nan,,\n")).is_ok());
         assert!(read("key,value\n").unwrap_err().contains(":1: "));
         assert_eq!(
             read("key,value,unit,label\na,b\n").unwrap_err(),
