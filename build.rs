@@ -81,7 +81,7 @@ fn main() {
     }
     println!("cargo:rustc-env=SINS_GENERATED_HEADER={}", generated.display());
 
-    // The number is SINS_ABI_VERSION: libraries of another one do not take this one's place.
+    // The number is SINS_HEADER_ABI: libraries of another one do not take this one's place.
     if variable("CARGO_CFG_TARGET_OS") == "linux" {
         println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libsins.so.1");
     }
@@ -126,26 +126,25 @@ fn header(root: &Path) -> String {
     builder.generate().expect("src/abi parses").write(&mut declarations);
     let declarations = String::from_utf8(declarations).expect("the sources are UTF-8");
 
-    // cbindgen has no place for a calling convention.
-    let declarations = declarations.replace("sins_status sins_", "sins_status SINS_CALL sins_");
     let declarations = tidy(declarations.trim());
     format!("{preamble}\n{declarations}\n\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* SINS_H */\n")
 }
 
-/// A prototype that cbindgen broke over lines, as one, or with its arguments on a line of their own.
-fn prototype<'a>(lines: &mut impl Iterator<Item = &'a str>) -> String {
-    let mut text = String::from("SINS_API");
-    for line in lines {
+/// A prototype that cbindgen broke over lines, as one, or with its arguments on a line of their own. It gets the calling
+/// convention, for which cbindgen has no place.
+fn prototype<'a>(first: &str, lines: &mut impl Iterator<Item = &'a str>) -> String {
+    let mut text = first.to_owned();
+    while !text.ends_with(");") {
         let separator = if text.ends_with('(') { "" } else { " " };
-        text = text + separator + line.trim();
-        if text.ends_with(");") {
-            break;
-        }
+        text = text + separator + lines.next().expect("a prototype has an end").trim();
     }
+    let (head, arguments) = text.split_once('(').expect("a prototype has arguments");
+    let name = head.rfind([' ', '*']).expect("a prototype has a result") + 1;
+    let head = format!("{}SINS_CALL {}", &head[..name], &head[name..]);
+    let text = format!("{head}({arguments}");
     if text.len() <= WIDTH {
         return text;
     }
-    let Some((head, arguments)) = text.split_once('(') else { return text };
     let mut broken = format!("{head}(\n   ");
     let mut column = 3;
     for argument in arguments.split_inclusive(", ").map(str::trim) {
@@ -199,7 +198,7 @@ fn tidy(declarations: &str) -> String {
                     let value = if value.starts_with('-') { format!("({value})") } else { value.to_owned() };
                     out.push(format!("#define {name} {value}"));
                 }
-                None if text == "SINS_API" => out.push(prototype(&mut lines)),
+                None if text.starts_with("SINS_API") => out.push(prototype(text, &mut lines)),
                 None => out.push(line.to_owned()),
             },
         }

@@ -24,9 +24,10 @@
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
- * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
- *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
+ * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value. On an
+ *   error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is
+ *   too small, sins_last_error() and sins_error_budget() report the size that is needed.) SINS_ERROR_NULL_POINTER,
+ *   SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
@@ -111,9 +112,9 @@ typedef unsigned __int64 uint64_t;
 #define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
 #define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
-#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1e-6)             /* millionth of g [m/s2] */
-#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1e-6) /* white noise of force [(m/s)/sqrt(s)] */
-#define SINS_PPM 1e-6                              /* part in a million */
+#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_PPM 1.0e-6                            /* part in a million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
 #define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */
@@ -130,10 +131,10 @@ typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
 
 /*
- * Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
- * there is gone or means something else; what is added at the end does not change it.
+ * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
+ * something that was there is gone or means something else; what is added at the end does not change it.
  */
-#define SINS_ABI_VERSION 1
+#define SINS_HEADER_ABI 1
 
 /* Release of the library, semantic versioning. */
 #define SINS_VERSION_MAJOR 0
@@ -1254,20 +1255,17 @@ typedef struct sins_budget {
     double ns_per_step;
 } sins_budget;
 
-/* The version of the interface that the loaded library has. */
-SINS_API sins_status SINS_CALL sins_abi_version(uint32_t *version);
-
-/* The release of the loaded library. */
-SINS_API sins_status SINS_CALL sins_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
+/* The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI. */
+SINS_API uint32_t SINS_CALL sins_abi_version(void);
 
 /* The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded. */
-SINS_API sins_status SINS_CALL sins_version_string(const char **text);
+SINS_API const char *SINS_CALL sins_version_string(void);
 
 /*
  * The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
  * loaded.
  */
-SINS_API sins_status SINS_CALL sins_status_string(sins_status status, const char **text);
+SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 
 /* Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0. */
 SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);

@@ -3,7 +3,7 @@
 #[path = "support/c_side.rs"]
 mod c_side;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
 use c_side::{project_file, shared_library};
@@ -29,6 +29,42 @@ fn declared() -> BTreeSet<String> {
         .collect()
 }
 
+/// The words of the header outside of comments: names and numbers.
+fn words() -> BTreeSet<String> {
+    let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
+    let mut code = String::new();
+    for part in header.split("/*") {
+        code.push_str(part.split_once("*/").map_or(part, |(_, code)| code));
+    }
+    let is_of_word = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    code.split(|c| !is_of_word(c)).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}
+
+/// Ada, Fortran and Pascal do not tell A from a.
+#[test]
+fn no_two_names_differ_in_case_alone() {
+    let mut spellings = BTreeMap::<String, BTreeSet<String>>::new();
+    for word in words() {
+        spellings.entry(word.to_lowercase()).or_default().insert(word);
+    }
+    assert!(spellings.len() > 400);
+    spellings.retain(|_, spellings| spellings.len() > 1);
+    assert!(spellings.is_empty(), "{spellings:?}");
+}
+
+/// Ada's and Fortran's numbers of floating point have a point.
+#[test]
+fn a_number_with_an_exponent_has_a_point() {
+    let is_number = |word: &&String| word.starts_with(|c: char| c.is_ascii_digit());
+    let pointless: Vec<_> = words()
+        .iter()
+        .filter(is_number)
+        .filter(|word| word.contains('e') && !word.contains('.'))
+        .cloned()
+        .collect();
+    assert!(pointless.is_empty(), "{pointless:?}");
+}
+
 #[test]
 fn exported_symbols_are_exactly_the_interface() {
     let output = Command::new("nm").args(["-D", "--defined-only"]).arg(shared_library()).output().unwrap();
@@ -47,7 +83,7 @@ fn exported_symbols_are_exactly_the_interface() {
 fn the_library_is_named_after_the_version_of_its_interface() {
     let output = Command::new("readelf").arg("-d").arg(shared_library()).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    let name = format!("libsins.so.{}", sins::abi::SINS_ABI_VERSION);
+    let name = format!("libsins.so.{}", sins::abi::SINS_HEADER_ABI);
     assert!(text.contains(&format!("[{name}]")), "{text}");
 }
 
