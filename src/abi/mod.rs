@@ -92,3 +92,6 @@ pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
 pub use version::*;
+
+// That the sizes which the header states are those of the structs.
+include!(concat!(env!("OUT_DIR"), "/sizes.rs"));

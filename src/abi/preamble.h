@@ -5,7 +5,7 @@
  * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
  *
  *   sins_sim *sim = NULL;
- *   sins_create(NULL, &sim);                       recommended options
+ *   sins_create(NULL, &sim);                       recommended options: navigation minus truth, no error model
  *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
  *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
@@ -21,6 +21,7 @@
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
+ * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size no compiler chooses.
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
