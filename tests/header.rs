@@ -135,3 +135,12 @@ fn the_version_macros_are_the_packages_version() {
     let version = format!("{SINS_VERSION_MAJOR}.{SINS_VERSION_MINOR}.{SINS_VERSION_PATCH}");
     assert_eq!(version, env!("CARGO_PKG_VERSION"));
 }
+
+/// The same bits in every build and on every machine: whatever features the dependencies have, no crate of them calls the
+/// platform's logarithm.
+#[test]
+fn the_library_needs_no_mathematics_of_the_platform() {
+    let output = Command::new("readelf").arg("-d").arg(shared_library()).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("[libc.so") && !text.contains("[libm.so"), "{text}");
+}
