@@ -11,7 +11,7 @@ const WIDTH: usize = 118;
 
 /// Effects of the sensors that the library can be built without, to show what their being off costs: benches/effects.sh.
 const EFFECTS: [&str; 18] = [
-    "lever_arms",
+    "size_effect",
     "bandwidth",
     "linear",
     "asymmetry",

@@ -7,7 +7,7 @@ use core::ops::Range;
 /// do, and failures of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    LeverArms,
+    Size,
     Bandwidth,
     Linear,
     Asymmetry,
@@ -33,7 +33,7 @@ impl Effect {
 
     /// Whether it changes what is felt.
     fn is_before_felt(self) -> bool {
-        matches!(self, Self::LeverArms | Self::Bandwidth)
+        matches!(self, Self::Size | Self::Bandwidth)
     }
 
     /// Whether it is an error of what is felt, or changes that.
@@ -49,7 +49,7 @@ impl Effect {
     #[inline(always)]
     const fn is_left_out(self) -> bool {
         match self {
-            Self::LeverArms => cfg!(sins_without = "lever_arms"),
+            Self::Size => cfg!(sins_without = "size_effect"),
             Self::Bandwidth => cfg!(sins_without = "bandwidth"),
             Self::Linear => cfg!(sins_without = "linear"),
             Self::Asymmetry => cfg!(sins_without = "asymmetry"),
@@ -149,7 +149,7 @@ mod tests {
     #[test]
     fn a_plan_is_the_effects_called_for_in_order() {
         let all = [
-            Effect::LeverArms,
+            Effect::Size,
             Effect::Bandwidth,
             Effect::Linear,
             Effect::Asymmetry,

@@ -111,7 +111,7 @@ impl Triad {
     /// active go on from where they are.
     pub fn set(&mut self, parameters: &TriadParameters) {
         self.plan = Plan::new(&[
-            (Effect::LeverArms, self.size_effect.set(parameters)),
+            (Effect::Size, self.size_effect.set(parameters)),
             (Effect::Bandwidth, self.bandwidth.set(parameters)),
             (Effect::Linear, self.linear.set(parameters)),
             (Effect::Asymmetry, self.asymmetry.set(parameters)),
@@ -245,7 +245,7 @@ impl Triad {
         for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
             for step in self.plan.before_felt() {
                 match self.plan.effect(step) {
-                    Effect::LeverArms => self.size_effect.apply(&ideal.angle, dt, output),
+                    Effect::Size => self.size_effect.apply(&ideal.angle, dt, output),
                     Effect::Bandwidth => self.bandwidth.apply(dt, output),
                     _ => {}
                 }
@@ -305,7 +305,7 @@ impl Triad {
     pub fn undo(&mut self) {
         for step in self.plan.steps() {
             match self.plan.effect(step) {
-                Effect::LeverArms => self.size_effect.undo(),
+                Effect::Size => self.size_effect.undo(),
                 Effect::Bandwidth => self.bandwidth.undo(),
                 Effect::GaussMarkov => self.gauss_markov.undo(),
                 Effect::Flicker => self.flicker.undo(),
