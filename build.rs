@@ -1,7 +1,19 @@
-//! Writes the C header from the sources of `src/abi`, and names the shared library.
+//! Writes the structs of the table of sensor parameters and the C header from the sources of `src/abi`, and names the shared
+//! library.
 //!
 //! The header goes to the build's own folder, where a test compares it with the committed `include/sins.h`;
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed one.
+
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/sensors/parameter.rs"]
+mod parameter;
+#[path = "build/sensor_structs.rs"]
+mod sensor_structs;
+#[path = "src/sensors/table.rs"]
+mod table;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/units.rs"]
+mod units;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -61,7 +73,9 @@ const SOURCES: [&str; 24] = [
 
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
-    println!("cargo:rerun-if-changed=build.rs");
+    for source in ["build.rs", "build", "src/sensors/parameter.rs", "src/sensors/table.rs", "src/units.rs"] {
+        println!("cargo:rerun-if-changed={source}");
+    }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
     let names = format!("{EFFECTS:?}");
@@ -73,11 +87,16 @@ fn main() {
     }
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
-    let header = header(&root);
-    let generated = PathBuf::from(variable("OUT_DIR")).join("sins.h");
-    fs::write(&generated, &header).expect("the build folder is writable");
+    let out = PathBuf::from(variable("OUT_DIR"));
+    let interface = out.join("sensor_params.rs");
+    write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
+    write(&interface, &sensor_structs::interface());
+
+    let header = header(&root, &interface);
+    let generated = out.join("sins.h");
+    write(&generated, &header);
     if env::var_os("SINS_WRITE_HEADER").is_some() {
-        fs::write(root.join("include/sins.h"), &header).expect("include/sins.h is writable");
+        write(&root.join("include/sins.h"), &header);
     }
     println!("cargo:rustc-env=SINS_GENERATED_HEADER={}", generated.display());
 
@@ -91,7 +110,12 @@ fn variable(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("cargo sets {name}"))
 }
 
-fn header(root: &Path) -> String {
+fn write(path: &Path, text: &str) {
+    fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
+
+/// The header, of the sources of `src/abi` and of the structs in `sensor_params`.
+fn header(root: &Path, sensor_params: &Path) -> String {
     let abi = root.join("src/abi");
     let preamble = fs::read_to_string(abi.join("preamble.h")).expect("src/abi/preamble.h is readable");
     let config = cbindgen::Config {
@@ -119,9 +143,9 @@ fn header(root: &Path) -> String {
         },
         ..Default::default()
     };
-    let builder = SOURCES.iter().fold(cbindgen::Builder::new().with_config(config), |builder, name| {
-        builder.with_src(abi.join(name).with_extension("rs"))
-    });
+    let builder = cbindgen::Builder::new().with_config(config).with_src(sensor_params);
+    let builder =
+        SOURCES.iter().fold(builder, |builder, name| builder.with_src(abi.join(name).with_extension("rs")));
     let mut declarations = Vec::new();
     builder.generate().expect("src/abi parses").write(&mut declarations);
     let declarations = String::from_utf8(declarations).expect("the sources are UTF-8");

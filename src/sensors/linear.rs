@@ -28,7 +28,8 @@ impl Linear {
     /// Takes parameters; whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
-        self.matrix = given + parameters.linear_sigma().component_mul(&self.turn_on);
+        let sigma = parameters.misalignment_sigma + Matrix3::from_diagonal(&parameters.scale_factor_sigma);
+        self.matrix = given + sigma.component_mul(&self.turn_on);
         self.matrix != Matrix3::zeros()
     }
 

@@ -36,6 +36,17 @@ impl Errors {
     }
 }
 
+impl TriadParameters {
+    /// Whether a temperature has to be known.
+    pub fn depend_on_temperature(&self) -> bool {
+        let zero = Vector3::zeros();
+        self.bias_temperature != zero
+            || self.bias_temperature2 != zero
+            || self.scale_factor_temperature != zero
+            || self.scale_factor_temperature2 != zero
+    }
+}
+
 impl Temperature {
     pub fn new() -> Self {
         let zero = [Vector3::zeros(); 2];
