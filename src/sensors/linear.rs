@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::input::Input;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
 
@@ -33,9 +34,9 @@ impl Linear {
         self.matrix != Matrix3::zeros()
     }
 
-    /// Error [u] for the ideal signal [u].
+    /// Error [u s].
     #[inline]
-    pub fn error(&self, ideal: &Vector3<f64>) -> Vector3<f64> {
-        self.matrix * ideal
+    pub fn error(&self, input: &Input) -> Vector3<f64> {
+        self.matrix * input.signal
     }
 }

@@ -40,6 +40,7 @@ mod g_sensitivity;
 mod gauss_markov;
 mod gravity_disturbance;
 mod initial;
+mod input;
 mod kept;
 mod linear;
 mod outputs;
