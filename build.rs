@@ -44,7 +44,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 29] = [
     "version",
     "failure",
     "options",
@@ -66,6 +66,11 @@ const SOURCES: [&str; 24] = [
     "preset",
     "manoeuvre",
     "flight",
+    "scene",
+    "fault_report",
+    "scene_settings",
+    "scene_flight",
+    "log",
     "recommend",
     "budget",
     "budget_answer",

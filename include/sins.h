@@ -29,7 +29,8 @@
  *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
- *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
+ *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
+ *   SINS_SCENE_HAS_FAULTS made a handle.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
@@ -71,6 +72,23 @@
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
+ *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
+ *
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() tells each and its place
+ *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
+ *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
+ *     while (...) {
+ *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures in their time
+ *         sins_push_sample(sim, &sample);
+ *         sins_step(sim);
+ *     }
+ *
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_...: a program that is
+ *   linked with them does not link or does not start. A program that loads the library by itself looks up sins_scene_create,
+ *   by dlsym() or GetProcAddress(): not there, no scenes. All else is the same.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -123,11 +141,13 @@ extern "C" {
 #endif
 
 /*
- * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up, destroyed or
  * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
+typedef struct sins_scene sins_scene;
+typedef struct sins_log sins_log;
 
 /*
  * Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
@@ -150,6 +170,9 @@ typedef struct sins_flight sins_flight;
 
 /* No options meet the requirement; the outputs tell the best there are. */
 #define SINS_REQUIREMENT_NOT_MET 2
+
+/* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
+#define SINS_SCENE_HAS_FAULTS 3
 
 /* A pointer that must not be null is. */
 #define SINS_ERROR_NULL_POINTER (-1)
@@ -392,6 +415,25 @@ typedef struct sins_flight sins_flight;
 #define SINS_CHANNEL_PITCH 4
 /* The sinusoid moves heading alone [rad]. */
 #define SINS_CHANNEL_HEADING 5
+
+/* The flight of the scene is composed of manoeuvres. */
+#define SINS_SCENE_FLIGHT_MANOEUVRES 0
+/* That of a built-in scene, SINS_SCENE_TEXT_BUILTIN. */
+#define SINS_SCENE_FLIGHT_BUILTIN 1
+/* A flight log, SINS_SCENE_TEXT_LOG. */
+#define SINS_SCENE_FLIGHT_LOG 2
+/* The scene in words. */
+#define SINS_SCENE_TEXT_TITLE 0
+/* Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log. */
+#define SINS_SCENE_TEXT_LOG 1
+/* Name of the built-in scene whose flight is flown; setting it makes the flight that. */
+#define SINS_SCENE_TEXT_BUILTIN 2
+/* Folder of the files that a program writes. */
+#define SINS_SCENE_TEXT_FOLDER 3
+/* Base name of those files. */
+#define SINS_SCENE_TEXT_NAME 4
+/* File of the measured increments. */
+#define SINS_SCENE_TEXT_IMU 5
 
 /* The row's figures are standard deviations (1 sigma) over the runs. */
 #define SINS_BUDGET_RANDOM 1
@@ -1148,6 +1190,90 @@ typedef struct sins_manoeuvre {
     double phase_rad[6];
 } sins_manoeuvre;
 
+/* A fault of the text of a scene or of a flight log. */
+typedef struct sins_fault {
+    /* sizeof(sins_fault) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Faults of the text, 200 at the most. */
+    uint64_t count;
+    /* Line of this one, from 1. */
+    uint64_t line;
+    /* Column, in characters from 1; of a flight log the column of the table. */
+    uint64_t column;
+    /* Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer. */
+    char sentence[256];
+} sins_fault;
+
+/* What a scene says of its flight and of its output. */
+typedef struct sins_scene_setup {
+    /* sizeof(sins_scene_setup) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_SCENE_FLIGHT_...; read only: a set call passes over it. */
+    int32_t flight;
+    /* 1: samples get the temperature below; 0: none. */
+    int32_t has_temperature;
+    /* How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s]. */
+    double duration_s;
+    /* How long that is; 0 of a log, whose length the log tells; read only [s]. */
+    double flown_s;
+    /* Sample rate, 1e-3 to 2e4; of a log none [Hz]. */
+    double rate_hz;
+    /* Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C]. */
+    double temperature_c;
+    /* Its change, -300 to 300 [deg C/s]. */
+    double temperature_change_c_s;
+    /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
+    double every_s;
+} sins_scene_setup;
+
+/* A failure that a scene plans. */
+typedef struct sins_planned_failure {
+    /* sizeof(sins_planned_failure) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_SENSOR_... */
+    int32_t sensor;
+    /* 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0. */
+    int32_t axis;
+    /* When it begins, 0 to 1e9 since the start of the flight [s]. */
+    double from_s;
+    /* When it ends, likewise; 0: at the end of the flight [s]. */
+    double until_s;
+    /* SINS_FAILURE_..., but not SINS_FAILURE_NONE. */
+    int32_t kind;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* This and the following as in sins_failure. */
+    double size;
+    /* See sins_failure. */
+    double density;
+    /* See sins_failure [s]. */
+    double interval_s;
+    /* See sins_failure [s]. */
+    double duration_s;
+    /* See sins_failure. */
+    double probability;
+} sins_planned_failure;
+
+/* What a flight log holds. */
+typedef struct sins_log_info {
+    /* sizeof(sins_log_info) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Samples. */
+    uint64_t samples;
+    /* From the first to the last of them [s]. */
+    double duration_s;
+    /* The comment in the first line of the log, UTF-8, terminated; empty: none. */
+    char title[192];
+} sins_log_info;
+
 /*
  * Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
  * of 0 is none; at least one is needed.
@@ -1323,7 +1449,7 @@ SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
  * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
- * simulator (create, presets, flights, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
+ * simulator (create, presets, flights, scenes, logs, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
  * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -1630,6 +1756,248 @@ SINS_API sins_status SINS_CALL sins_flight_sample_at(
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
+
+/*
+ * Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
+ * height 0, sampled at 100 Hz.
+ *
+ * On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
+ * SINS_ERROR_OUT_OF_MEMORY: 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for a real-time
+ * frame. Where there is no memory for a few kilobytes of text, those that read, copy or write a scene end the process.
+ */
+SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
+
+/*
+ * Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+ *
+ * SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
+ * that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
+ * sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
+
+/*
+ * Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, size_t index, struct sins_fault *fault);
+
+/*
+ * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
+ * "over_the_pole", "coning", "commuter".
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
+
+/*
+ * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
+ *
+ * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
+ * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_write(
+    const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+ * needed as in sins_scene_write().
+ */
+SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
+ * their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *scene, sins_sim **sim);
+
+/*
+ * Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
+ * up to sins_scene_setup.flown_s.
+ *
+ * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
+ * sins_flight_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
+
+/*
+ * Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+ * next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
+ * interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+ * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+ *
+ * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges. SINS_ERROR_BAD_STATE: as
+ * sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_prepare(
+    const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
+
+/*
+ * Destroys a scene. Simulators and flights that were made of it live on.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
+
+/*
+ * Reads the options of the scene.
+ *
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
+
+/*
+ * Sets the options of the scene; on an error, as for every part, the scene is as it was.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_options(sins_scene *scene, const struct sins_options *options);
+
+/* Reads the gyro errors of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_gyro(const sins_scene *scene, struct sins_gyro_params *params);
+
+/*
+ * Sets the gyro errors of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_gyro(sins_scene *scene, const struct sins_gyro_params *params);
+
+/* Reads the accelerometer errors of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_accel(const sins_scene *scene, struct sins_accel_params *params);
+
+/*
+ * Sets the accelerometer errors of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_accel(sins_scene *scene, const struct sins_accel_params *params);
+
+/* Reads the errors of the scene's altimeter. */
+SINS_API sins_status SINS_CALL sins_scene_get_altimeter(const sins_scene *scene, struct sins_altimeter_params *params);
+
+/*
+ * Sets the errors of the scene's altimeter.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_altimeter(sins_scene *scene, const struct sins_altimeter_params *params);
+
+/* Reads the errors with which the navigation of the scene starts. */
+SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(const sins_scene *scene, struct sins_initial_errors *errors);
+
+/*
+ * Sets the errors with which the navigation of the scene starts.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(sins_scene *scene, const struct sins_initial_errors *errors);
+
+/* Reads where the sensor block of the scene sits. */
+SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, struct sins_mounting *mounting);
+
+/*
+ * Sets where the sensor block of the scene sits.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const struct sins_mounting *mounting);
+
+/* Reads true gravity less normal gravity of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(const sins_scene *scene, struct sins_gravity_params *params);
+
+/*
+ * Sets true gravity less normal gravity of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(sins_scene *scene, const struct sins_gravity_params *params);
+
+/* Reads what a scene says of its flight and of its output. */
+SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, struct sins_scene_setup *setup);
+
+/*
+ * Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
+
+/*
+ * Reads a text of the scene, SINS_SCENE_TEXT_...; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such text.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_text(
+    const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Sets a text of the scene: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_text(sins_scene *scene, int32_t which, const char *text);
+
+/* How many failures the scene plans. */
+SINS_API sins_status SINS_CALL sins_scene_get_failure_count(const sins_scene *scene, size_t *count);
+
+/*
+ * Planned failure `index`, from 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such failure.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_failure(
+    const sins_scene *scene, size_t index, struct sins_planned_failure *failure);
+
+/*
+ * Plans one failure more.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+ */
+SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const struct sins_planned_failure *failure);
+
+/* Plans no failure any more. */
+SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
+
+/*
+ * Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
+ * order; columns of other names are passed over:
+ *
+ * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
+ * heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+ * rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+ *
+ * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
+ * ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
+ * *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+ */
+SINS_API sins_status SINS_CALL sins_log_parse(
+    const char *text, size_t size, sins_log **log, struct sins_fault *fault);
+
+/* Tells how many samples a log has, how long it is, and its title. */
+SINS_API sins_status SINS_CALL sins_log_get_info(const sins_log *log, struct sins_log_info *info);
+
+/*
+ * The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the text
+ * on which it stands, from 1. No allocation.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such sample.
+ */
+SINS_API sins_status SINS_CALL sins_log_get_sample(
+    const sins_log *log, size_t index, struct sins_flight_sample *sample, uint64_t *line);
+
+/*
+ * Destroys a flight log.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that

@@ -13,6 +13,8 @@ pub const SINS_OK: i32 = 0;
 pub const SINS_NEED_SAMPLE: i32 = 1;
 /// No options meet the requirement; the outputs tell the best there are.
 pub const SINS_REQUIREMENT_NOT_MET: i32 = 2;
+/// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+pub const SINS_SCENE_HAS_FAULTS: i32 = 3;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: i32 = -1;
 /// The handle is null, made up, destroyed, or of the other kind.
