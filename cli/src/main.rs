@@ -15,6 +15,7 @@ mod interrupt;
 mod lines;
 mod output;
 mod parallel;
+mod progress;
 mod recommend;
 mod record;
 mod report;

@@ -20,6 +20,7 @@ use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::output::Outputs;
+use crate::progress::Working;
 use crate::terminal::print;
 use analysis::Analysis;
 use log::Log;
@@ -31,8 +32,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let drawn_file = outputs.file(&order.output, if is_page { PAGE_MARK } else { PICTURE_MARK })?;
     let points = order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
+    let working = Working::on("reading and analysing the log");
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
+    drop(working);
     drawn_file.finish(&if is_page { document::page(&log, &analyses)? } else { document::picture(&log, &analyses)? })?;
     if let Some(file) = points {
         file.finish(&records::points(&analyses)?)?;

@@ -84,6 +84,24 @@ mod tests {
         assert!(text.contains("N angle random walk        0.034") && text.contains("°/h/√Hz"), "{text}");
     }
 
+    /// A fit under the constraint that nothing is negative leaves some coefficients on an end of their interval.
+    #[test]
+    fn an_estimate_on_its_own_bound_is_no_finding() {
+        use super::super::estimate::interval::Interval;
+        let told = |value: f64, low: f64, high: f64| {
+            let interval = Interval { low, high };
+            on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval })
+        };
+        assert_eq!(told(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
+        assert_eq!(told(2.0, 2.0, 3.0), "not shown by this record");
+        assert_eq!(told(2.0, 0.0, 2.0), "not shown by this record");
+        assert_eq!((told(0.0, 0.0, 2.0), told(1.0, 0.0, 2.0)), ("below 2.000 u".into(), "below 2.000 u".into()));
+    }
+
+    fn on_sheet_unit(coefficient: &Coefficient) -> String {
+        value(coefficient, Unit { name: "u", si: 1.0 })
+    }
+
     #[test]
     fn what_is_not_explained_is_remarked() {
         let log = made(20_000, 2.0);

@@ -140,6 +140,26 @@ mod tests {
         }
     }
 
+    /// Clocks are noisy: what a step takes less without an effect may come out negative.
+    #[test]
+    fn a_cost_that_the_clock_cannot_tell_is_below_noise() {
+        let mut survey = made();
+        survey.costs.saved_ns = vec![-12.0, 6.3];
+        let tables = table::tables(&[survey]);
+        assert_eq!(tables.matches("| below noise |").count(), 2, "{tables}");
+        assert!(!tables.contains("-12"));
+    }
+
+    /// The line of the limit is drawn first, and the labels over it have a halo.
+    #[test]
+    fn a_limit_does_not_strike_its_labels_through() {
+        let svg = picture(&made());
+        let (limit, label) = (svg.find("<line class=\"limit\""), svg.find("class=\"value\""));
+        assert!(limit.is_some() && limit < label);
+        let rule = svg.split(".plot text.value {").nth(1).and_then(|rest| rest.split('}').next()).unwrap();
+        assert!(rule.contains("paint-order: stroke") && rule.contains("stroke: var(--halo)"), "{rule}");
+    }
+
     #[test]
     fn the_table_has_a_line_for_each_effect_and_three_more() {
         let tables = table::tables(&[made()]);

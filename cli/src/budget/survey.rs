@@ -6,6 +6,7 @@ use sins::recommend::{Refusal, SolutionError};
 use super::scene::Scene;
 use crate::failure::Failure;
 use crate::parallel::in_parallel;
+use crate::progress::Working;
 use crate::terminal::say;
 
 /// A scene's budget.
@@ -45,8 +46,9 @@ pub struct Line {
 impl Survey {
     /// The budgets of all, on all cores; then the times of their steps, one after the other.
     pub fn of_all(scenes: &[Scene], request: &BudgetRequest) -> Result<Vec<Self>, Failure> {
+        scenes.iter().for_each(|scene| say(&format!("{}: {}", scene.name, scene.title)));
+        let _working = Working::on("flying each effect alone");
         let budgets = in_parallel(scenes, |scene| {
-            say(&format!("{}: {}", scene.name, scene.title));
             let sample = |index| scene.sample(index);
             let flown = sins::budget::Scene { count: scene.count, sample: &sample };
             error_budget(&scene.options, &flown, &scene.parameters, request)

@@ -115,6 +115,27 @@ pub mod tests {
     }
 
     #[test]
+    fn what_is_dearer_and_worse_in_words() {
+        let mut points = vec![made(3, 1.0, 1e-3), made(4, 1.0, 36.420_022), made(3, 1.0, 1e-3), made(5, 1.0, 2e-3)];
+        (points[2].rate_hz, points[3].rate_hz) = (20.0, 20.0);
+        let again = [Point { rate_hz: 10.0, ..points[0].clone() }, Point { rate_hz: 10.0, ..points[1].clone() }];
+        points.extend(again);
+        let survey = Survey {
+            name: "loop".into(),
+            title: String::new(),
+            duration_s: 1.0,
+            uncertainty: SolutionError::default(),
+            floor: SolutionError::default(),
+            reference: "",
+            points,
+            sensors_m: [0.0; 2],
+        };
+        let lines = dearer_and_worse(&[survey]);
+        assert!(lines[0].ends_with("36000 times its error; beaten at 2 rates"), "{}", lines[0]);
+        assert!(lines[1].ends_with("2.0 times its error; beaten at this rate alone"), "{}", lines[1]);
+    }
+
+    #[test]
     fn a_dearer_rung_that_is_worse_is_found() {
         // Earth-fixed: paper 1 and 2, exact 1 to 5, polynomial 1 to 5.
         let points = vec![made(3, 1.0, 1e-3), made(4, 1.0, 2e-3), made(5, 1.0, 1.01e-3), made(1, 1.0, 1e-9)];

@@ -8,11 +8,11 @@ use sins::errors::AccuracyFigures;
 use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
 
 use super::imu;
-use super::progress::Progress;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
+use crate::progress::Progress;
 use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record};
 use crate::rows::number;
 

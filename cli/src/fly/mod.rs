@@ -6,7 +6,6 @@ mod figures;
 mod flight;
 mod imu;
 mod print;
-mod progress;
 mod spacing;
 mod summary;
 

@@ -112,6 +112,14 @@ mod tests {
         assert_eq!(html.matches("<figure>").count() + 1, drawings, "two in the trajectory's figure");
     }
 
+    /// Two figures in a row at the most, and no row that is half empty.
+    #[test]
+    fn the_last_of_an_odd_number_of_figures_has_its_row() {
+        let html = page(&[made(3, |_, _| 0.0)]).unwrap();
+        assert_eq!(html.matches("<figure>").count() % 2, 1);
+        assert!(html.contains(".figures > figure:last-child:nth-child(odd) { grid-column: 1 / -1;"));
+    }
+
     #[test]
     fn one_run_has_no_comparison() {
         let html = page(&[made(3, |_, _| 0.0)]).unwrap();

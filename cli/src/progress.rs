@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::terminal::printable;
 use crate::units::time_text;
 
 /// What takes no longer is not worth a line.
@@ -39,6 +40,27 @@ impl Progress {
         let (flown, whole) = (time_text(time_s), time_text(self.duration_s));
         self.bar.set_message(format!("{flown} of {whole}, {rate:.0} times real time"));
         self.bar.set_position((1000.0 * time_s / self.duration_s) as u64);
+    }
+}
+
+/// A line for work whose end is not known: what is being done, and for how long.
+pub struct Working(ProgressBar);
+
+impl Working {
+    pub fn on(what: impl Into<String>) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{msg}, {elapsed}") {
+            bar.set_style(style);
+        }
+        bar.set_message(printable(&what.into()));
+        bar.enable_steady_tick(QUIET);
+        Self(bar)
+    }
+}
+
+impl Drop for Working {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
     }
 }
 
