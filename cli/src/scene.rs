@@ -10,7 +10,7 @@ use crate::fly::FOR_LOGS;
 use crate::given::{Given, Settings, is_log, read_scene};
 use crate::output::Outputs;
 use crate::terminal::print;
-use crate::units::time_text;
+use crate::units::{six_digits, time_text};
 
 /// Lists, checks and writes scenes
 #[derive(Debug, clap::Subcommand)]
@@ -74,8 +74,8 @@ fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
     for name in scenes {
         match Given::load(Some(name), None, settings, FOR_LOGS) {
             Ok(given) => {
-                let (duration, rate_hz) = (time_text(given.duration_s), 1.0 / given.period_s);
-                good += &format!("{}: {}, {duration} at {rate_hz:.6} Hz\n", given.origin, given.title);
+                let (duration, rate_hz) = (time_text(given.duration_s), six_digits(1.0 / given.period_s));
+                good += &format!("{}: {}, {duration} at {rate_hz} Hz\n", given.origin, given.title);
             }
             Err(failure) => bad.push(failure),
         }

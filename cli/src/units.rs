@@ -127,6 +127,11 @@ pub fn two_digits(value: f64) -> String {
     format!("{rounded:.decimals$}")
 }
 
+/// Six digits of it: all that a person reads, and none that rounding made.
+pub fn six_digits(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 /// A power of ten as plain digits or as 10 with an exponent.
 pub fn power_of_ten(exponent: i32) -> String {
     match exponent {

@@ -1,5 +1,5 @@
-//! The program flies as a C host does through the interface: the records of the four scenes, of both logs and of both simulations are
-//! those of the C harness, to the bit.
+//! The program flies as a C host does through the interface: the same scenes, read and flown by a program of C, give the same records
+//! to the bit. The scene that the host reads is the one that `sins scene write` writes.
 
 #[path = "support/program.rs"]
 mod program;
@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use program::{done, folder, numbers, project_file};
+use program::{done, folder, numbers, project_file, read};
 
 /// A C program with the library that was built with this test: it lies beside the test's own program.
-fn link(name: &str, sources: &[PathBuf]) -> PathBuf {
+fn link(name: &str, source: &str) -> PathBuf {
     let folder = folder(&format!("build_{name}"));
     let library = std::env::current_exe().unwrap().with_file_name("libsins.so");
     for name in ["libsins.so", "libsins.so.1"] {
@@ -19,11 +19,11 @@ fn link(name: &str, sources: &[PathBuf]) -> PathBuf {
     }
     let program = folder.join(name);
     let status = Command::new(std::env::var_os("CC").unwrap_or_else(|| "cc".into()))
-        .args(["-std=c99", "-O1", "-o"])
+        .args(["-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"])
         .arg(&program)
         .arg("-I")
         .arg(project_file("include"))
-        .args(sources)
+        .arg(project_file(source))
         .arg("-L")
         .arg(&folder)
         .args(["-lsins", "-lm", "-lpthread"])
@@ -33,100 +33,84 @@ fn link(name: &str, sources: &[PathBuf]) -> PathBuf {
     program
 }
 
-fn harness() -> &'static Path {
-    static HARNESS: OnceLock<PathBuf> = OnceLock::new();
-    HARNESS.get_or_init(|| {
-        let files = std::fs::read_dir(project_file("c_examples/harness")).unwrap();
-        let files = files.map(|entry| entry.unwrap().path());
-        let mut sources: Vec<PathBuf> =
-            files.filter(|path| path.extension().is_some_and(|ending| ending == "c")).collect();
-        sources.push(project_file("c_examples/sins_harness.c"));
-        link("sins_harness", &sources)
-    })
+fn host() -> &'static Path {
+    static HOST: OnceLock<PathBuf> = OnceLock::new();
+    HOST.get_or_init(|| link("fly_scene", "cli/tests/fly_scene.c"))
 }
 
-/// Both write the same records.
-fn assert_same(name: &str, of_harness: &[&str], of_program: &[&str]) {
+/// A record each `every_s` [s] of the program and of the host: the same.
+fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], every_s: f64) {
     let folder = folder(name);
-    let status = Command::new(harness())
-        .args(of_harness)
-        .args(["--quiet", "--out", "harness", "--name", "run"])
-        .current_dir(&folder)
-        .status();
-    assert!(status.unwrap().success(), "{of_harness:?}");
-    let own = ["--quiet", "--out", "program", "--name", "run"];
-    done(&folder, &[&["fly"], of_program, &own].concat());
-
-    let (old_names, expected) = numbers(&folder.join("harness/run.csv"));
-    let (names, found) = numbers(&folder.join("program/run.csv"));
-    let renamed = |name: &String| {
-        let name = name.replace("error2_", "navigation_error_").replace("error1_", "model_error_");
-        name.strip_prefix("nav_").map_or(name.clone(), |end| format!("navigation_{end}"))
+    let every = format!("output.every_s={every_s}");
+    let settings = [settings, &["--set", &every]].concat();
+    done(&folder, &[&["fly", scene, "--quiet", "--name", "run"], &settings[..]].concat());
+    std::fs::write(folder.join("scene.toml"), done(&folder, &[&["scene", "write", scene], &settings[..]].concat()))
+        .unwrap();
+    let summary = read(folder.join("sins_out/run_summary.csv"));
+    let figure = |key: &str| -> f64 {
+        let begin = format!("{key},");
+        let line = summary.lines().find_map(|line| line.strip_prefix(&begin)).unwrap();
+        line.split(',').next().unwrap().parse().unwrap()
     };
-    assert_eq!(names, old_names.iter().map(renamed).collect::<Vec<_>>());
-    assert!(expected.len() > 100 && found.len() == expected.len(), "{name}: {} rows", expected.len());
-    for (row, own_row) in expected.iter().zip(&found) {
-        for ((column, expected), found) in names.iter().zip(row).zip(own_row) {
+    let samples = figure("steps") + 1.0;
+    let every = (every_s * figure("rate_hz")).round();
+    let output = Command::new(host())
+        .args(["scene.toml", &samples.to_string(), &every.to_string()])
+        .args(log)
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    let expected = String::from_utf8(output.stdout).unwrap();
+    let (columns, found) = numbers(&folder.join("sins_out/run.csv"));
+    assert!(found.len() > 100 && expected.lines().count() == found.len(), "{name}: {} rows", found.len());
+    for (line, row) in expected.lines().zip(&found) {
+        let expected: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
+        assert_eq!(expected.len(), row.len());
+        for ((column, expected), found) in columns.iter().zip(&expected).zip(row) {
             assert_eq!(expected.to_bits(), found.to_bits(), "{name}, {column} at {} s", row[0]);
         }
     }
-    println!("{name}: {} records, the same to the bit", expected.len());
+    println!("{name}: {} records, the same to the bit", found.len());
 }
 
 #[test]
 fn the_scenes_are_the_same() {
-    for scene in ["drone", "fighter", "trainer"] {
+    for (scene, log, every_s) in
+        [("drone", None, 0.25), ("fighter", Some("fighter_aerobatics"), 0.5), ("trainer", None, 2.0)]
+    {
         let file = project_file(&format!("c_examples/scenes/{scene}.toml"));
-        let file = file.to_str().unwrap();
-        assert_same(scene, &[file], &[file]);
+        let log = log.map(|log| project_file(&format!("c_examples/flights/{log}.csv")));
+        assert_same(scene, file.to_str().unwrap(), log.as_ref().and_then(|log| log.to_str()), &[], every_s);
     }
+    let patrol = project_file("c_examples/scenes/patrol.toml");
+    assert_same("patrol", patrol.to_str().unwrap(), None, &["--set", "flight.hours=0.5"], 10.0);
 }
 
 #[test]
 fn the_logs_are_the_same() {
-    for log in ["airliner_cruise", "fighter_aerobatics"] {
+    for (log, preset) in [("airliner_cruise", "ideal"), ("fighter_aerobatics", "tactical")] {
         let file = project_file(&format!("c_examples/flights/{log}.csv"));
-        let file = file.to_str().unwrap();
-        assert_same(log, &["flight", file], &[file]);
-        // Every third record of sensors whose errors are means in between.
-        let name = format!("{log}_sensors");
-        let harness = ["flight", file, "--preset", "tactical", "--every", "0.3"];
-        let program = ["--log", file, "--preset", "tactical", "--set", "output.every_s=0.3"];
-        assert_same(&name, &harness, &program);
+        let folder = folder(&format!("scene_{log}"));
+        let scene = folder.join("scene.toml");
+        let text = format!("[flight]\nfile = '{}'\n[options]\nerror_model = 'rk4'\n", file.display());
+        std::fs::write(&scene, text).unwrap();
+        assert_same(log, scene.to_str().unwrap(), file.to_str(), &["--preset", preset], 0.3);
     }
 }
 
-/// The paper's simulations last 48 h, and so does the patrol that is built in; for a shorter one the eights end where the flight does,
-/// as the harness makes them.
 #[test]
-fn the_simulations_are_the_same() {
-    let is_long = cfg!(feature = "long-tests");
-    let hours = if is_long { 48.0 } else { 0.5 };
-    let (text, set) = (hours.to_string(), format!("flight.hours={hours}"));
-    let eights = folder("eights").join("patrol.toml");
-    let scene = done(eights.parent().unwrap(), &["scene", "write", "patrol"]);
-    let long = "duration_s = 172800 ";
-    assert!(scene.contains(long), "{scene}");
-    std::fs::write(&eights, scene.replace(long, &format!("duration_s = {} ", hours * 3600.0))).unwrap();
-    let eights = eights.to_str().unwrap();
-    for (simulation, preset) in [("simulation1", "ideal"), ("simulation2", "paper2")] {
-        let end = ["--hours", &text, "--every", "2"];
-        let own_end = ["--set", &set, "--set", "output.every_s=2"];
-        let harness = [&[simulation], &end[..]].concat();
-        let options = ["--set", "options.vertical=follow", "--set", "options.error_model=rk4", "--preset", preset];
-        let program = match is_long {
-            true => [&[simulation], &own_end[..]].concat(),
-            false => [&[eights], &options[..], &own_end[..]].concat(),
-        };
-        assert_same(&format!("{simulation}_patrol"), &harness, &program);
-        let harness = [&[simulation, "--motion", "rest"], &end[..]].concat();
-        let program = [&[simulation, "--set", "flight.builtin=rest"], &own_end[..]].concat();
-        assert_same(&format!("{simulation}_rest"), &harness, &program);
+fn the_built_in_scenes_are_the_same() {
+    let hours = if cfg!(feature = "long-tests") { 48.0 } else { 0.5 };
+    let hours = format!("flight.hours={hours}");
+    let settings = ["--set", &hours];
+    for scene in ["simulation1", "simulation2"] {
+        assert_same(scene, scene, None, &settings, 10.0);
+        let at_rest = [&settings[..], &["--set", "flight.builtin=rest"]].concat();
+        assert_same(&format!("{scene}_rest"), scene, None, &at_rest, 10.0);
     }
-    if is_long {
-        let patrol = project_file("c_examples/scenes/patrol.toml");
-        let patrol = patrol.to_str().unwrap();
-        assert_same("patrol", &[patrol], &[patrol]);
+    for scene in ["over_the_pole", "aerobatics"] {
+        assert_same(scene, scene, None, &["--set", "options.error_model=rk4", "--preset", "navigation"], 1.0);
     }
 }
 
@@ -134,25 +118,8 @@ fn the_simulations_are_the_same() {
 /// are those that C hosts have.
 #[test]
 fn the_library_has_its_digests() {
-    let program = link("digests", &[project_file("tests/c/digests.c")]);
-    let output = Command::new(program).output().unwrap();
+    let output = Command::new(link("digests", "tests/c/digests.c")).output().unwrap();
     let words = String::from_utf8_lossy(&output.stdout);
     println!("{words}");
     assert!(output.status.success(), "{words}{}", String::from_utf8_lossy(&output.stderr));
-}
-
-/// What a program of C gets of the library, this one gets: the measured increments, too.
-#[test]
-fn the_increments_are_the_same() {
-    let folder = folder("increments");
-    let scene = project_file("c_examples/scenes/fighter.toml");
-    let scene = scene.to_str().unwrap();
-    let status = Command::new(harness())
-        .args([scene, "--quiet", "--out", "harness", "--imu", "imu.csv"])
-        .current_dir(&folder)
-        .status();
-    assert!(status.unwrap().success());
-    done(&folder, &["fly", scene, "--quiet", "--out", "program", "--imu", "imu.csv"]);
-    let (expected, found) = (numbers(&folder.join("imu.csv")), numbers(&folder.join("program/imu.csv")));
-    assert!(expected == found && expected.1.len() == 30_000);
 }

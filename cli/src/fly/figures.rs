@@ -8,6 +8,7 @@ use sins::{ClosureFigures, TrimFigures};
 use super::flight::Flown;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
+use crate::units::six_digits;
 
 /// Samples that a rate of growth needs at the least: there is no slope through one.
 const LEAST_SAMPLES: u64 = 2;
@@ -78,7 +79,7 @@ impl<'a> Figures<'a> {
 /// The numbers of a value with six digits: what a person set, without what its unit makes of the last bit.
 fn rounded(value: &str) -> String {
     let number = |word: &str| match word.parse::<f64>() {
-        Ok(number) if word.parse::<u64>().is_err() => number_text(number),
+        Ok(number) if word.parse::<u64>().is_err() => crate::rows::number(six_digits(number)),
         _ => word.to_owned(),
     };
     let is_between = |letter: char| matches!(letter, '[' | ']' | ',' | ' ' | '"');
@@ -87,11 +88,6 @@ fn rounded(value: &str) -> String {
         None => number(part),
     });
     words.collect::<String>().replace('"', "")
-}
-
-fn number_text(number: f64) -> String {
-    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    crate::rows::number(rounded)
 }
 
 fn failure_text(planned: &PlannedFailure) -> String {

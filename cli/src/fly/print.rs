@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use sins::units::{ARCMIN, NMI_PER_HOUR};
 
 use super::figures::Figures;
-use crate::units::time_text;
+use crate::units::{six_digits, time_text};
 
 /// The summary; the records are at `records`.
 pub fn text(figures: &Figures, records: &Path) -> String {
@@ -46,21 +46,16 @@ fn setting(figures: &Figures, records: &Path) -> String {
         "flown",
         format!(
             "{} s ({}) at {} Hz, {} steps of {:.0} ns{interrupted}",
-            round(figures.accuracy.duration_s),
+            six_digits(figures.accuracy.duration_s),
             time_text(figures.accuracy.duration_s),
-            round(figures.rate_hz()),
+            six_digits(figures.rate_hz()),
             flown.steps,
             figures.ns_per_step(),
         ),
     );
-    let every = round(figures.every_s);
+    let every = six_digits(figures.every_s);
     line("records", format!("{}, one each {every} s, in {}", flown.records, records.display()));
     text
-}
-
-/// Six digits.
-fn round(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 fn closure(figures: &Figures) -> String {
