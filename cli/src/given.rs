@@ -11,6 +11,7 @@ use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_TEXT, Scene, nearest}
 use sins::truth::FlightSample;
 
 use crate::failure::Failure;
+use crate::units::rounded;
 
 
 /// What is set of a scene beside its text.
@@ -174,7 +175,9 @@ impl Given {
     /// Where the sample `index` stands: the line of a log, or the time.
     pub fn place(&self, index: usize) -> String {
         match &self.motion {
-            Motion::Flight(_) => format!("{}: at {:.10} s", self.origin, index as f64 * self.period_s),
+            Motion::Flight(_) => {
+                format!("{}: at {} s", self.origin, rounded(index as f64 * self.period_s, 10))
+            }
             Motion::Log(path, log) => {
                 format!("{}:{}", path.display(), log.line(index).unwrap_or_default())
             }
@@ -283,7 +286,7 @@ fn extent(scene: &Scene, motion: &Motion) -> Result<(usize, f64, f64), Failure> 
             let is_flown = |sample: &&FlightSample| sample.time_s - samples[0].time_s <= wanted_s;
             let count = samples.iter().take_while(is_flown).count();
             if count < 2 {
-                let what = format!("flight.hours: the log has no second sample within {wanted_s:.6} s");
+                let what = format!("flight.hours: the log has no second sample within {} s", rounded(wanted_s, 6));
                 return Err(Failure::of_file(path, &what));
             }
             let duration_s = samples[count - 1].time_s - samples[0].time_s;

@@ -129,7 +129,12 @@ pub fn two_digits(value: f64) -> String {
 
 /// Six digits of it: all that a person reads, and none that rounding made.
 pub fn six_digits(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
+    rounded(value, 6)
+}
+
+/// So many significant digits of it.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.0$e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
 /// A power of ten as plain digits or as 10 with an exponent.
