@@ -111,6 +111,6 @@ fn every_key_can_be_set_and_read() {
     }
     assert!(count > 80, "{count}");
     assert_eq!((scene.value("failure.kind"), scene.value("gyro.nothing")), (None, None));
-    let set: Vec<String> = scene.set_keys().iter().map(|key| format!("{}.{}", key.section, key.name)).collect();
+    let set: Vec<String> = scene.changed_keys().iter().map(|key| format!("{}.{}", key.section, key.name)).collect();
     assert!(set.contains(&"gyro.bias_deg_h".into()) && !set.contains(&"options.subsamples".into()), "{set:?}");
 }

@@ -19,7 +19,7 @@ pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
 pub use fault::{Fault, MAX_FAULTS, nearest};
 pub use list::{KeyLine, keys, keys_text};
-pub use write::SetKey;
+pub use write::ChangedKey;
 
 use crate::error::{Error, Rule, check_range};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};

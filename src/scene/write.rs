@@ -33,7 +33,7 @@ impl Scene {
 
 /// A key that is not at its default, as a reader sees it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SetKey {
+pub struct ChangedKey {
     /// Section: "gyro".
     pub section: &'static str,
     /// Name of the key: "bias_deg_h".
@@ -48,7 +48,7 @@ pub struct SetKey {
 
 impl Scene {
     /// The keys of all sections in single brackets that are not at their default, in the order of [`keys`](super::keys).
-    pub fn set_keys(&self) -> Vec<SetKey> {
+    pub fn changed_keys(&self) -> Vec<ChangedKey> {
         let mut writer = Writer::new(self);
         let mut set = Vec::new();
         for section in Section::ALL.into_iter().filter(|section| !section.is_list()) {
@@ -62,7 +62,7 @@ impl Scene {
                     Target::Numbers { .. } => "[SI]",
                     _ => "",
                 };
-                set.push(SetKey { section: section.name(), name: key.name, value, unit, doc: key.doc });
+                set.push(ChangedKey { section: section.name(), name: key.name, value, unit, doc: key.doc });
             }
         }
         set

@@ -60,7 +60,7 @@ impl<'a> Figures<'a> {
 
     /// What is set in a section of the scene, in words; "none" if nothing.
     pub fn set_in(&self, section: &str) -> String {
-        let set = self.scene().set_keys();
+        let set = self.scene().changed_keys();
         let words: Vec<String> = set
             .iter()
             .filter(|key| key.section == section)

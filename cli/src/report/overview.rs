@@ -16,7 +16,7 @@ struct Column {
 const SENSORS: &str = "Sensor errors";
 
 const COLUMNS: [Column; 9] = [
-    Column { title: "Motion", value: motion },
+    Column { title: "Motion", value: |run| text(run, "motion") },
     Column { title: "Time flown", value: |run| Some(time_text(run.duration_s())) },
     Column { title: SENSORS, value: sensors },
     Column { title: "Largest position error", value: |run| text(run, "max_position_m") },
@@ -67,15 +67,6 @@ fn cell(column: &Column, run: &Run) -> Markup {
 
 fn text(run: &Run, key: &str) -> Option<String> {
     run.summary.row(key).map(crate::report::summary::Row::text)
-}
-
-/// The file of a recorded flight is what the run is called by.
-fn motion(run: &Run) -> Option<String> {
-    if run.summary.value("scene") == Some("flight") {
-        Some("recorded".to_owned())
-    } else {
-        text(run, "motion")
-    }
 }
 
 /// What the sensors do wrong, "none" if nothing.
