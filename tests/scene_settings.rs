@@ -102,7 +102,11 @@ fn every_key_can_be_set_and_read() {
         let path = format!("{}.{}", key.section, key.name);
         let value = scene.value(&path).unwrap_or_else(|| panic!("{path}"));
         // What has no default cannot be written, and what acts with others alone is refused without them.
-        if value.is_empty() || value == "NaN" || key.section == "altimeter" || key.name == "closed_loop_time_s" {
+        if value.is_empty()
+            || value == "NaN"
+            || key.section == "altimeter"
+            || key.name == "closed_loop_time_s"
+        {
             continue;
         }
         let again = set(&text, &[(path.as_str(), value.as_str())]);
@@ -111,6 +115,10 @@ fn every_key_can_be_set_and_read() {
     }
     assert!(count > 80, "{count}");
     assert_eq!((scene.value("failure.kind"), scene.value("gyro.nothing")), (None, None));
-    let set: Vec<String> = scene.changed_keys().iter().map(|key| format!("{}.{}", key.section, key.name)).collect();
-    assert!(set.contains(&"gyro.bias_deg_h".into()) && !set.contains(&"options.subsamples".into()), "{set:?}");
+    let set: Vec<String> =
+        scene.changed_keys().iter().map(|key| format!("{}.{}", key.section, key.name)).collect();
+    assert!(
+        set.contains(&"gyro.bias_deg_h".into()) && !set.contains(&"options.subsamples".into()),
+        "{set:?}"
+    );
 }

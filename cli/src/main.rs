@@ -110,9 +110,8 @@ mod tests {
 
     #[test]
     fn what_was_meant_is_told() {
-        let words = |arguments: &[&str]| {
-            CommandLine::try_parse_from(arguments).unwrap_err().render().to_string()
-        };
+        let words =
+            |arguments: &[&str]| CommandLine::try_parse_from(arguments).unwrap_err().render().to_string();
         assert!(words(&["sins", "reprot"]).contains("'report'"));
         assert!(words(&["sins", "fly", "patrol", "--quite"]).contains("'--quiet'"));
         assert!(words(&["sins", "--version"]).contains(env!("CARGO_PKG_VERSION")));

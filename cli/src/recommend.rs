@@ -79,7 +79,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if answer.met {
         return Ok(());
     }
-    let what = format!("no options meet the requirement; these leave {} times as much", two_digits(answer.share));
+    let what =
+        format!("no options meet the requirement; these leave {} times as much", two_digits(answer.share));
     Err(Failure::of_kind(Kind::NotMet, what))
 }
 

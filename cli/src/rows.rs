@@ -32,7 +32,9 @@ mod tests {
 
     #[test]
     fn numbers_are_short_and_read_back() {
-        for (value, text) in [(0.0, "0"), (-0.1, "-0.1"), (3.0, "3"), (1.25e-300, "1.25e-300"), (1e22, "1e22")] {
+        for (value, text) in
+            [(0.0, "0"), (-0.1, "-0.1"), (3.0, "3"), (1.25e-300, "1.25e-300"), (1e22, "1e22")]
+        {
             assert_eq!(number(value), text);
             assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits());
         }

@@ -16,7 +16,18 @@ fn the_patrol_and_a_log_have_their_budgets() {
     let _ = std::fs::remove_dir_all(&out);
     let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("../c_examples/flights/airliner_cruise.csv");
     let output = Command::new(env!("CARGO_BIN_EXE_sins"))
-        .args(["budget", "--hours", "0.05", "--runs", "8", "simulation2", "--position", "2", "--attitude", "10"])
+        .args([
+            "budget",
+            "--hours",
+            "0.05",
+            "--runs",
+            "8",
+            "simulation2",
+            "--position",
+            "2",
+            "--attitude",
+            "10",
+        ])
         .arg(&log)
         .arg("-o")
         .arg(&out)
@@ -63,8 +74,7 @@ fn the_patrol_and_a_log_have_their_budgets() {
 #[test]
 fn a_bad_order_is_refused() {
     let run = |arguments: &[&str]| {
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_sins")).arg("budget").args(arguments).output().unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_sins")).arg("budget").args(arguments).output().unwrap();
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
     let (code, errors) = run(&["--sensors", "best", "-o", "nowhere"]);

@@ -93,8 +93,7 @@ fn accuracy_and_its_cost_are_measured() {
 #[test]
 fn a_bad_order_is_refused() {
     let run = |arguments: &[&str]| {
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_sins")).arg("curve").args(arguments).output().unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_sins")).arg("curve").args(arguments).output().unwrap();
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
     let (code, errors) = run(&["--scene", "moon", "-o", "nowhere"]);

@@ -8,14 +8,16 @@ use program::{done, folder, names, numbers, project_file, read, refused, run};
 /// The value of a row of a summary.
 fn figure(summary: &str, key: &str) -> String {
     let begin = format!("{key},");
-    let line = summary.lines().find(|line| line.starts_with(&begin)).unwrap_or_else(|| panic!("{key}: {summary}"));
+    let line =
+        summary.lines().find(|line| line.starts_with(&begin)).unwrap_or_else(|| panic!("{key}: {summary}"));
     line.split(',').nth(1).unwrap().to_owned()
 }
 
 #[test]
 fn a_first_flight_and_its_page() {
     let folder = folder("first");
-    let said = done(&folder, &["fly", "simulation2", "--set", "flight.hours=0.2", "--set", "gyro.bias_deg_h=0.1"]);
+    let said =
+        done(&folder, &["fly", "simulation2", "--set", "flight.hours=0.2", "--set", "gyro.bias_deg_h=0.1"]);
     assert!(said.contains(" 0.1 deg/h,") && said.contains(" 10 micro-g,"), "{said}");
     assert!(said.contains("in sins_out/simulation2.csv"), "{said}");
     let said = done(&folder, &["report", "sins_out/simulation2.csv", "sins_out/simulation2_summary.csv"]);
@@ -23,8 +25,10 @@ fn a_first_flight_and_its_page() {
     let page = read(folder.join("sins_out/report.html"));
     assert!(page.contains("simulation2") && page.contains("Gyro errors"));
     // One figure, one number.
-    let slope: f64 = figure(&read(folder.join("sins_out/simulation2_summary.csv")), "slope_nmi_h").parse().unwrap();
-    let words = page.split("Slope of the straight line: ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+    let slope: f64 =
+        figure(&read(folder.join("sins_out/simulation2_summary.csv")), "slope_nmi_h").parse().unwrap();
+    let words =
+        page.split("Slope of the straight line: ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
     assert!((slope - words.parse::<f64>().unwrap()).abs() <= 6e-4 * slope.abs(), "{slope} {words}");
     // All of it below one folder.
     assert_eq!(names(&folder), ["sins_out"]);
@@ -63,7 +67,10 @@ fn records_are_spaced_as_they_are_wanted() {
     // About 2000 of 18 000 intervals.
     assert_eq!(fly(&[]).len(), 2001);
     let errors = refused(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);
-    assert!(errors.contains("output.every_s = 0.001: expected at least the sample interval, 0.01"), "{errors}");
+    assert!(
+        errors.contains("output.every_s = 0.001: expected at least the sample interval, 0.01"),
+        "{errors}"
+    );
 }
 
 #[test]
@@ -97,7 +104,10 @@ fn scenes_are_listed_checked_and_written() {
     let text = done(&folder, &["scene", "write", "simulation2", "--set", "flight.hours=0.05"]);
     std::fs::write(folder.join("own.toml"), &text).unwrap();
     let said = done(&folder, &["scene", "check", "own.toml"]);
-    assert!(said.starts_with("own.toml: The paper's simulation 2") && said.contains("3 min at 100 Hz"), "{said}");
+    assert!(
+        said.starts_with("own.toml: The paper's simulation 2") && said.contains("3 min at 100 Hz"),
+        "{said}"
+    );
     done(&folder, &["fly", "own.toml", "-q"]);
     done(&folder, &["fly", "simulation2", "-q", "--set", "flight.hours=0.05"]);
     assert_eq!(read(folder.join("sins_out/own.csv")), read(folder.join("sins_out/simulation2.csv")));
@@ -117,7 +127,8 @@ fn the_scene_of_the_readme_flies() {
     let readme = read(project_file("README.md"));
     let (text, _) = readme.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
     let flights = project_file("c_examples/flights");
-    std::fs::write(folder.join("readme.toml"), text.replace("../flights", flights.to_str().unwrap())).unwrap();
+    std::fs::write(folder.join("readme.toml"), text.replace("../flights", flights.to_str().unwrap()))
+        .unwrap();
     done(&folder, &["fly", "readme.toml", "-q", "--set", "flight.hours=0.02"]);
     assert!(folder.join("sins_out/readme.csv").exists());
 }
@@ -141,7 +152,8 @@ fn keys_and_completions_are_printed() {
 fn a_closed_pipe_is_no_failure() {
     let folder = folder("pipe");
     let script = format!("'{}' keys | true; exit ${{PIPESTATUS:-0}}", env!("CARGO_BIN_EXE_sins"));
-    let output = std::process::Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();
+    let output =
+        std::process::Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
 
@@ -153,7 +165,8 @@ fn options_are_recommended_and_too_much_is_told() {
     assert!(said.contains("[options]\nscheme = \"") && said.contains("algorithms were tried"), "{said}");
     // What it says is a part of a scene.
     let options = said.split("\n\n").next().unwrap();
-    std::fs::write(folder.join("own.toml"), format!("[flight]\nbuiltin = \"aerobatics\"\n{options}\n")).unwrap();
+    std::fs::write(folder.join("own.toml"), format!("[flight]\nbuiltin = \"aerobatics\"\n{options}\n"))
+        .unwrap();
     done(&folder, &["scene", "check", "own.toml"]);
     let (code, said, errors) = run(&folder, &[&scene[..], &["--position", "1e-12"]].concat());
     assert!(code == 3 && errors.contains("no options meet") && said.contains("[options]"), "{code} {errors}");

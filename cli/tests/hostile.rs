@@ -31,7 +31,8 @@ fn a_flight_does_not_destroy_its_log() {
     let folder = with_log("own_log");
     let scene = "[flight]\nfile = \"logs/mylog.csv\"\n[output]\n";
     std::fs::write(folder.join("here.toml"), format!("{scene}folder = \".\"\n")).unwrap();
-    std::fs::write(folder.join("same.toml"), format!("{scene}folder = \"logs\"\nname = \"mylog\"\n")).unwrap();
+    std::fs::write(folder.join("same.toml"), format!("{scene}folder = \"logs\"\nname = \"mylog\"\n"))
+        .unwrap();
     std::fs::hard_link(folder.join("logs/mylog.csv"), folder.join("logs/hard.csv")).unwrap();
     for (arguments, words) in [
         (&["fly", "logs/mylog.csv", "--out", "logs"][..], "is the input"),

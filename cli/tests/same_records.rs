@@ -44,8 +44,11 @@ fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], ev
     let every = format!("output.every_s={every_s}");
     let settings = [settings, &["--set", &every]].concat();
     done(&folder, &[&["fly", scene, "--quiet", "--name", "run"], &settings[..]].concat());
-    std::fs::write(folder.join("scene.toml"), done(&folder, &[&["scene", "write", scene], &settings[..]].concat()))
-        .unwrap();
+    std::fs::write(
+        folder.join("scene.toml"),
+        done(&folder, &[&["scene", "write", scene], &settings[..]].concat()),
+    )
+    .unwrap();
     let summary = read(folder.join("sins_out/run_summary.csv"));
     let figure = |key: &str| -> f64 {
         let begin = format!("{key},");

@@ -172,9 +172,7 @@ fn failures_of_a_log_count_from_its_first_sample() {
         writeln!(log, "{},39.9,116.4,50,0,0,0,0,0,0", 1000 + second).unwrap();
     }
     std::fs::write(folder.join("log.csv"), log).unwrap();
-    let height = || {
-        column(&read(folder.join("sins_out/scene.csv")), "navigation_height_m")
-    };
+    let height = || column(&read(folder.join("sins_out/scene.csv")), "navigation_height_m");
     let sound = fly(&folder, flight);
     let sound_height = height();
     let failed = fly(&folder, &format!("{flight}{gyro}"));

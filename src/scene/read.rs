@@ -118,7 +118,8 @@ impl Reader<'_> {
                     self.faults.add(&span, sentence);
                 }
                 Some(section) => {
-                    self.settings.retain(|earlier| (earlier.section, earlier.name.as_str()) != (section, name));
+                    self.settings
+                        .retain(|earlier| (earlier.section, earlier.name.as_str()) != (section, name));
                     let (name, text) = (name.to_owned(), (*text).to_owned());
                     let value = Value::of_setting(&text);
                     self.settings.push(Setting { section, name, text, value, span });
@@ -186,7 +187,9 @@ impl Reader<'_> {
             // The last of them: the same quantity may be set in its unit and in SI.
             if let Some(setting) = self.settings.iter().rfind(is_of_key) {
                 let value = match key.target {
-                    Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => &Value::Text(setting.text.clone()),
+                    Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => {
+                        &Value::Text(setting.text.clone())
+                    }
                     _ => &setting.value,
                 };
                 item.keys.push((index, setting.span.clone()));
@@ -227,7 +230,8 @@ impl Reader<'_> {
 
     /// Whether there are keys of the names that are set.
     fn check_settings(&mut self, section: Section) {
-        let names = || table::of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten();
+        let names =
+            || table::of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten();
         for setting in self.settings.iter().filter(|setting| setting.section == section) {
             let name = setting.name.as_str();
             if !names().any(|known| known == name) {

@@ -50,7 +50,8 @@ impl Order {
             Some("svg") => Ok(false),
             Some("html") => Ok(true),
             _ => {
-                let what = format!("-o {}: expected a name that ends in .svg or .html", self.output.display());
+                let what =
+                    format!("-o {}: expected a name that ends in .svg or .html", self.output.display());
                 Err(Failure::new(what))
             }
         }

@@ -5,11 +5,11 @@ use maud::{Markup, PreEscaped, html};
 use super::analysis::Analysis;
 use super::log::Log;
 use super::{diagram, sheet, table};
-use crate::failure::Failure;
-use crate::drawing::figure::Figure;
 use crate::drawing::document as page;
+use crate::drawing::figure::Figure;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::plot::{FINE, WIDTH};
+use crate::failure::Failure;
 
 /// Curves side by side in a picture.
 const ACROSS: usize = 3;

@@ -7,8 +7,8 @@ use std::path::Path;
 use super::command::Order;
 use super::estimate::deviation::FEWEST_SAMPLES;
 use super::quantity::{Quantity, Sensor, TIMES, choose};
-use crate::failure::Failure;
 use crate::drawing::series::mean;
+use crate::failure::Failure;
 use crate::table::Table;
 
 /// A step between stamps may differ from the usual one by less than this part of it: a gap is a whole one.

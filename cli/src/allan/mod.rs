@@ -30,13 +30,18 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let is_page = order.is_page()?;
     let mut outputs = Outputs::new(std::slice::from_ref(&order.log), order.force);
     let drawn_file = outputs.file(&order.output, if is_page { PAGE_MARK } else { PICTURE_MARK })?;
-    let points = order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
+    let points =
+        order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let working = Working::on("reading and analysing the log");
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
     drop(working);
-    drawn_file.finish(&if is_page { document::page(&log, &analyses)? } else { document::picture(&log, &analyses)? })?;
+    drawn_file.finish(&if is_page {
+        document::page(&log, &analyses)?
+    } else {
+        document::picture(&log, &analyses)?
+    })?;
     if let Some(file) = points {
         file.finish(&records::points(&analyses)?)?;
     }

@@ -4,8 +4,8 @@ use maud::{Markup, html};
 
 use super::survey::Survey;
 use super::{chart, table};
-use crate::drawing::figure::Figure;
 use crate::drawing::document as page;
+use crate::drawing::figure::Figure;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::plot::FINE;
 

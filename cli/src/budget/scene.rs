@@ -29,7 +29,11 @@ impl Scene {
         let rate_hz = 1.0 / given.period_s;
         Self {
             name: given.name.clone(),
-            title: format!("{title}: {} at {} Hz{failures}", time_text(span_s), (rate_hz * 10.0).round() / 10.0),
+            title: format!(
+                "{title}: {} at {} Hz{failures}",
+                time_text(span_s),
+                (rate_hz * 10.0).round() / 10.0
+            ),
             options: scene.simulator_options(),
             parameters: ErrorParameters {
                 gyro: scene.gyro,

@@ -21,7 +21,8 @@ fn table(survey: &Survey) -> String {
     for line in survey.lines() {
         let [position, velocity, attitude] = columns.cells(&line);
         let cost = columns.cost(&line);
-        text += &format!("| {} | {} | {position} | {velocity} | {attitude} | {cost} |\n", line.name, kind(&line));
+        text +=
+            &format!("| {} | {} | {position} | {velocity} | {attitude} | {cost} |\n", line.name, kind(&line));
     }
     text + "\n" + &remark(survey) + "\n"
 }

@@ -100,6 +100,9 @@ mod tests {
             ("exact 2".into(), "paper 2 geographic".into())
         );
         assert!(default.is_default_family() && !Configuration::PAPER.is_default_family());
-        assert_eq!(Configuration::of(&Configuration::PAPER.options(&Options::default())), Configuration::PAPER);
+        assert_eq!(
+            Configuration::of(&Configuration::PAPER.options(&Options::default())),
+            Configuration::PAPER
+        );
     }
 }

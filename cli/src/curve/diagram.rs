@@ -10,12 +10,12 @@ use super::front::front;
 use super::survey::{Measured, Point, Survey};
 use super::table::{rounded, short};
 use crate::drawing::axis::Axis;
-use crate::failure::Failure;
 use crate::drawing::figure::Legend;
-use crate::drawing::pen::Pen;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
+use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Dot, Drawing, FINE, Mark, Note, Panel, Trace};
 use crate::drawing::series::Points;
+use crate::failure::Failure;
 use crate::units::time_text;
 
 /// Size of the drawing and of its axes [drawing units].

@@ -68,7 +68,11 @@ pub fn dearer_and_worse(surveys: &[Survey]) -> Vec<String> {
                     other.configuration.name(),
                     point.rate_hz,
                     two_digits(*factor),
-                    if own.len() == 1 { "this rate alone".to_owned() } else { format!("{} rates", own.len()) },
+                    if own.len() == 1 {
+                        "this rate alone".to_owned()
+                    } else {
+                        format!("{} rates", own.len())
+                    },
                 ));
             }
         }
@@ -116,9 +120,11 @@ pub mod tests {
 
     #[test]
     fn what_is_dearer_and_worse_in_words() {
-        let mut points = vec![made(3, 1.0, 1e-3), made(4, 1.0, 36.420_022), made(3, 1.0, 1e-3), made(5, 1.0, 2e-3)];
+        let mut points =
+            vec![made(3, 1.0, 1e-3), made(4, 1.0, 36.420_022), made(3, 1.0, 1e-3), made(5, 1.0, 2e-3)];
         (points[2].rate_hz, points[3].rate_hz) = (20.0, 20.0);
-        let again = [Point { rate_hz: 10.0, ..points[0].clone() }, Point { rate_hz: 10.0, ..points[1].clone() }];
+        let again =
+            [Point { rate_hz: 10.0, ..points[0].clone() }, Point { rate_hz: 10.0, ..points[1].clone() }];
         points.extend(again);
         let survey = Survey {
             name: "loop".into(),

@@ -54,7 +54,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let points_file = file("curve.csv", &records::POINTS.join(","))?;
     let scenes_file = file("scenes.csv", &records::SCENES.join(","))?;
     let table_file = file("table.md", TABLE_MARK)?;
-    let names = embedded.iter().map(|embedded| embedded.name).chain(given.iter().map(|given| given.name.as_str()));
+    let names =
+        embedded.iter().map(|embedded| embedded.name).chain(given.iter().map(|given| given.name.as_str()));
     let pictures = names.map(|name| file(&format!("{name}.svg"), PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
 

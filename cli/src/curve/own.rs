@@ -1,9 +1,9 @@
 //! Scenes of the user: flights in closed form, and flight logs.
 
+use sins::Options;
 use sins::flight::Manoeuvre;
 use sins::scene::{FlightSource, builtin};
 use sins::truth::FlightSample;
-use sins::Options;
 
 use super::embedded;
 use super::reference::Judge;
@@ -18,7 +18,8 @@ const FEWEST_SAMPLES: usize = 120;
 /// The scene of `given`, `most_s` [s] of it at the most unless it is a log.
 pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
     let scene = &given.scene;
-    let base = Options { ellipsoid: scene.options.ellipsoid, gravity: scene.options.gravity, ..Options::default() };
+    let base =
+        Options { ellipsoid: scene.options.ellipsoid, gravity: scene.options.gravity, ..Options::default() };
     match given.flight() {
         Some(flight) => {
             let what = embedded::Sampled {

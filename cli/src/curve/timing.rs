@@ -40,7 +40,11 @@ pub fn costs(courses: &[Course], rounds: usize) -> Result<Vec<Vec<f64>>, Error> 
         for (course, times) in courses.iter().zip(&mut times) {
             for ((rate, configuration), times) in course.candidates.iter().zip(times) {
                 let own = course.stretches.iter().filter(|(other, _)| other == rate);
-                times.push(time(&rate.applied_to(&configuration.options(&course.base)), rate.hz, own.flat_map(|(_, stretches)| stretches))?);
+                times.push(time(
+                    &rate.applied_to(&configuration.options(&course.base)),
+                    rate.hz,
+                    own.flat_map(|(_, stretches)| stretches),
+                )?);
             }
         }
     }

@@ -11,9 +11,9 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::drawing::axis::Axis;
-use crate::failure::Failure;
 use crate::drawing::pen::Pen;
 use crate::drawing::series::Points;
+use crate::failure::Failure;
 
 /// Pixels of `plotters` in a drawing unit.
 pub const FINE: f64 = 10.0;

@@ -142,7 +142,9 @@ fn below(folder: &Path, file: &str, key: &str, option: &str) -> Result<PathBuf, 
     let path = Path::new(file);
     let is_plain = |part: Component<'_>| matches!(part, Component::Normal(_));
     if file.contains('\0') || !path.components().all(is_plain) || path.components().next().is_none() {
-        let what = format!("{key} = \"{file}\": expected a name below the folder of the outputs ({option}), without ..");
+        let what = format!(
+            "{key} = \"{file}\": expected a name below the folder of the outputs ({option}), without .."
+        );
         return Err(Failure::new(what));
     }
     Ok(folder.join(path))

@@ -60,10 +60,8 @@ fn setting(figures: &Figures, records: &Path) -> String {
 
 fn closure(figures: &Figures) -> String {
     let closure = &figures.closure;
-    let mut text = format!(
-        "\n{:<32}  {:>14}  {:>14}  {:>14}\n",
-        "closure: navigation - truth", "east", "north", "up"
-    );
+    let mut text =
+        format!("\n{:<32}  {:>14}  {:>14}  {:>14}\n", "closure: navigation - truth", "east", "north", "up");
     let mut axes = |what: &str, values: &Vector3<f64>, count: usize| {
         let numbers: String = values.iter().take(count).copied().map(number).collect();
         text += &format!("  {what:<30}{numbers}\n");
@@ -104,10 +102,7 @@ fn accuracy(figures: &Figures) -> String {
             ),
             ("R50 = 0.8326 sqrt(mean RER^2)", accuracy.cep_rate_m_s()),
             ("R95 = 1.7308 sqrt(mean RER^2)", accuracy.radial_95_rate_m_s()),
-            (
-                "slope of the least-squares line through the horizontal error",
-                accuracy.radial_error_slope_m_s,
-            ),
+            ("slope of the least-squares line through the horizontal error", accuracy.radial_error_slope_m_s),
         ] {
             line(what, value_m_s / NMI_PER_HOUR, "nmi/h");
         }

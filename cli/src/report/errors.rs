@@ -1,13 +1,13 @@
 //! Attitude, velocity and position errors over time: error data 2 over error data 1.
 
 use crate::drawing::axis::Axis;
-use crate::failure::Failure;
 use crate::drawing::figure::{Figure, Legend};
-use crate::report::figures::{TIME_TICKS, over_time, panel, time_label};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Panel, Trace, WIDTH};
-use crate::report::run::{EAST_NORTH_UP, Errors, Run};
 use crate::drawing::series::{difference, magnitude};
+use crate::failure::Failure;
+use crate::report::figures::{TIME_TICKS, over_time, panel, time_label};
+use crate::report::run::{EAST_NORTH_UP, Errors, Run};
 use crate::units::{self, Family, Unit, fitting, in_unit, usual, with_unit};
 
 /// Pens of the differences.

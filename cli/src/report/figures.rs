@@ -2,12 +2,12 @@
 
 use crate::drawing::axis::{Axis, TimeAxis};
 use crate::drawing::figure::Figure;
-use crate::report::errors::{self, ATTITUDE, POSITION, VELOCITY};
-use crate::failure::Failure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Panel, Trace, WIDTH};
-use crate::report::run::{Run, SENSOR_AXES};
 use crate::drawing::series::{Points, block_means, bounds, magnitude, mean, straight_line, thinned};
+use crate::failure::Failure;
+use crate::report::errors::{self, ATTITUDE, POSITION, VELOCITY};
+use crate::report::run::{Run, SENSOR_AXES};
 use crate::report::spectrum;
 use crate::report::trajectory;
 use crate::units::{self, Unit, fitting, significant, time_text, with_unit};
@@ -96,7 +96,8 @@ fn radial(run: &Run) -> Result<Figure, Failure> {
     let mut legend = vec![(Pen::Computed, "horizontal distance from truth".to_owned())];
     let rate = match growth(run, &radius) {
         Some(Growth { from_s, level, slope }) => {
-            let rate = format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
+            let rate =
+                format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
             let words = format!("straight line of least squares from {} on, slope {rate}", time_text(from_s));
             traces.push(Trace::new(Pen::Fit, line((level, slope), from_s, end)));
             legend.push((Pen::Fit, words));
@@ -191,13 +192,19 @@ mod tests {
         }
         assert!(radial(&run).unwrap().note.contains("Slope of the straight line: none"));
         let short = radial(&made(20, |_, t| t)).unwrap();
-        assert!(short.note.contains("none, it counts from") && short.legend.iter().all(|(pen, _)| *pen != Pen::Fit));
+        assert!(
+            short.note.contains("none, it counts from")
+                && short.legend.iter().all(|(pen, _)| *pen != Pen::Fit)
+        );
     }
 
     #[test]
     fn the_slope_is_told_in_nautical_miles_an_hour() {
         let run =
-            made(400, |name, t| if name == "navigation_error_position_north_m" { 1852.0 / 3600.0 * t } else { 0.0 });
+            made(
+                400,
+                |name, t| if name == "navigation_error_position_north_m" { 1852.0 / 3600.0 * t } else { 0.0 },
+            );
         let figure = radial(&run).unwrap();
         assert!(figure.note.ends_with("1.000 nmi/h."), "{}", figure.note);
         assert!(figure.legend.iter().any(|(pen, _)| *pen == Pen::NauticalMile));

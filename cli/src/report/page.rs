@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use crate::report::comparison::{comparison, list};
-use crate::failure::Failure;
 use crate::drawing::document::{document, figure};
+use crate::failure::Failure;
+use crate::report::comparison::{comparison, list};
 use crate::report::figures;
 use crate::report::overview;
 use crate::report::run::Run;

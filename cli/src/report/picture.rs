@@ -2,10 +2,10 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::report::errors::{self, POSITION, Quantity, VELOCITY};
-use crate::failure::Failure;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::plot::{FINE, WIDTH};
+use crate::failure::Failure;
+use crate::report::errors::{self, POSITION, Quantity, VELOCITY};
 use crate::report::run::Run;
 
 /// The file: velocity left, position right.

@@ -229,10 +229,10 @@ pub mod tests {
 
     #[test]
     fn a_missing_summary_is_told() {
-        let run = std::env::temp_dir().join("sins_report_lone.csv");
+        let folder = tempfile::tempdir().unwrap();
+        let run = folder.path().join("lone.csv");
         std::fs::write(&run, "time_s\n").unwrap();
         let failure = Run::read(&run).err().unwrap().to_string();
-        std::fs::remove_file(&run).unwrap();
-        assert!(failure.contains("sins_report_lone_summary.csv: the summary that has to lie beside"));
+        assert!(failure.contains("lone_summary.csv: the summary that has to lie beside"));
     }
 }

@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use realfft::RealFftPlanner;
 
 use crate::drawing::axis::Axis;
-use crate::failure::Failure;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Mark, PANEL_WIDTH, Panel, Trace, WIDTH};
-use crate::report::run::Run;
 use crate::drawing::series::{Points, mean, straight_line};
+use crate::failure::Failure;
+use crate::report::run::Run;
 use crate::units::{SPEED, fitting, time_text, with_unit};
 
 /// Schuler period 2π √(R / g) [s].

@@ -132,12 +132,15 @@ mod tests {
     #[test]
     fn a_wrong_header_or_row_is_told() {
         let header = "key,value,unit,label\n";
-        assert!(read(&format!("{header}r,nan,m,\n")).unwrap_err().contains("s.csv:2: r: expected a finite number"));
-        assert!(read(&format!("{header}r,1e308,m,\n")).is_err() && read(&format!("{header}name,nan,,\n")).is_ok());
-        assert!(read("key,value\n").unwrap_err().contains(":1: "));
-        assert_eq!(
-            read("key,value,unit,label\na,b\n").unwrap_err(),
-            "s.csv:2: expected 4 columns, found 2"
+        assert!(
+            read(&format!("{header}r,nan,m,\n"))
+                .unwrap_err()
+                .contains("s.csv:2: r: expected a finite number")
         );
+        assert!(
+            read(&format!("{header}r,1e308,m,\n")).is_err() && read(&format!("{header}name,nan,,\n")).is_ok()
+        );
+        assert!(read("key,value\n").unwrap_err().contains(":1: "));
+        assert_eq!(read("key,value,unit,label\na,b\n").unwrap_err(), "s.csv:2: expected 4 columns, found 2");
     }
 }

@@ -5,13 +5,13 @@ use std::ops::Range;
 use sins::earth::{Earth, Ellipsoid, Geodetic, GravityModel};
 
 use crate::drawing::axis::Axis;
-use crate::failure::Failure;
 use crate::drawing::figure::Figure;
-use crate::report::figures::{TIME_TICKS, over_time, time_label};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Dot, Drawing, PANEL_WIDTH, Panel, Trace, WIDTH};
-use crate::report::run::{Places, Run};
 use crate::drawing::series::{Points, bounds, magnitude, outline};
+use crate::failure::Failure;
+use crate::report::figures::{TIME_TICKS, over_time, time_label};
+use crate::report::run::{Places, Run};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, time_text, with_unit};
 
 /// Mean radius of the Earth [m], for the length of an arc over its chord.

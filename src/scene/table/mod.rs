@@ -158,7 +158,8 @@ mod tests {
         let (_, rest) = header.split_once(&format!("typedef struct {name} {{")).unwrap();
         let (body, _) = rest.split_once('}').unwrap();
         let kinds = ["int32_t ", "uint32_t ", "uint64_t ", "double "];
-        let members = body.lines().map(str::trim).filter(|line| kinds.iter().any(|kind| line.starts_with(kind)));
+        let members =
+            body.lines().map(str::trim).filter(|line| kinds.iter().any(|kind| line.starts_with(kind)));
         let names = members.map(|line| {
             let name = line.trim_end_matches(';').split_whitespace().last().unwrap();
             name.split('[').next().unwrap().to_owned()
@@ -187,7 +188,8 @@ mod tests {
                 // The flight is on the simulator's Earth; sinusoids have a section of their own, and so are counted.
                 let by_another =
                     ["earth", "sinusoid_count", "channel", "amplitude", "frequency_hz", "phase_rad"];
-                let is_by_another = ["start", "manoeuvre"].contains(&prefix) && by_another.contains(&field.as_str());
+                let is_by_another =
+                    ["start", "manoeuvre"].contains(&prefix) && by_another.contains(&field.as_str());
                 // Of a failure the unit belongs to the sensor.
                 let path = format!("{prefix}.{field}");
                 let has_key = KEYS.iter().any(|key| {
