@@ -15,7 +15,8 @@ use sins::sensors::{PARAMETERS, Sensor};
 /// Size and offsets of the structs of sensor parameters, for `layout.c`: numbers one behind the other, from the eighth byte on.
 fn sensor_layout() -> String {
     let of = |name: &str, sensor: Sensor, size: usize| {
-        let (mut offset, mut text) = (8, format!("SIZE({name}, {size});\n"));
+        let stated = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();
+        let (mut offset, mut text) = (8, format!("SIZE({name}, {stated}, {size});\n"));
         for (parameter, field) in PARAMETERS.iter().filter_map(|row| Some((row, row.of(sensor)?))) {
             text += &format!("AT({name}, {}, {offset});\n", field.name());
             offset += 8 * parameter.shape.count();
