@@ -38,12 +38,10 @@ struct host {
 static int done(const sins_sim *sim, sins_status status, const char *call)
 {
     char sentence[512] = "";
-    const char *name = "";
 
     if (status < 0) {
         sins_last_error(sim, sentence, sizeof sentence, NULL);
-        sins_status_string(status, &name);
-        fprintf(stderr, "harness: %.*s: %s (%s)\n", (int)strcspn(call, "("), call, sentence, name);
+        fprintf(stderr, "harness: %.*s: %s (%s)\n", (int)strcspn(call, "("), call, sentence, sins_status_string(status));
     }
     return status >= 0;
 }
@@ -279,15 +277,15 @@ static int run(struct host *host, const char *scene, const char *log)
 int main(int count, char **arguments)
 {
     struct host host;
-    uint32_t version = 0;
     int flown;
 
     if (count < 2 || count > 3) {
         fprintf(stderr, "usage: harness SCENE.toml [LOG.csv], or harness NAME of a built-in scene\n");
         return 2;
     }
-    if (sins_abi_version(&version) != SINS_OK || version != SINS_ABI_VERSION) {
-        fprintf(stderr, "harness: the library has interface version %u, not %u\n", (unsigned)version, SINS_ABI_VERSION);
+    if (sins_abi_version() != SINS_HEADER_ABI) {
+        fprintf(stderr, "harness: the library has interface version %u, this program wants %u\n",
+                (unsigned)sins_abi_version(), (unsigned)SINS_HEADER_ABI);
         return 1;
     }
     memset(&host, 0, sizeof host);
