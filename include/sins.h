@@ -1183,15 +1183,19 @@ typedef struct sins_scene_setup {
     int32_t flight;
     /* 1: samples get the temperature below; 0: none. */
     int32_t has_temperature;
-    /* How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s]. */
+    /* 1: a program shows neither progress nor summary; 0: it does. */
+    int32_t quiet;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s]. */
     double duration_s;
-    /* How long that is; 0 of a log, whose length the log tells; read only [s]. */
+    /* How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s]. */
     double flown_s;
-    /* Sample rate, 1e-3 to 2e4; of a log none [Hz]. */
+    /* Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz]. */
     double rate_hz;
-    /* Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C]. */
+    /* Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C]. */
     double temperature_c;
-    /* Its change, -300 to 300 [deg C/s]. */
+    /* Its change, -277 to 277 [deg C/s]. */
     double temperature_change_c_s;
     /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
     double every_s;
@@ -1759,10 +1763,18 @@ SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, siz
 SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
 
 /*
+ * The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: there are no more.
+ */
+SINS_API sins_status SINS_CALL sins_scene_builtin_name(size_t index, char *buffer, size_t capacity, size_t *needed);
+
+/*
  * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
  *
  * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
- * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_write(
     const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
@@ -1818,7 +1830,8 @@ SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
 SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
 
 /*
- * Sets the options of the scene; on an error, as for every part, the scene is as it was.
+ * Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
+ * whether they go together is checked where the scene is written and its simulator is created.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
  */
@@ -1890,9 +1903,31 @@ SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, str
 /*
  * Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
+
+/*
+ * Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
+ * all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
+ * count alone manoeuvres with a capacity of 0.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
+ * is a log; or as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_manoeuvres(
+    const sins_scene *scene, struct sins_flight_start *start, struct sins_manoeuvre *manoeuvres, size_t capacity,
+    size_t *count, size_t *repeat);
+
+/*
+ * Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most. start->earth
+ * is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_manoeuvres(
+    sins_scene *scene, const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
+    size_t repeat);
 
 /*
  * Reads a text of the scene, SINS_SCENE_TEXT_...; an empty one is none. buffer, capacity and needed as in sins_scene_write().

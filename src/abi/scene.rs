@@ -163,10 +163,34 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
     })
 }
 
+/// The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: there are no more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_builtin_name(
+    index: usize,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    enter_without_simulator(|| {
+        let Some((name, _)) = BUILTIN_SCENES.get(index) else {
+            let rule = Rule::WordsAnd(
+                "must be less than the number of built-in scenes:",
+                BUILTIN_SCENES.len() as f64,
+            );
+            return Err(Error::invalid("index", index as f64, rule).into());
+        };
+        // SAFETY: the host's promise.
+        Ok(unsafe { put_text(name.as_bytes(), buffer, capacity, needed) })
+    })
+}
+
 /// Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
 ///
 /// needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
-/// SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+/// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_write(
     scene: *const sins_scene,
@@ -174,8 +198,11 @@ pub unsafe extern "C" fn sins_scene_write(
     capacity: usize,
     needed: *mut usize,
 ) -> sins_status {
-    // SAFETY: the host's promise.
-    with_scene(scene, |scene| Ok(unsafe { put_text(scene.write().as_bytes(), buffer, capacity, needed) }))
+    with_scene(scene, |scene| {
+        scene.check()?;
+        // SAFETY: the host's promise.
+        Ok(unsafe { put_text(scene.write().as_bytes(), buffer, capacity, needed) })
+    })
 }
 
 /// Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
@@ -204,6 +231,7 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
         if sim.is_null() {
             return Err(Failure::null("sim"));
         }
+        scene.check()?;
         // SAFETY: the host's promise; not null.
         unsafe { simulator::hand_out(scene.simulator()?, sim) }
     })
