@@ -52,9 +52,7 @@ template <typename T> T make() noexcept
 /* "SINS_ERROR_TIME_ORDER" */
 inline const char *status_string(sins_status status) noexcept
 {
-    const char *text = "";
-    sins_status_string(status, &text);
-    return text;
+    return sins_status_string(status);
 }
 
 /* The sentence of the last failed call on sim; NULL: of the last one on this thread that has no simulator. */
@@ -94,25 +92,16 @@ template <class Write> std::string text(Write write)
 
 } // namespace detail
 
-/* Compare with SINS_ABI_VERSION. */
-inline uint32_t abi_version()
+/* Compare with SINS_HEADER_ABI. */
+inline uint32_t abi_version() noexcept
 {
-    uint32_t version = 0;
-    detail::done(sins_abi_version(&version), nullptr);
-    return version;
+    return sins_abi_version();
 }
 
 /* "0.1.0" */
-inline const char *version_string()
+inline const char *version_string() noexcept
 {
-    const char *text = nullptr;
-    detail::done(sins_version_string(&text), nullptr);
-    return text;
-}
-
-inline void version(uint32_t &major, uint32_t &minor, uint32_t &patch)
-{
-    detail::done(sins_version(&major, &minor, &patch), nullptr);
+    return sins_version_string();
 }
 
 /* SINS_GRADE_... */
@@ -395,6 +384,17 @@ public:
         return Scene(scene);
     }
 
+    /* The names of the built-in scenes. */
+    static std::vector<std::string> builtin_names()
+    {
+        std::vector<std::string> names;
+        char name[64];
+        while (sins_scene_builtin_name(names.size(), name, sizeof name, nullptr) == SINS_OK) {
+            names.push_back(name);
+        }
+        return names;
+    }
+
     Scene(Scene &&other) noexcept : scene_(other.scene_) { other.scene_ = nullptr; }
 
     Scene &operator=(Scene &&other) noexcept
@@ -473,6 +473,21 @@ public:
     {
         return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
     }
+    /* The manoeuvres of its flight; start, with struct_size set, gets where it begins, repeat how many times they are flown. */
+    std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const
+    {
+        std::size_t count = 0;
+        done(sins_scene_get_manoeuvres(scene_, nullptr, nullptr, 0, &count, nullptr));
+        std::vector<sins_manoeuvre> manoeuvres(count, make<sins_manoeuvre>());
+        done(sins_scene_get_manoeuvres(scene_, &start, manoeuvres.data(), count, &count, &repeat));
+        return manoeuvres;
+    }
+    void set_manoeuvres(const sins_flight_start &start, const std::vector<sins_manoeuvre> &manoeuvres,
+                        std::size_t repeat = 1)
+    {
+        done(sins_scene_set_manoeuvres(scene_, &start, manoeuvres.data(), manoeuvres.size(), repeat));
+    }
+
     sins_scene_setup setup() const { return read_back<sins_scene_setup>(sins_scene_get_setup); }
 
     void set_options(const sins_options &options) { done(sins_scene_set_options(scene_, &options)); }

@@ -2,7 +2,7 @@
 //!
 //! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are passed over. Angles
 //! are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with three
-//! columns each or not at all, temperature with one.
+//! columns each or not at all, temperature with one. A row with more fields than there are columns is refused: decimal commas make them.
 
 use core::ops::Range;
 
@@ -47,6 +47,10 @@ const TEMPERATURE: usize = 16;
 /// The quantities that come together: all of them or none.
 const TRIPLES: [Range<usize>; 3] = [VELOCITY..RATE, RATE..FORCE, FORCE..TEMPERATURE];
 
+/// Columns of a log at the most, and bytes of a line.
+const MAX_COLUMNS: usize = 1000;
+const MAX_LINE: usize = 1 << 16;
+
 /// A flight log in memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlightLog {
@@ -85,6 +89,12 @@ impl FlightLog {
             let line = 1 + text[..at].iter().filter(|byte| **byte == b'\n').count();
             return Err(fault(line as u64, 1, "a zero byte: not a text".to_owned()));
         }
+        for (index, line) in text.split(|byte| *byte == b'\n').enumerate() {
+            if line.len() > MAX_LINE {
+                let sentence = format!("a line of {} bytes: a line has at most {MAX_LINE}", line.len());
+                return Err(fault(1 + index as u64, 1, sentence));
+            }
+        }
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
             .flexible(true)
@@ -96,9 +106,18 @@ impl FlightLog {
         let Some(line) = next_row(&mut reader, text, &mut row)? else {
             return Err(fault(1, 1, format!("no header: expected the names of the columns, {names}")));
         };
+        if row.len() > MAX_COLUMNS {
+            return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));
+        }
         let columns = columns(&row, line)?;
+        let width = row.len();
         let mut log = Self { title: title(text), samples: Vec::new(), lines: Vec::new() };
         while let Some(line) = next_row(&mut reader, text, &mut row)? {
+            if row.len() > width {
+                // Decimal commas do this: each value is cut in two, and what stands behind it moves to the next column.
+                let sentence = format!("{} fields, and the header names {width} columns", row.len());
+                return Err(fault(line, width + 1, sentence));
+            }
             let sample = sample(&row, line, &columns)?;
             if let Some(last) = log.samples.last()
                 && sample.time_s <= last.time_s

@@ -2,14 +2,17 @@
 
 use core::ffi::c_char;
 
-use super::memory::interface_struct;
+use super::memory::{chars, interface_struct};
 use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
 use crate::recommend::SolutionError;
 
+/// Flags of a sins_budget_row.
+pub type sins_budget_flags = u32;
+
 /// The row's figures are standard deviations (1 sigma) over the runs.
-pub const SINS_BUDGET_RANDOM: u32 = 1;
+pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out together with the others that are marked so.
-pub const SINS_BUDGET_CAN_BE_LEFT_OUT: u32 = 2;
+pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
 
 /// An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
 /// set.
@@ -18,7 +21,7 @@ pub const SINS_BUDGET_CAN_BE_LEFT_OUT: u32 = 2;
 pub struct sins_budget_row {
     /// sizeof(sins_budget_row)
     pub struct_size: u32,
-    /// SINS_BUDGET_... flags, or'ed.
+    /// Flags of enum sins_budget_flags, or'ed.
     pub flags: u32,
     /// Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
     pub effect: [c_char; 32],
@@ -93,8 +96,8 @@ impl sins_budget_row {
         Self {
             flags: flag(row.effect.is_random, SINS_BUDGET_RANDOM)
                 | flag(row.can_be_left_out, SINS_BUDGET_CAN_BE_LEFT_OUT),
-            effect: text(row.effect.name),
-            field: text(row.effect.field),
+            effect: chars(row.effect.name),
+            field: chars(row.effect.field),
             share: row.share,
             ns_per_step,
             ..Self::of(&row.worst, &row.end)
@@ -105,7 +108,7 @@ impl sins_budget_row {
     pub(super) fn own(budget: &Budget, request: &BudgetRequest, costs: &Costs) -> Self {
         let (worst, end) = &budget.own;
         Self {
-            effect: text("mechanization"),
+            effect: chars("mechanization"),
             share: request.share(worst),
             ns_per_step: costs.own_ns,
             ..Self::of(worst, end)
@@ -117,8 +120,8 @@ impl sins_budget_row {
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: 0,
-            effect: text(""),
-            field: text(""),
+            effect: chars(""),
+            field: chars(""),
             position_m: worst.position_m,
             velocity_m_s: worst.velocity_m_s,
             attitude_rad: worst.attitude_rad,
@@ -154,13 +157,4 @@ impl sins_budget {
             ns_per_step: costs.total_ns,
         }
     }
-}
-
-/// ASCII text that leaves room for its terminator.
-fn text<const N: usize>(text: &str) -> [c_char; N] {
-    let mut array = [0; N];
-    for (place, byte) in array[..N - 1].iter_mut().zip(text.bytes()) {
-        *place = byte as c_char;
-    }
-    array
 }

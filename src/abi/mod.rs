@@ -92,3 +92,7 @@ pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
 pub use version::*;
+
+// That the sizes which the header states are those of the structs; a library without scenes lacks some of these.
+#[cfg(feature = "scenes")]
+include!(concat!(env!("OUT_DIR"), "/sizes.rs"));

@@ -45,11 +45,22 @@ impl Scene {
 
     /// The limits that are the scene's own.
     pub(crate) fn check_limits(&self) -> Result<(), Error> {
+        let change_c_s = self.temperature.map(|temperature| temperature.change_c_s);
+        let any = [
+            ("flight.rate_hz", Some(self.rate_hz)),
+            ("flight.duration_s", self.duration_s),
+            ("flight.temperature_c", self.temperature.map(|temperature| temperature.at_start_c)),
+            ("flight.temperature_change_c_s", change_c_s),
+            ("output.every_s", self.output.every_s),
+        ];
+        // In a draft NaN is what is missing.
+        if let Some(&(field, _)) = any.iter().find(|(_, number)| number.is_some_and(f64::is_nan)) {
+            return Err(Error::invalid(field, f64::NAN, Rule::Finite));
+        }
         let mut draft = Draft::from(self);
         for key in KEYS {
             let Target::Numbers { field, places, .. } = key.target else { continue };
             let Some((low, high)) = key.limits_si() else { continue };
-            // What may be missing is NaN.
             for number in places(&mut draft).into_iter().filter(|number| !number.is_nan()) {
                 check_range(field, *number, low, high)?;
             }

@@ -1,7 +1,7 @@
 //! A scene while it is read or written: plain numbers, texts and indices, one place for each key.
 
 use super::{Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
-use crate::error::{Error, Rule};
+use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 use crate::sensors::{Axis, Failure, SensorOutput};
 
@@ -148,17 +148,8 @@ impl FailureDraft {
     /// What is planned, checked; `None` if it is switched off.
     pub fn to_planned(&self) -> Result<Option<PlannedFailure>, Error> {
         let Some(failure) = self.to_failure() else { return Ok(None) };
-        failure.validate(self.output())?;
-        if self.until_s <= self.from_s {
-            let rule = Rule::WordsAnd("must be more than from_s =", self.from_s);
-            return Err(Error::invalid("failure.until_s", self.until_s, rule));
-        }
         let until_s = if self.until_s.is_nan() { f64::INFINITY } else { self.until_s };
-        Ok(Some(PlannedFailure {
-            output: self.output(),
-            failing: Failing { from_s: self.from_s, until_s },
-            failure,
-        }))
+        PlannedFailure::new(self.output(), failure, self.from_s, until_s).map(Some)
     }
 }
 

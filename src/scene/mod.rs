@@ -187,6 +187,14 @@ impl Scene {
         matches!(self.flight, FlightSource::Log(_))
     }
 
+    /// How many manoeuvres the scene itself has.
+    pub(crate) fn manoeuvre_count(&self) -> usize {
+        match &self.flight {
+            FlightSource::Path(path) => path.manoeuvres.len(),
+            FlightSource::Log(_) | FlightSource::Builtin(_) => 0,
+        }
+    }
+
     /// The options of the simulator: the scene's, and with a flight that is not a log the period of its rate.
     pub fn simulator_options(&self) -> Options {
         let mut options = self.options;

@@ -84,6 +84,9 @@ impl Reader<'_> {
 
     fn read_root(&mut self, root: &DeTable<'_>) {
         for (name, value) in root {
+            if self.faults.are_many() {
+                return;
+            }
             let (name, span) = (name.get_ref().as_ref(), name.span());
             let section = Section::ALL.into_iter().find(|section| section.name() == name);
             match (section, value.get_ref()) {
@@ -93,6 +96,9 @@ impl Reader<'_> {
                 }
                 (Some(section), DeValue::Array(array)) if section.is_list() => {
                     for element in array.iter() {
+                        if self.faults.are_many() {
+                            return;
+                        }
                         let head = element.span();
                         match element.get_ref() {
                             DeValue::Table(item) if section == Section::Manoeuvre => {
@@ -140,6 +146,9 @@ impl Reader<'_> {
             }
         }
         for (name, value) in section_table {
+            if self.faults.are_many() {
+                break;
+            }
             let (name, span) = (name.get_ref().as_ref(), name.span());
             let is_sinusoids = section == Section::Manoeuvre && name == "sinusoid";
             let names =
@@ -233,6 +242,9 @@ impl Reader<'_> {
             } else if let Some(own) = table::of_sensor(&KEYS[*index], failure.sensor) {
                 self.faults.add(span, format!("failure.{name}: not of this sensor; expected {own}"));
             }
+        }
+        if let (Some(_), Some(span)) = (item.key("interval_s"), item.key("probability")) {
+            self.faults.add(span, "failure.probability: only of drop-outs without interval_s");
         }
         match failure.to_planned() {
             Ok(Some(planned)) => {

@@ -33,6 +33,7 @@ mod asymmetry;
 mod bandwidth;
 mod bias;
 mod dead_zone;
+mod draw;
 mod failing;
 mod failure;
 mod flicker;
