@@ -610,13 +610,12 @@ typedef struct sins_flight_sample {
 } sins_flight_sample;
 
 /*
- * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units.
- * Densities do not depend on the sample rate.
+ * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
+ * triad. Signal: the angular rate. Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
  * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
- * range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ * range, quantization.
  *
  * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
  * sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
@@ -628,143 +627,185 @@ typedef struct sins_gyro_params {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [rad/s], measured less true; up to 100 rad/s. */
+    /* Constant bias, measured less true [rad/s], -100 to 100. */
     double bias_rad_s[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [rad/s]. */
+    /* Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
     double bias_sigma_rad_s[3];
-    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [rad/s]. */
+    /*
+     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from the
+     * first sample on.
+     */
     double markov_sigma_rad_s[3];
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_rad_s is not 0. */
+    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
     double markov_time_s[3];
-    /* Angle random walk N, white noise of rate [rad/sqrt(s)] = [(rad/s)/sqrt(Hz)]. */
+    /*
+     * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
+     * density of the noise [unit of the signal / sqrt(Hz)].
+     */
     double random_walk_rad_sqrt_s[3];
-    /* Rate random walk K, from 0 at the start of a run [(rad/s)/sqrt(s)]. */
+    /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
-    /* Rate ramp R, from 0 when it is set [rad/s2]. */
+    /* Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
     /*
-     * Flicker noise, bias instability B [rad/s], stationary from the first sample on: the Allan
-     * deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_rad_s[3];
-    /* Pulse of the angle increments, 1e-15 to 1 [rad]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
-    double quantization_rad[3];
-    /* Scale factor error, -1 to 1. */
+    /* Scale factor error [1], -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative rates, -1 to 1. */
-    double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the rate, -1 to 1 [s/rad]. */
-    double scale_factor_nonlinearity_s_rad[3];
-    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
-    double misalignment_rad[9];
-    /* g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force. */
-    double g_sensitivity_rad_s_per_m_s2[9];
-    /* Range, where the rate saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
-    double range_rad_s[3];
-    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
-    double bandwidth_hz[3];
-    /* Half the dead zone: rates up to this size give 0 [rad/s]. */
-    double dead_zone_rad_s[3];
     /*
-     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
-     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
      */
-    double reference_temperature_c;
-    /* Bias of this times T [(rad/s)/K]. */
-    double bias_temperature_rad_s_per_k[3];
-    /* Bias of this times T2 [(rad/s)/K2]. */
-    double bias_temperature2_rad_s_per_k2[3];
-    /* Scale factor error of this times T, -1 to 1 [1/K]. */
-    double scale_factor_temperature_per_k[3];
-    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
-    double scale_factor_temperature2_per_k2[3];
-    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
     double scale_factor_sigma[3];
+    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the size of the signal [s/rad], -1 to 1. */
+    double scale_factor_nonlinearity_s_rad[3];
+    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    double misalignment_rad[9];
     /*
-     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
-     * diagonal is 0.
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
+    /*
+     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1. The
+     * error of a gyro is the sum over the three axes of its row times the true specific force along them.
+     */
+    double g_sensitivity_rad_s_per_m_s2[9];
+    /*
+     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2], -1 to
+     * 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+     * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+     * sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+     * nonlinearity.
+     */
+    double g2_sensitivity_rad_s_per_m2_s4[3];
+    /*
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+     * temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T. */
+    double bias_temperature_rad_s_per_k[3];
+    /* Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2. */
+    double bias_temperature2_rad_s_per_k2[3];
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    double scale_factor_temperature2_per_k2[3];
+    /*
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
+     * first interval.
+     */
+    double bandwidth_hz[3];
+    /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
+    double dead_zone_rad_s[3];
+    /* Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_rad_s[3];
+    /*
+     * Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+     * pulse/sqrt(12).
+     */
+    double quantization_rad[3];
 } sins_gyro_params;
 
 /*
- * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units.
- * Densities do not depend on the sample rate.
+ * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
+ * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
  * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
- * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
- * see sins_gyro_params.
+ * zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [m/s2], measured less true; up to 10000 m/s2. */
+    /* Constant bias, measured less true [m/s2], -10000 to 10000. */
     double bias_m_s2[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [m/s2]. */
+    /* Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
     double bias_sigma_m_s2[3];
-    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [m/s2]. */
+    /*
+     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from the
+     * first sample on.
+     */
     double markov_sigma_m_s2[3];
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m_s2 is not 0. */
+    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
     double markov_time_s[3];
-    /* Velocity random walk N, white noise of force [(m/s)/sqrt(s)] = [(m/s2)/sqrt(Hz)]. */
+    /*
+     * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
+     * spectral density of the noise [unit of the signal / sqrt(Hz)].
+     */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Acceleration random walk K, from 0 at the start of a run [(m/s2)/sqrt(s)]. */
+    /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
-    /* Ramp R, from 0 when it is set [m/s3]. */
+    /* Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
     /*
-     * Flicker noise, bias instability B [m/s2], stationary from the first sample on: the Allan
-     * deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_m_s2[3];
-    /* Pulse of the velocity increments, 1e-15 to 1 [m/s]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
-    double quantization_m_s[3];
-    /* Scale factor error, -1 to 1. */
+    /* Scale factor error [1], -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative forces, -1 to 1. */
-    double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the force, -1 to 1 [s2/m]. */
-    double scale_factor_nonlinearity_s2_m[3];
-    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
-    double misalignment_rad[9];
-    /* Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
-    double range_m_s2[3];
-    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
-    double bandwidth_hz[3];
-    /* Half the dead zone: forces up to this size give 0 [m/s2]. */
-    double dead_zone_m_s2[3];
     /*
-     * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-     * row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
-     * first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
      */
-    double lever_arm_m[9];
-    /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
-    double vibration_rectification_s2_m[3];
-    /*
-     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
-     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
-     */
-    double reference_temperature_c;
-    /* Bias of this times T [(m/s2)/K]. */
-    double bias_temperature_m_s2_per_k[3];
-    /* Bias of this times T2 [(m/s2)/K2]. */
-    double bias_temperature2_m_s2_per_k2[3];
-    /* Scale factor error of this times T, -1 to 1 [1/K]. */
-    double scale_factor_temperature_per_k[3];
-    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
-    double scale_factor_temperature2_per_k2[3];
-    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
     double scale_factor_sigma[3];
+    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the size of the signal [s2/m], -1 to 1. */
+    double scale_factor_nonlinearity_s2_m[3];
+    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    double misalignment_rad[9];
     /*
-     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
-     * diagonal is 0.
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
+    /* Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2. */
+    double vibration_rectification_s2_m[3];
+    /*
+     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m], -100
+     * to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in motion
+     * see sins_mounting; the velocity lacks the change of rate in the first interval for good. With sins_push_imu()
+     * the angular acceleration follows from the increments before.
+     */
+    double lever_arm_m[9];
+    /*
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+     * temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T. */
+    double bias_temperature_m_s2_per_k[3];
+    /* Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2. */
+    double bias_temperature2_m_s2_per_k2[3];
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    double scale_factor_temperature2_per_k2[3];
+    /*
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
+     * first interval.
+     */
+    double bandwidth_hz[3];
+    /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
+    double dead_zone_m_s2[3];
+    /* Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_m_s2[3];
+    /*
+     * Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+     * pulse/sqrt(12).
+     */
+    double quantization_m_s[3];
 } sins_accel_params;
 
 /* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
@@ -1457,7 +1498,7 @@ typedef struct sins_budget {
 enum sins_sizeof {
     SINS_SIZEOF_OPTIONS = 96,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,
-    SINS_SIZEOF_GYRO_PARAMS = 712,
+    SINS_SIZEOF_GYRO_PARAMS = 736,
     SINS_SIZEOF_ACCEL_PARAMS = 736,
     SINS_SIZEOF_ALTIMETER_PARAMS = 56,
     SINS_SIZEOF_FAILURE = 56,

@@ -59,9 +59,9 @@ impl Scene {
         }
         let mut draft = Draft::from(self);
         for key in KEYS {
-            let Target::Numbers { field, places, .. } = key.target else { continue };
+            let Target::Numbers { field, place, .. } = key.target else { continue };
             let Some((low, high)) = key.limits_si() else { continue };
-            for number in places(&mut draft).into_iter().filter(|number| !number.is_nan()) {
+            for number in place.of(&mut draft).into_iter().filter(|number| !number.is_nan()) {
                 check_range(field, *number, low, high)?;
             }
         }
