@@ -3,6 +3,8 @@
 use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
+use toml_parser::Source;
+use toml_parser::lexer::TokenKind;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
 use super::fault::{Fault, Faults, excerpt, nearest};
@@ -35,6 +37,25 @@ impl Item {
     }
 }
 
+/// Brackets that may be open at once: the parser takes a kilobyte of stack for each. A scene needs two.
+const MAX_NESTING: usize = 8;
+
+/// Where a text nests deeper than that [bytes].
+fn too_deep(text: &str) -> Option<usize> {
+    let mut depth = 0_usize;
+    for token in Source::new(text).lex() {
+        match token.kind() {
+            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
+            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth > MAX_NESTING {
+            return Some(token.span().start());
+        }
+    }
+    None
+}
+
 impl Scene {
     /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
     pub fn parse(text: &[u8]) -> Result<Self, Vec<Fault>> {
@@ -48,6 +69,14 @@ impl Scene {
             vec![Fault { line, column: 1, sentence: "not UTF-8".to_owned() }]
         })?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        if let Some(at) = too_deep(text) {
+            let mut faults = Faults::new(text);
+            faults.add(
+                &(at..at),
+                format!("brackets within brackets, more than {MAX_NESTING}: a scene has none"),
+            );
+            return Err(faults.into_list());
+        }
         let (root, errors) = DeTable::parse_recoverable(text);
         let mut reader = Reader {
             faults: Faults::new(text),
