@@ -143,7 +143,7 @@ int main(int argc, char **argv)
         if (log != NULL) {
             check(sins_log_get_sample(log, k, &sample, NULL), "sample");
         } else {
-            check(sins_flight_sample_at(flight, fmin((double)k * (1 / setup.rate_hz), flight_s), &sample), "sample");
+            check(sins_flight_sample_at(flight, fmin((double)k / setup.rate_hz, flight_s), &sample), "sample");
         }
         check(sins_scene_prepare(scene, sim, start_s, &sample), "prepare");
         check(sins_push_sample(sim, &sample), "push");

@@ -5,6 +5,7 @@ use toml::de::{DeInteger, DeTable, DeValue};
 use super::draft::Draft;
 use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
+use super::read::too_deep;
 
 /// What stands behind a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +45,9 @@ impl Value {
     /// Of a setting beside a text: a value of TOML, or else a text without quotes.
     pub fn of_setting(text: &str) -> Self {
         let line = format!("value = {text}");
+        if too_deep(&line).is_some() {
+            return Self::Text(text.to_owned());
+        }
         let (table, errors) = DeTable::parse_recoverable(&line);
         let table = table.get_ref();
         match table.get("value") {
@@ -107,11 +111,10 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             let numbers = value.numbers().and_then(|numbers| elements(shape, value, &numbers));
             let Some(numbers) = numbers else { return Err(refused(expected())) };
             let unit_si = if in_si { 1.0 } else { unit.si };
-            if let Some((low, high)) = limits {
-                let in_unit = |number: &f64| (low..=high).contains(&(number * (unit_si / unit.si)));
-                if !numbers.iter().all(in_unit) {
-                    return Err(refused(expected()));
-                }
+            if let Some((low, high)) = key.limits_si()
+                && !numbers.iter().all(|number| (low..=high).contains(&(number * unit_si)))
+            {
+                return Err(refused(expected()));
             }
             for (to, number) in place.of(draft).into_iter().zip(numbers) {
                 *to = number * unit_si;

@@ -113,7 +113,7 @@ impl Given {
         match &self.motion {
             // Rounding must not carry the last time over the end.
             Motion::Flight(flight) => {
-                flight.sample_at((index as f64 * self.period_s).min(flight.duration_s()))
+                flight.sample_at((index as f64 / self.scene.rate_hz).min(flight.duration_s()))
             }
             Motion::Log(_, log) => Ok(log.samples()[index]),
         }
