@@ -117,6 +117,49 @@ fn the_built_in_scenes_are_the_same() {
     }
 }
 
+/// The example of a host ends each scene with the errors of the last record: navigation minus truth, and the error model's.
+#[test]
+fn the_example_host_ends_with_the_same_errors() {
+    let host = link("harness", "c_examples/harness.c");
+    // To a time of a record, as the program writes no other; or slower.
+    for (scene, settings) in [
+        ("drone", &["flight.hours=0.045"][..]),
+        ("fighter", &[]),
+        ("patrol", &["flight.rate_hz=1", "flight.hours=2"]),
+        ("trainer", &["flight.hours=0.85", "output.every_s=10"]),
+    ] {
+        let folder = folder(&format!("example_{scene}"));
+        let file = project_file(&format!("c_examples/scenes/{scene}.toml"));
+        let settings: Vec<&str> = settings.iter().flat_map(|setting| ["--set", setting]).collect();
+        let file = file.to_str().unwrap();
+        done(&folder, &[&["fly", file, "-q", "--name", "run"], &settings[..]].concat());
+        let text = done(&folder, &[&["scene", "write", file], &settings[..]].concat());
+        let flights = project_file("c_examples/flights");
+        std::fs::write(folder.join("scene.toml"), text.replace("../flights", flights.to_str().unwrap())).unwrap();
+        let output = Command::new(&host).arg("scene.toml").current_dir(&folder).output().unwrap();
+        assert!(output.status.success(), "{scene}: {}", String::from_utf8_lossy(&output.stderr));
+
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let kinds = ["position m ", "velocity m/s ", "misalignment rad "];
+        let rows = printed.lines().filter(|line| kinds.iter().any(|kind| line.starts_with(kind)));
+        let found: Vec<[f64; 2]> = rows
+            .map(|line| {
+                let mut fields = line.split_whitespace().rev().map(|field| field.parse().unwrap());
+                let model = fields.next().unwrap();
+                [fields.next().unwrap(), model]
+            })
+            .collect();
+        let (columns, records) = numbers(&folder.join("sins_out/run.csv"));
+        let last = records.last().unwrap();
+        let first = |name: &str| columns.iter().position(|column| column == name).unwrap();
+        let [of_navigation, of_model] =
+            ["navigation_error_position_east_m", "model_error_position_east_m"].map(first);
+        let expected: Vec<[f64; 2]> = (0..9).map(|k| [last[of_navigation + k], last[of_model + k]]).collect();
+        assert_eq!(found, expected, "{scene}");
+        assert!(found[0][0] != 0.0, "{scene}");
+    }
+}
+
 /// Features that other crates of the program switch on in common dependencies change no bit of the library: its digests in this build
 /// are those that C hosts have.
 #[test]
