@@ -163,10 +163,11 @@ AT(sins_fault, count, 8);
 AT(sins_fault, column, 24);
 AT(sins_fault, sentence, 32);
 
-SIZE(sins_scene_setup, SINS_SIZEOF_SCENE_SETUP, 64);
+SIZE(sins_scene_setup, SINS_SIZEOF_SCENE_SETUP, 72);
 AT(sins_scene_setup, flight, 8);
-AT(sins_scene_setup, duration_s, 16);
-AT(sins_scene_setup, every_s, 56);
+AT(sins_scene_setup, quiet, 16);
+AT(sins_scene_setup, duration_s, 24);
+AT(sins_scene_setup, every_s, 64);
 
 SIZE(sins_planned_failure, SINS_SIZEOF_PLANNED_FAILURE, 80);
 AT(sins_planned_failure, sensor, 8);

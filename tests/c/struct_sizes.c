@@ -222,8 +222,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     CHECK(sins_scene_create(&scene) == SINS_OK);
     CHECK(sins_scene_parse("[", 1, &faulty) == SINS_SCENE_HAS_FAULTS);
     INPUT_SIZES(sins_options, sins_scene_set_options(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_set_gyro(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_set_accel(scene, pointer));
+    INPUT_SIZES(sins_gyro_params, sins_scene_set_gyro(scene, pointer));
+    INPUT_SIZES(sins_accel_params, sins_scene_set_accel(scene, pointer));
     INPUT_SIZES(sins_altimeter_params, sins_scene_set_altimeter(scene, pointer));
     INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
     INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
@@ -235,8 +235,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     OUTPUT_SIZES(sins_flight_start, get_manoeuvres(scene, pointer, NULL));
     OUTPUT_SIZES(sins_manoeuvre, get_manoeuvres(scene, NULL, pointer));
     OUTPUT_SIZES(sins_options, sins_scene_get_options(scene, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_get_gyro(scene, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_get_accel(scene, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_scene_get_gyro(scene, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_scene_get_accel(scene, pointer));
     OUTPUT_SIZES(sins_altimeter_params, sins_scene_get_altimeter(scene, pointer));
     OUTPUT_SIZES(sins_initial_errors, sins_scene_get_initial_errors(scene, pointer));
     OUTPUT_SIZES(sins_mounting, sins_scene_get_mounting(scene, pointer));
