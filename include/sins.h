@@ -632,8 +632,8 @@ typedef struct sins_gyro_params {
     /* Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
     double bias_sigma_rad_s[3];
     /*
-     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from the
-     * first sample on.
+     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
+     * the first sample on.
      */
     double markov_sigma_rad_s[3];
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
@@ -671,13 +671,13 @@ typedef struct sins_gyro_params {
      */
     double misalignment_sigma_rad[9];
     /*
-     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1. The
-     * error of a gyro is the sum over the three axes of its row times the true specific force along them.
+     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
+     * The error of a gyro is the sum over the three axes of its row times the true specific force along them.
      */
     double g_sensitivity_rad_s_per_m_s2[9];
     /*
-     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2], -1 to
-     * 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+     * -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
      * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
      * sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
      * nonlinearity.
@@ -698,8 +698,8 @@ typedef struct sins_gyro_params {
     /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
-     * first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+     * the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
@@ -731,8 +731,8 @@ typedef struct sins_accel_params {
     /* Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
     double bias_sigma_m_s2[3];
     /*
-     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from the
-     * first sample on.
+     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
+     * the first sample on.
      */
     double markov_sigma_m_s2[3];
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
@@ -747,8 +747,8 @@ typedef struct sins_accel_params {
     /* Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
     /*
-     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on: the
-     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
+     * the Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_m_s2[3];
     /* Scale factor error [1], -1 to 1. */
@@ -772,10 +772,10 @@ typedef struct sins_accel_params {
     /* Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2. */
     double vibration_rectification_s2_m[3];
     /*
-     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m], -100
-     * to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in motion
-     * see sins_mounting; the velocity lacks the change of rate in the first interval for good. With sins_push_imu()
-     * the angular acceleration follows from the increments before.
+     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
+     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
+     * motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
+     * sins_push_imu() the angular acceleration follows from the increments before.
      */
     double lever_arm_m[9];
     /*
@@ -793,8 +793,8 @@ typedef struct sins_accel_params {
     /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
-     * first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+     * the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
