@@ -2,6 +2,7 @@
 
 mod beside;
 mod fly;
+mod moved;
 mod snapshot;
 
 use core::ops::Range;

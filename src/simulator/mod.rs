@@ -33,7 +33,7 @@ use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
+use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthPoint};
 use chain::Chain;
 use navigator::Navigator;
 use signals::Signals;
@@ -114,10 +114,16 @@ impl Simulator {
     }
 
     /// Takes one flight-control sample in.
-    pub fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
+    pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.refuse_while_navigating()?;
         self.sensors.check_temperature(sample.temperature_c)?;
-        self.intake.push(sample)
+        let pushed = self.intake.push(sample)?;
+        if pushed == Pushed::FirstVelocity
+            && let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current())
+        {
+            chain.take_first_velocity(current);
+        }
+        Ok(pushed)
     }
 
     /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors.
@@ -181,6 +187,34 @@ impl Simulator {
         self.sensors.check_temperature(sample.temperature_c)?;
         self.intake.restart(sample)?;
         self.wait();
+        Ok(())
+    }
+
+    /// The truth jumps to `sample`, which may be at another time; the INS goes on there with the errors that it has. Samples that
+    /// wait are dropped. Before the first step it is [`Self::reposition`].
+    #[inline(never)]
+    pub fn move_truth(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        self.refuse_while_navigating()?;
+        self.sensors.check_temperature(sample.temperature_c)?;
+        match (&mut self.mode, self.intake.current()) {
+            (Mode::Flying(chain), Some(current)) => {
+                let point = self.intake.first_point(sample)?;
+                chain.move_truth(current, &point, &mut self.sensors)?;
+                self.intake.go_on_from(point);
+                Ok(())
+            }
+            _ => self.reposition(sample),
+        }
+    }
+
+    /// The sample that was pushed last counts as at `time_s` [s] from now on; everything else is as it was. The flight goes on as
+    /// one whose stamps never jumped.
+    pub fn move_time(&mut self, time_s: f64) -> Result<(), Error> {
+        self.refuse_while_navigating()?;
+        let shift_s = self.intake.move_time(time_s)?;
+        if let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current()) {
+            chain.move_time(shift_s, current.time_s);
+        }
         Ok(())
     }
 

@@ -7,8 +7,7 @@ mod sample;
 mod steps;
 
 pub(crate) use intake::{INTERVALS_S, MAX_GAP_S};
-pub use intake::{Intake, IntakeLimits};
-pub(crate) use point::GAP;
+pub use intake::{Intake, IntakeLimits, Pushed};
 pub use point::TruthPoint;
 pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;

@@ -45,7 +45,7 @@ impl Chain {
     }
 
     /// Whether the mechanization can follow the truth to `next`.
-    fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
+    pub(super) fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
         if self.options.frame == Frame::Geographic {
             let cos = sin_cos(next.sample.place.latitude_rad).1;
             if cos < Mechanization::MIN_COS_LATITUDE {
