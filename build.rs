@@ -32,7 +32,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 25] = [
     "version",
     "failure",
     "options",
@@ -48,6 +48,7 @@ const SOURCES: [&str; 24] = [
     "run",
     "solution",
     "accuracy",
+    "truth_summary",
     "record",
     "navigator",
     "snapshot",

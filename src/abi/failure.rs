@@ -13,6 +13,10 @@ pub const SINS_OK: i32 = 0;
 pub const SINS_NEED_SAMPLE: i32 = 1;
 /// No options meet the requirement; the outputs tell the best there are.
 pub const SINS_REQUIREMENT_NOT_MET: i32 = 2;
+/// The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
+/// two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
+/// the vehicle stood still, that is wrong: see sins_move_time().
+pub const SINS_GAP: i32 = 3;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: i32 = -1;
 /// The handle is null, made up, destroyed, or of the other kind.
@@ -25,7 +29,7 @@ pub const SINS_ERROR_INVALID_ARGUMENT: i32 = -4;
 pub const SINS_ERROR_BAD_STATE: i32 = -5;
 /// A sample that is not later than the one before, or off the stated sample period.
 pub const SINS_ERROR_TIME_ORDER: i32 = -6;
-/// Truth jumped: a gap, a teleport, half a turn between two samples. See sins_reposition().
+/// Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
 pub const SINS_ERROR_DISCONTINUITY: i32 = -7;
 /// The queue of samples is full: step first.
 pub const SINS_ERROR_QUEUE_FULL: i32 = -8;

@@ -54,6 +54,7 @@ mod simulator;
 mod snapshot;
 mod solution;
 mod thread;
+mod truth_summary;
 mod version;
 
 pub use accel::*;
@@ -91,4 +92,5 @@ pub use sensor_failure::*;
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
+pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use version::*;

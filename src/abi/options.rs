@@ -37,6 +37,11 @@ pub const SINS_ERROR_MODEL_OFF: i32 = 0;
 /// The error differential equations (error data 1) by fourth-order Runge-Kutta.
 pub const SINS_ERROR_MODEL_RK4: i32 = 1;
 
+/// sins_get_truth_summary() is not available.
+pub const SINS_TRUTH_SUMMARY_OFF: i32 = 0;
+/// The motion of the truth is summed up; the other outputs have the same bits.
+pub const SINS_TRUTH_SUMMARY_ON: i32 = 1;
+
 /// World Geodetic System 1984.
 pub const SINS_EARTH_WGS84: i32 = 0;
 /// China Geodetic Coordinate System 2000.
@@ -106,9 +111,13 @@ pub struct sins_options {
     /// Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
     /// 0: 2000 m/s2.
     pub max_acceleration_m_s2: f64,
+    /// SINS_TRUTH_SUMMARY_...
+    pub truth_summary: i32,
+    /// Must be 0.
+    pub reserved2: u32,
 }
 
-interface_struct!(sins_options, "options", 96);
+interface_struct!(sins_options, "options", 104);
 
 /// The value of an enumeration field.
 pub(super) fn one_of<T: Copy>(
@@ -193,11 +202,20 @@ impl sins_options {
             sample_period_s: options.intake.period_s.unwrap_or(0.0),
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
+            truth_summary: if options.truth_summary { SINS_TRUTH_SUMMARY_ON } else { SINS_TRUTH_SUMMARY_OFF },
+            reserved2: 0,
         }
     }
 
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
+        check_reserved("options.reserved2", self.reserved2)?;
+        let truth_summary = one_of(
+            "options.truth_summary",
+            self.truth_summary,
+            &[(SINS_TRUTH_SUMMARY_OFF, false), (SINS_TRUTH_SUMMARY_ON, true)],
+            "must be a SINS_TRUTH_SUMMARY_ constant, 0 or 1",
+        )?;
         let frame = one_of(
             "options.frame",
             self.frame,
@@ -280,6 +298,7 @@ impl sins_options {
                 max_acceleration_m_s2: or(self.max_acceleration_m_s2, defaults.intake.max_acceleration_m_s2),
                 period_s: (self.sample_period_s != 0.0).then_some(self.sample_period_s),
             },
+            truth_summary,
         })
     }
 }

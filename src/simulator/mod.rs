@@ -33,7 +33,7 @@ use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthPoint};
+use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthPoint, TruthSummary};
 use chain::Chain;
 use navigator::Navigator;
 use signals::Signals;
@@ -81,6 +81,8 @@ pub struct Simulator {
     sensors: SensorSuite,
     /// Of a flight to come: a chain that flies has them.
     signals: Signals,
+    /// Likewise, of the flights so far, if it is wanted.
+    summary: Option<TruthSummary>,
     mode: Mode,
 }
 
@@ -104,6 +106,7 @@ impl Simulator {
             intake,
             sensors: SensorSuite::new(options),
             signals,
+            summary: options.truth_summary.then(TruthSummary::default),
             mode: Mode::Waiting,
         }
     }
@@ -148,6 +151,7 @@ impl Simulator {
         let mut sensors = self.sensors.clone();
         sensors.reposition(first.current.sample.place.height_m);
         chain.signals = core::mem::take(&mut self.signals);
+        chain.set_summary(self.summary);
         if let Err(error) = chain.advance(&first, &mut sensors) {
             self.signals = chain.signals;
             return Err(error);
@@ -224,12 +228,14 @@ impl Simulator {
         self.intake.clear();
         self.sensors = self.sensors.restarted(&self.options);
         self.wait();
+        self.summary = self.options.truth_summary.then(TruthSummary::default);
     }
 
     /// No flight any more: before the first step.
     fn wait(&mut self) {
         if let Mode::Flying(chain) = &mut self.mode {
             self.signals = core::mem::take(&mut chain.signals);
+            self.summary = chain.summary;
         }
         self.mode = Mode::Waiting;
     }
@@ -265,6 +271,20 @@ impl Simulator {
             (_, _, Some(first)) => Some(Solution::of_truth(&self.options, &self.earth, first)),
             _ => None,
         })
+    }
+
+    /// Figures of the true motion since the start or the last reset, repositions and jumps between; `None` before the first
+    /// interval.
+    pub fn truth_summary(&self) -> Result<Option<TruthSummary>, Error> {
+        self.refuse_while_navigating()?;
+        let summary = match &self.mode {
+            Mode::Flying(chain) => &chain.summary,
+            _ => &self.summary,
+        };
+        match summary {
+            None => Err(Error::bad_state("the truth is not summed up: options.truth_summary")),
+            Some(summary) => Ok((summary.intervals > 0).then_some(*summary)),
+        }
     }
 
     /// The navigated solution; `None` before the first sample.

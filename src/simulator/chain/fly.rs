@@ -40,6 +40,8 @@ impl Chain {
         let result = self.fly(parts, recent, sensors);
         if result.is_err() {
             (self.block, self.disturbance, self.closed_loop) = (block, disturbance, closed_loop);
+        } else if let Some(summary) = &mut self.summary {
+            summary.add(&self.earth, self.options.axes, recent);
         }
         result
     }

@@ -33,9 +33,11 @@ impl Stored for Chain {
             closed_loop,
             block,
             disturbance,
+            summary,
             is_plain: _,
             views: _,
         } = self;
+        summary.iter().for_each(|summary| summary.save(to));
         generator.save(to);
         self.imu().save(to);
         self.last.vertical_unaided().unwrap_or_default().save(to);
@@ -55,6 +57,9 @@ impl Stored for Chain {
     }
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        if let Some(summary) = &mut self.summary {
+            summary.load(from)?;
+        }
         self.generator.load(from)?;
         let mut imu: Option<ImuInterval> = None;
         imu.load(from)?;
