@@ -32,7 +32,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 25] = [
+const SOURCES: [&str; 30] = [
     "version",
     "failure",
     "options",
@@ -55,6 +55,11 @@ const SOURCES: [&str; 25] = [
     "preset",
     "manoeuvre",
     "flight",
+    "scene",
+    "fault_report",
+    "scene_settings",
+    "scene_flight",
+    "log",
     "recommend",
     "budget",
     "budget_answer",

@@ -29,7 +29,8 @@
  *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
- *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
+ *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
+ *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
@@ -46,15 +47,16 @@
  *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
  *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
  *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
- * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
+ * Real time. Push, step, run, the reads, the setters, reset, reposition, moving time and truth, and saving a snapshot make no allocation and no system
  *   call, unless the handle is in use in another thread. The library prints nothing, reads no environment and no file, and
  *   leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
  *   themselves, and the first create draws the numbers of its handles from the clock.)
- *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
- *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY, and so is each after it: take the pause off the stamps, or sins_reposition(). A shorter gap
- *     is an interval that was flown, the velocity times its length: take it off too if the vehicle stood still.
+ *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. If the
+ *     stamps go on where they stopped, there is nothing to do. If the host's clock ran on, call sins_move_time() with the time at
+ *     which the vehicle moves on, before the next push: the flight goes on as if there had been no pause. Without that call the
+ *     first sample after a pause of more than max_gap_s is SINS_ERROR_DISCONTINUITY, and so is each after it; a shorter pause is
+ *     flown as an interval, the velocity times its length, and its push answers SINS_GAP.
  *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
  *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
  *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
@@ -66,11 +68,29 @@
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
  *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
  *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
- *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
+ *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place, and its errors
+ *     with it: for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to a saved moment:
  *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
+ *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
+ *
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() tells each and its place
+ *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
+ *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
+ *     while (...) {
+ *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures in their time
+ *         sins_push_sample(sim, &sample);
+ *         sins_step(sim);
+ *     }
+ *
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_...: a program that is
+ *   linked with them does not link or does not start. A program that loads the library by itself looks up sins_scene_create,
+ *   by dlsym() or GetProcAddress(): not there, no scenes. All else is the same.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -123,11 +143,13 @@ extern "C" {
 #endif
 
 /*
- * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up, destroyed or
  * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
+typedef struct sins_scene sins_scene;
+typedef struct sins_log sins_log;
 
 /*
  * Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
@@ -151,6 +173,16 @@ typedef struct sins_flight sins_flight;
 /* No options meet the requirement; the outputs tell the best there are. */
 #define SINS_REQUIREMENT_NOT_MET 2
 
+/* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
+#define SINS_SCENE_HAS_FAULTS 3
+
+/*
+ * The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
+ * two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
+ * the vehicle stood still, that is wrong: see sins_move_time().
+ */
+#define SINS_GAP 4
+
 /* A pointer that must not be null is. */
 #define SINS_ERROR_NULL_POINTER (-1)
 /* The handle is null, made up, destroyed, or of the other kind. */
@@ -163,7 +195,7 @@ typedef struct sins_flight sins_flight;
 #define SINS_ERROR_BAD_STATE (-5)
 /* A sample that is not later than the one before, or off the stated sample period. */
 #define SINS_ERROR_TIME_ORDER (-6)
-/* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_reposition(). */
+/* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
 #define SINS_ERROR_DISCONTINUITY (-7)
 /* The queue of samples is full: step first. */
 #define SINS_ERROR_QUEUE_FULL (-8)
@@ -209,6 +241,11 @@ typedef struct sins_flight sins_flight;
 #define SINS_ERROR_MODEL_OFF 0
 /* The error differential equations (error data 1) by fourth-order Runge-Kutta. */
 #define SINS_ERROR_MODEL_RK4 1
+
+/* sins_get_truth_summary() is not available. */
+#define SINS_TRUTH_SUMMARY_OFF 0
+/* The motion of the truth is summed up; the other outputs have the same bits. */
+#define SINS_TRUTH_SUMMARY_ON 1
 
 /* World Geodetic System 1984. */
 #define SINS_EARTH_WGS84 0
@@ -393,6 +430,25 @@ typedef struct sins_flight sins_flight;
 /* The sinusoid moves heading alone [rad]. */
 #define SINS_CHANNEL_HEADING 5
 
+/* The flight of the scene is composed of manoeuvres. */
+#define SINS_SCENE_FLIGHT_MANOEUVRES 0
+/* That of a built-in scene, SINS_SCENE_TEXT_BUILTIN. */
+#define SINS_SCENE_FLIGHT_BUILTIN 1
+/* A flight log, SINS_SCENE_TEXT_LOG. */
+#define SINS_SCENE_FLIGHT_LOG 2
+/* The scene in words. */
+#define SINS_SCENE_TEXT_TITLE 0
+/* Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log. */
+#define SINS_SCENE_TEXT_LOG 1
+/* Name of the built-in scene whose flight is flown; setting it makes the flight that. */
+#define SINS_SCENE_TEXT_BUILTIN 2
+/* Folder of the files that a program writes. */
+#define SINS_SCENE_TEXT_FOLDER 3
+/* Base name of those files. */
+#define SINS_SCENE_TEXT_NAME 4
+/* File of the measured increments. */
+#define SINS_SCENE_TEXT_IMU 5
+
 /* The row's figures are standard deviations (1 sigma) over the runs. */
 #define SINS_BUDGET_RANDOM 1
 /* The effect can be left out together with the others that are marked so. */
@@ -448,6 +504,10 @@ typedef struct sins_options {
      * 0: 2000 m/s2.
      */
     double max_acceleration_m_s2;
+    /* SINS_TRUTH_SUMMARY_... */
+    int32_t truth_summary;
+    /* Must be 0. */
+    uint32_t reserved2;
 } sins_options;
 
 /*
@@ -970,7 +1030,7 @@ typedef struct sins_errors {
 } sins_errors;
 
 /*
- * Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
+ * Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors sampled once a second. They describe one run,
  * which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
  */
 typedef struct sins_accuracy {
@@ -1030,6 +1090,79 @@ typedef struct sins_accuracy {
     /* The same of the specific force [m/s2]. */
     double trim_force_max_m_s2;
 } sins_accuracy;
+
+/*
+ * The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
+ * exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
+ * exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights and
+ * climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
+ * time stamp of the sample that it came with.
+ */
+typedef struct sins_truth_summary {
+    /* sizeof(sins_truth_summary) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Intervals flown. */
+    uint64_t intervals;
+    /* Those of them that are gaps (see SINS_GAP). */
+    uint64_t gaps;
+    /* Samples faster than 30 m/s: sideslip and angle of attack are of these. */
+    uint64_t fast_samples;
+    /* Sum of the lengths of the intervals [s]. */
+    double flown_s;
+    /* Time stamps of the first and of the last sample [s]. */
+    double first_s;
+    /* See first_s. */
+    double last_s;
+    /* Longest interval [s]. */
+    double interval_max_s;
+    /* When [s]. */
+    double interval_max_at_s;
+    /* Largest rotation in an interval [rad]. */
+    double turn_max_rad;
+    /* When [s]. */
+    double turn_max_at_s;
+    /* Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s]. */
+    double rate_max_rad_s;
+    /* When [s]. */
+    double rate_max_at_s;
+    /* Largest acceleration against the Earth, by the velocities [m/s2]. */
+    double acceleration_max_m_s2;
+    /* When [s]. */
+    double acceleration_max_at_s;
+    /* Largest specific force: by the velocities and gravity, or the samples' own [m/s2]. */
+    double force_max_m_s2;
+    /* When [s]. */
+    double force_max_at_s;
+    /* Largest displacement in an interval that the mean of the velocities at its ends does not explain [m]. */
+    double inconsistency_max_m;
+    /* When [s]. */
+    double inconsistency_max_at_s;
+    /* Largest speed against the Earth [m/s]. */
+    double speed_max_m_s;
+    /* When [s]. */
+    double speed_max_at_s;
+    /* Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it [rad]. */
+    double sideslip_max_rad;
+    /* When [s]. */
+    double sideslip_max_at_s;
+    /*
+     * Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
+     * symmetry [rad].
+     */
+    double attack_max_rad;
+    /* When [s]. */
+    double attack_max_at_s;
+    /* Lowest height [m]. */
+    double height_min_m;
+    /* When [s]. */
+    double height_min_at_s;
+    /* Highest height [m]. */
+    double height_max_m;
+    /* When [s]. */
+    double height_max_at_s;
+} sins_truth_summary;
 
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
 typedef struct sins_imu_increment {
@@ -1114,6 +1247,90 @@ typedef struct sins_manoeuvre {
     /* Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad]. */
     double phase_rad[6];
 } sins_manoeuvre;
+
+/* A fault of the text of a scene or of a flight log. */
+typedef struct sins_fault {
+    /* sizeof(sins_fault) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Faults of the text, 200 at the most. */
+    uint64_t count;
+    /* Line of this one, from 1. */
+    uint64_t line;
+    /* Column, in characters from 1; of a flight log the column of the table. */
+    uint64_t column;
+    /* Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer. */
+    char sentence[256];
+} sins_fault;
+
+/* What a scene says of its flight and of its output. */
+typedef struct sins_scene_setup {
+    /* sizeof(sins_scene_setup) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_SCENE_FLIGHT_...; read only: a set call passes over it. */
+    int32_t flight;
+    /* 1: samples get the temperature below; 0: none. */
+    int32_t has_temperature;
+    /* How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s]. */
+    double duration_s;
+    /* How long that is; 0 of a log, whose length the log tells; read only [s]. */
+    double flown_s;
+    /* Sample rate, 1e-3 to 2e4; of a log none [Hz]. */
+    double rate_hz;
+    /* Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C]. */
+    double temperature_c;
+    /* Its change, -300 to 300 [deg C/s]. */
+    double temperature_change_c_s;
+    /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
+    double every_s;
+} sins_scene_setup;
+
+/* A failure that a scene plans. */
+typedef struct sins_planned_failure {
+    /* sizeof(sins_planned_failure) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* SINS_SENSOR_... */
+    int32_t sensor;
+    /* 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0. */
+    int32_t axis;
+    /* When it begins, 0 to 1e9 since the start of the flight [s]. */
+    double from_s;
+    /* When it ends, likewise; 0: at the end of the flight [s]. */
+    double until_s;
+    /* SINS_FAILURE_..., but not SINS_FAILURE_NONE. */
+    int32_t kind;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* This and the following as in sins_failure. */
+    double size;
+    /* See sins_failure. */
+    double density;
+    /* See sins_failure [s]. */
+    double interval_s;
+    /* See sins_failure [s]. */
+    double duration_s;
+    /* See sins_failure. */
+    double probability;
+} sins_planned_failure;
+
+/* What a flight log holds. */
+typedef struct sins_log_info {
+    /* sizeof(sins_log_info) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Samples. */
+    uint64_t samples;
+    /* From the first to the last of them [s]. */
+    double duration_s;
+    /* The comment in the first line of the log, UTF-8, terminated; empty: none. */
+    char title[192];
+} sins_log_info;
 
 /*
  * Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
@@ -1290,7 +1507,7 @@ SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
  * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
- * simulator (create, presets, flights, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
+ * simulator (create, presets, flights, scenes, logs, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
  * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -1302,15 +1519,19 @@ SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
  * SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
- * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the last that was taken: no other is until one fits, or
- * sins_reposition(), which is for jumps.
+ * SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it as
+ * motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call sins_move_time()
+ * before this push; the push cannot be taken back.
+ * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken
+ * until one fits, or until sins_move_time() for a gap, sins_move_truth() or sins_reposition() for a jump.
  * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
- * further one one more. No allocation, no system call.
+ * further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
+ * the velocity times its length; sins_push_sample() answers SINS_GAP for it.
  *
  * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
  * reference point or of the closed loop's own error-free navigator beyond -500 km or
@@ -1321,8 +1542,42 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
- * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
- * errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump
+ * The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause in
+ * which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors, noise,
+ * waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight goes on to
+ * the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles; with a stated
+ * period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
+ * rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.98e9 to 1e10. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+ * increments, which have no stamps.
+ */
+SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
+
+/*
+ * The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
+ * the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those
+ * before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity
+ * there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
+ * factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting
+ * samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval
+ * before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+ *
+ * Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
+ * common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the shortest
+ * way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm and boresight,
+ * and what is wrong of them, make of that in the new attitude.
+ *
+ * Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
+ * SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+ * SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth away.
+ */
+SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_flight_sample *sample);
+
+/*
+ * The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors that
+ * it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go on where
+ * they were. Waiting samples and the running accuracy figures are dropped. Time may jump
  * too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
  * next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
  * first, and the next push makes an interval.
@@ -1439,6 +1694,8 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
  * those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
  *
+ * SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
+ * sins_get_truth_summary() counts them.
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
  * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
@@ -1487,6 +1744,14 @@ SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, st
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
+
+/*
+ * Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+ *
+ * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
+ * there is no truth.
+ */
+SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
 
 /*
  * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
@@ -1597,6 +1862,248 @@ SINS_API sins_status SINS_CALL sins_flight_sample_at(
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
+
+/*
+ * Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
+ * height 0, sampled at 100 Hz.
+ *
+ * On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
+ * SINS_ERROR_OUT_OF_MEMORY: 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for a real-time
+ * frame. Where there is no memory for a few kilobytes of text, those that read, copy or write a scene end the process.
+ */
+SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
+
+/*
+ * Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+ *
+ * SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
+ * that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
+ * sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
+
+/*
+ * Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, size_t index, struct sins_fault *fault);
+
+/*
+ * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
+ * "over_the_pole", "coning", "commuter".
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
+
+/*
+ * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
+ *
+ * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
+ * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_write(
+    const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+ * needed as in sins_scene_write().
+ */
+SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
+ * their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *scene, sins_sim **sim);
+
+/*
+ * Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
+ * up to sins_scene_setup.flown_s.
+ *
+ * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
+ * sins_flight_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
+
+/*
+ * Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+ * next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
+ * interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+ * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+ *
+ * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges. SINS_ERROR_BAD_STATE: as
+ * sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_prepare(
+    const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
+
+/*
+ * Destroys a scene. Simulators and flights that were made of it live on.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
+
+/*
+ * Reads the options of the scene.
+ *
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
+
+/*
+ * Sets the options of the scene; on an error, as for every part, the scene is as it was.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_options(sins_scene *scene, const struct sins_options *options);
+
+/* Reads the gyro errors of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_gyro(const sins_scene *scene, struct sins_gyro_params *params);
+
+/*
+ * Sets the gyro errors of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_gyro(sins_scene *scene, const struct sins_gyro_params *params);
+
+/* Reads the accelerometer errors of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_accel(const sins_scene *scene, struct sins_accel_params *params);
+
+/*
+ * Sets the accelerometer errors of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_accel(sins_scene *scene, const struct sins_accel_params *params);
+
+/* Reads the errors of the scene's altimeter. */
+SINS_API sins_status SINS_CALL sins_scene_get_altimeter(const sins_scene *scene, struct sins_altimeter_params *params);
+
+/*
+ * Sets the errors of the scene's altimeter.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_altimeter(sins_scene *scene, const struct sins_altimeter_params *params);
+
+/* Reads the errors with which the navigation of the scene starts. */
+SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(const sins_scene *scene, struct sins_initial_errors *errors);
+
+/*
+ * Sets the errors with which the navigation of the scene starts.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(sins_scene *scene, const struct sins_initial_errors *errors);
+
+/* Reads where the sensor block of the scene sits. */
+SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, struct sins_mounting *mounting);
+
+/*
+ * Sets where the sensor block of the scene sits.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const struct sins_mounting *mounting);
+
+/* Reads true gravity less normal gravity of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(const sins_scene *scene, struct sins_gravity_params *params);
+
+/*
+ * Sets true gravity less normal gravity of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(sins_scene *scene, const struct sins_gravity_params *params);
+
+/* Reads what a scene says of its flight and of its output. */
+SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, struct sins_scene_setup *setup);
+
+/*
+ * Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
+
+/*
+ * Reads a text of the scene, SINS_SCENE_TEXT_...; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such text.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_text(
+    const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Sets a text of the scene: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_text(sins_scene *scene, int32_t which, const char *text);
+
+/* How many failures the scene plans. */
+SINS_API sins_status SINS_CALL sins_scene_get_failure_count(const sins_scene *scene, size_t *count);
+
+/*
+ * Planned failure `index`, from 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such failure.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_failure(
+    const sins_scene *scene, size_t index, struct sins_planned_failure *failure);
+
+/*
+ * Plans one failure more.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+ */
+SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const struct sins_planned_failure *failure);
+
+/* Plans no failure any more. */
+SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
+
+/*
+ * Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
+ * order; columns of other names are passed over:
+ *
+ * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
+ * heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+ * rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+ *
+ * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
+ * ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
+ * *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+ */
+SINS_API sins_status SINS_CALL sins_log_parse(
+    const char *text, size_t size, sins_log **log, struct sins_fault *fault);
+
+/* Tells how many samples a log has, how long it is, and its title. */
+SINS_API sins_status SINS_CALL sins_log_get_info(const sins_log *log, struct sins_log_info *info);
+
+/*
+ * The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the text
+ * on which it stands, from 1. No allocation.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such sample.
+ */
+SINS_API sins_status SINS_CALL sins_log_get_sample(
+    const sins_log *log, size_t index, struct sins_flight_sample *sample, uint64_t *line);
+
+/*
+ * Destroys a flight log.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that

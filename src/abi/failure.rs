@@ -13,10 +13,12 @@ pub const SINS_OK: i32 = 0;
 pub const SINS_NEED_SAMPLE: i32 = 1;
 /// No options meet the requirement; the outputs tell the best there are.
 pub const SINS_REQUIREMENT_NOT_MET: i32 = 2;
+/// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+pub const SINS_SCENE_HAS_FAULTS: i32 = 3;
 /// The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
 /// two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
 /// the vehicle stood still, that is wrong: see sins_move_time().
-pub const SINS_GAP: i32 = 3;
+pub const SINS_GAP: i32 = 4;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: i32 = -1;
 /// The handle is null, made up, destroyed, or of the other kind.

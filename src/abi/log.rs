@@ -35,7 +35,7 @@ pub struct sins_log_info {
 
 interface_struct!(sins_log_info, "info", 216);
 
-static LOGS: Registry<FlightLog> = Registry::new(4);
+pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
 
 fn with_log(
     log: *const sins_log,

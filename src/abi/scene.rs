@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
 use super::fault_report::sins_fault;
 use super::flight::{self, sins_flight};
 use super::memory::{Output, bytes_of, put, put_text, read, text_of};
@@ -19,16 +19,13 @@ pub struct sins_scene {
     _opaque: [u8; 0],
 }
 
-/// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
-pub const SINS_SCENE_HAS_FAULTS: i32 = 3;
-
 /// What a text was: a scene, or what is wrong with it.
-enum Content {
+pub(super) enum Content {
     Scene(Box<Scene>),
     Faults(Vec<Fault>),
 }
 
-static SCENES: Registry<Content> = Registry::new(3);
+pub(super) static SCENES: Registry<Content> = Registry::new(3);
 
 fn with_content(
     scene: *const sins_scene,

@@ -107,7 +107,7 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
 
 /// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
 /// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
-/// simulator (create, presets, flights, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
+/// simulator (create, presets, flights, scenes, logs, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
 /// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.

@@ -70,6 +70,7 @@ fn name(status: sins_status) -> &'static CStr {
         SINS_OK => c"SINS_OK",
         SINS_NEED_SAMPLE => c"SINS_NEED_SAMPLE",
         SINS_REQUIREMENT_NOT_MET => c"SINS_REQUIREMENT_NOT_MET",
+        SINS_SCENE_HAS_FAULTS => c"SINS_SCENE_HAS_FAULTS",
         SINS_GAP => c"SINS_GAP",
         SINS_ERROR_NULL_POINTER => c"SINS_ERROR_NULL_POINTER",
         SINS_ERROR_BAD_HANDLE => c"SINS_ERROR_BAD_HANDLE",

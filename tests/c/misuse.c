@@ -11,6 +11,8 @@ enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
 
 static sins_sim *wrong_sims[WRONG_HANDLES];
 static sins_flight *wrong_flights[WRONG_HANDLES];
+static sins_scene *wrong_scenes[WRONG_HANDLES];
+static sins_log *wrong_logs[WRONG_HANDLES];
 
 static sins_flight *make_flight(void)
 {
@@ -37,6 +39,14 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_flights[STALE] = stale_flight;
     wrong_flights[MADE_UP] = (sins_flight *)(uintptr_t)4;
     wrong_flights[OTHER_KIND] = (sins_flight *)(void *)sim;
+    wrong_scenes[STALE] = scene_of_text();
+    wrong_scenes[MADE_UP] = (sins_scene *)(uintptr_t)3;
+    wrong_scenes[OTHER_KIND] = (sins_scene *)(void *)sim;
+    wrong_logs[STALE] = scene_log();
+    wrong_logs[MADE_UP] = (sins_log *)(uintptr_t)0xfffffff4;
+    wrong_logs[OTHER_KIND] = (sins_log *)(void *)flight;
+    CHECK(sins_scene_destroy(wrong_scenes[STALE]) == SINS_OK);
+    CHECK(sins_log_destroy(wrong_logs[STALE]) == SINS_OK);
 }
 
 /* Of all functions this one alone takes NULL for a simulator. */
@@ -53,9 +63,10 @@ static sins_status wrong_configured(const sins_sim *sim)
     return status;
 }
 
-static void handles(void)
+static void handles(sins_sim *living)
 {
     sins_status refused = SINS_ERROR_BAD_HANDLE;
+    sins_scene *scene = scene_of_text();
     int i;
     for (i = 0; i < WRONG_HANDLES; i++) {
         sins_sim *sim = wrong_sims[i];
@@ -66,6 +77,12 @@ static void handles(void)
 
         every_call(sim, every_answer_is, &refused);
         every_flight_call(wrong_flights[i], every_answer_is, &refused);
+        every_scene_call(wrong_scenes[i], living, every_answer_is, &refused);
+        every_fault_call(wrong_scenes[i], every_answer_is, &refused);
+        every_log_call(wrong_logs[i], every_answer_is, &refused);
+        CHECK(sins_scene_prepare(scene, sim, 0.0, &sample) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_scene_destroy(wrong_scenes[i]) == SINS_ERROR_BAD_HANDLE);
+        CHECK(sins_log_destroy(wrong_logs[i]) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_flight_destroy(wrong_flights[i]) == SINS_ERROR_BAD_HANDLE);
 
@@ -78,6 +95,51 @@ static void handles(void)
             CHECK(needed == 77 && strcmp(text, "before") == 0);
         }
     }
+    CHECK(sins_scene_destroy(scene) == SINS_OK);
+}
+
+static void null_pointers_of_scenes(sins_sim *sim)
+{
+    sins_scene *scene = scene_of_text(), *made = NULL;
+    sins_log *log = scene_log(), *made_log = NULL;
+    CHECK(sins_scene_create(NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_create_builtin(NULL, &made) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_create_builtin("patrol", NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_parse(NULL, 1, &made) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_parse(scene_text, 1, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_fault(scene, 0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_write(scene, NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_write_keys(NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_create_simulator(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_create_flight(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_prepare(scene, sim, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_options(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_options(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_gyro(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_gyro(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_accel(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_accel(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_altimeter(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_altimeter(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_initial_errors(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_initial_errors(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_mounting(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_mounting(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_gravity_disturbance(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_gravity_disturbance(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_setup(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_setup(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_failure_count(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_get_failure(scene, 0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_scene_add_failure(scene, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_log_parse(NULL, 1, &made_log, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_log_parse(scene_log_text, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_log_get_info(log, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_log_get_sample(log, 0, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(made == NULL && made_log == NULL);
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }
 
 static void null_pointers(sins_sim *sim, sins_flight *flight)
@@ -166,8 +228,9 @@ int main(void)
     CHECK(sins_get_navigation(sim, &before) == SINS_OK);
 
     make_wrong_handles(sim, flight);
-    handles();
+    handles(sim);
     null_pointers(sim, flight);
+    null_pointers_of_scenes(sim);
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

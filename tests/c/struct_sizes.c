@@ -185,6 +185,55 @@ static void strides(sins_sim *sim)
     }
 }
 
+static sins_status add_failure(sins_scene *scene, const sins_planned_failure *failure)
+{
+    CHECK(sins_scene_clear_failures(scene) == SINS_OK);
+    return sins_scene_add_failure(scene, failure);
+}
+
+/* A log that is none, whose fault is told; SINS_OK in place of the status that says so. */
+static sins_status fault_of_log(sins_fault *fault)
+{
+    sins_log *log = NULL;
+    sins_status status = sins_log_parse("time_s", 6, &log, fault);
+    CHECK(log == NULL);
+    return status == SINS_ERROR_INVALID_ARGUMENT ? SINS_OK : status;
+}
+
+static void struct_sizes_of_scenes(sins_sim *sim)
+{
+    sins_scene *scene = NULL, *faulty = NULL;
+    sins_log *log = scene_log();
+    CHECK(sins_scene_create(&scene) == SINS_OK);
+    CHECK(sins_scene_parse("[", 1, &faulty) == SINS_SCENE_HAS_FAULTS);
+    INPUT_SIZES(sins_options, sins_scene_set_options(scene, pointer));
+    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_set_gyro(scene, pointer));
+    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_set_accel(scene, pointer));
+    INPUT_SIZES(sins_altimeter_params, sins_scene_set_altimeter(scene, pointer));
+    INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
+    INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
+    INPUT_SIZES(sins_gravity_params, sins_scene_set_gravity_disturbance(scene, pointer));
+    INPUT_SIZES(sins_scene_setup, sins_scene_set_setup(scene, pointer));
+    INPUT_SIZES(sins_planned_failure, add_failure(scene, pointer));
+    OUTPUT_SIZES(sins_options, sins_scene_get_options(scene, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_get_gyro(scene, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_get_accel(scene, pointer));
+    OUTPUT_SIZES(sins_altimeter_params, sins_scene_get_altimeter(scene, pointer));
+    OUTPUT_SIZES(sins_initial_errors, sins_scene_get_initial_errors(scene, pointer));
+    OUTPUT_SIZES(sins_mounting, sins_scene_get_mounting(scene, pointer));
+    OUTPUT_SIZES(sins_gravity_params, sins_scene_get_gravity_disturbance(scene, pointer));
+    OUTPUT_SIZES(sins_scene_setup, sins_scene_get_setup(scene, pointer));
+    OUTPUT_SIZES(sins_fault, sins_scene_get_fault(faulty, 0, pointer));
+    OUTPUT_SIZES(sins_fault, fault_of_log(pointer));
+    OUTPUT_SIZES(sins_log_info, sins_log_get_info(log, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_scene_destroy(faulty) == SINS_OK);
+    scene = scene_of_text();
+    OUTPUT_SIZES(sins_planned_failure, sins_scene_get_failure(scene, 0, pointer));
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
+}
+
 static void struct_sizes(sins_sim *sim, sins_flight *flight)
 {
     sins_sim *fresh = NULL;
@@ -255,6 +304,7 @@ int main(void)
     sample.time_s = 0.01;
     CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) == SINS_OK);
     struct_sizes(sim, flight);
+    struct_sizes_of_scenes(sim);
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     printf("struct_sizes: every struct, from 0 to twice its size\n");
     return 0;
