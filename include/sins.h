@@ -1787,7 +1787,7 @@ SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_im
 /*
  * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.25 KiB
  * with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
- * besides; up to 145 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+ * besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 

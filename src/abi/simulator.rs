@@ -3,7 +3,9 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, last_failure};
-use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status};
+use super::failure::{
+    Failure, SINS_ERROR_INTERNAL, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status,
+};
 use super::memory::{put, put_text, read};
 use super::options::sins_options;
 use super::registry::Registry;

@@ -12,5 +12,5 @@ pub use intake::{Intake, IntakeLimits, Pushed};
 pub use point::TruthPoint;
 pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;
-pub use summary::{Extreme, TruthSummary};
 pub(crate) use sample::check_height;
+pub use summary::{Extreme, TruthSummary};

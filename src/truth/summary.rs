@@ -152,8 +152,7 @@ impl TruthSummary {
                 BodyAxes::ForwardRightDown => [v_b.y, v_b.x, -v_b.z],
             };
             self.fast_samples += 1;
-            self.sideslip_max
-                .take_larger(atan2(right, (forward * forward + up * up).sqrt()), time_s);
+            self.sideslip_max.take_larger(atan2(right, (forward * forward + up * up).sqrt()), time_s);
             self.attack_max.take_larger(atan2(-up, forward), time_s);
         }
     }

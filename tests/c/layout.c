@@ -14,7 +14,7 @@
 #define SIZE(type, size) CHECK(sizeof(struct type) == (size))
 #define AT(type, field, offset) CHECK(offsetof(struct type, field) == (offset))
 
-SIZE(sins_options, 96);
+SIZE(sins_options, 104);
 AT(sins_options, struct_size, 0);
 AT(sins_options, reserved, 4);
 AT(sins_options, frame, 8);
@@ -22,6 +22,7 @@ AT(sins_options, signal, 44);
 AT(sins_options, seed, 48);
 AT(sins_options, closed_loop_time_s, 64);
 AT(sins_options, max_acceleration_m_s2, 88);
+AT(sins_options, truth_summary, 96);
 
 SIZE(sins_gyro_params, 712);
 AT(sins_gyro_params, bias_rad_s, 8);
@@ -103,6 +104,12 @@ AT(sins_imu, flags, 4);
 AT(sins_imu, interval_s, 16);
 AT(sins_imu, ideal_angle_rad, 24);
 AT(sins_imu, measured_force_m_s2, 192);
+
+SIZE(sins_truth_summary, 232);
+AT(sins_truth_summary, intervals, 8);
+AT(sins_truth_summary, flown_s, 32);
+AT(sins_truth_summary, sideslip_max_rad, 168);
+AT(sins_truth_summary, height_max_at_s, 224);
 
 SIZE(sins_accuracy, 256);
 AT(sins_accuracy, window_samples, 32);

@@ -173,7 +173,8 @@ impl Host {
     /// A pause, or a slew.
     fn jump(&mut self) -> Call {
         if self.draws.one_in(2) {
-            self.time_s = self.draws.of(&[0.0, 1_700_000_000.123_456_7, -9.9e9, 9.9e9, self.time_s + 1.0, -1e10]);
+            self.time_s =
+                self.draws.of(&[0.0, 1_700_000_000.123_456_7, -9.9e9, 9.9e9, self.time_s + 1.0, -1e10]);
             return Call::MoveTime(self.time_s);
         }
         self.waiting = 0;

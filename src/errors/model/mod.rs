@@ -162,25 +162,27 @@ impl ErrorModel {
         from: &(Vertical, Vector3<f64>, bool),
         to: &(Vertical, Vector3<f64>, bool),
     ) -> Self {
-        let turned = |errors: StateErrors, (vertical, v_e, near_pole): &(Vertical, Vector3<f64>, bool), sign: f64| {
-            if !near_pole {
-                return errors;
-            }
-            let local = LocalGeometry::new(&self.earth, vertical);
-            let turn = Vector3::z() * (sign * local.rotation_of_axes(&errors.position_n).z);
-            StateErrors {
-                velocity_n: errors.velocity_n - turn.cross(&local.in_local_axes(v_e)),
-                misalignment_n: errors.misalignment_n + turn,
-                ..errors
-            }
-        };
+        let turned =
+            |errors: StateErrors, (vertical, v_e, near_pole): &(Vertical, Vector3<f64>, bool), sign: f64| {
+                if !near_pole {
+                    return errors;
+                }
+                let local = LocalGeometry::new(&self.earth, vertical);
+                let turn = Vector3::z() * (sign * local.rotation_of_axes(&errors.position_n).z);
+                StateErrors {
+                    velocity_n: errors.velocity_n - turn.cross(&local.in_local_axes(v_e)),
+                    misalignment_n: errors.misalignment_n + turn,
+                    ..errors
+                }
+            };
         let local = LocalGeometry::new(&self.earth, &from.0);
         let errors = turned(turned(self.in_local_terms(&local, &from.1), from, -1.0), to, 1.0);
         let frame = match self.form {
             Form::EarthFixed(_) => Frame::EarthFixed,
             Form::Geographic(_) => Frame::Geographic,
         };
-        let mut moved = Self { vertical: self.vertical, ..Self::new(self.earth, frame, &to.0, &to.1, &errors) };
+        let mut moved =
+            Self { vertical: self.vertical, ..Self::new(self.earth, frame, &to.0, &to.1, &errors) };
         moved.keep_within();
         moved
     }

@@ -42,7 +42,8 @@ impl Chain {
         let block = self.block.map(|block| block.turning_at(rate_at_start(&self.earth, to, None)));
         let jump = self.jump(block.as_ref(), from, to);
         let mechanization = self.carried(&self.mechanization, &jump)?;
-        let shadow = match self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow_mut().copied()) {
+        let shadow = match self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow_mut().copied())
+        {
             Some(shadow) => Some(self.carried(&shadow, &jump)?),
             None => None,
         };
@@ -93,7 +94,8 @@ impl Chain {
         let errors = CarriedErrors::of(&self.earth, &navigator.state(), &jump.from.1);
         let Some(state) = errors.at(&self.earth, &jump.to.1) else {
             let error = navigator.minus(&jump.from.0).r_e.norm_squared().sqrt();
-            let rule = Rule::Words("cannot be kept: there is no place with this error at the sample's height");
+            let rule =
+                Rule::Words("cannot be kept: there is no place with this error at the sample's height");
             return Err(Error::of(ErrorKind::Diverged, "navigated position error [m]", error, rule));
         };
         let moved = navigator.moved_to(&state);
