@@ -50,8 +50,8 @@ fn a_good_flight_shows_its_own_figures() {
     // g / cos(bank) in the turn; the rest is curvature, Coriolis and the ramps of the bank.
     let bank = samples.iter().map(|s| s.euler.roll.abs()).fold(0.0, f64::max);
     assert!((good.force_max.value - 9.8 / bank.cos()).abs() < 0.2, "{}", good.force_max.value);
-    // A coordinated flight has its nose on the path; pitch of a climb by the air speed.
-    assert!(good.sideslip_max.value.abs() < 1e-6 && good.attack_max.value.abs() < 1e-6);
+    // The patrol's nose is on its path, but for 0.15° of the waves in course and climb that its angles leave out.
+    assert!(good.sideslip_max.value.abs() < 3e-3 && good.attack_max.value.abs() < 3e-3);
     assert!(good.inconsistency_max.value < 1e-3 && good.rate_max.value < 0.5);
     assert!((good.rate_max.value - good.turn_max.value * RATE_HZ).abs() < 1e-9);
 
@@ -63,7 +63,10 @@ fn a_good_flight_shows_its_own_figures() {
     let axes = BodyAxes::ForwardRightDown;
     let other = TruthSummary::of_samples(&Earth::default(), axes, limits, samples.iter().copied()).unwrap();
     assert!((other.force_max.value - good.force_max.value).abs() < 1e-9);
-    assert!(other.sideslip_max.value.abs() < 1e-6 && other.attack_max.value.abs() < 1e-6);
+    let apart = (other.sideslip_max.value - good.sideslip_max.value)
+        .abs()
+        .max((other.attack_max.value - good.attack_max.value).abs());
+    assert!(apart < 1e-12, "{apart}");
     let mut bad = samples[3];
     bad.place.height_m = f64::NAN;
     let refused = TruthSummary::of_samples(&Earth::default(), axes, limits, [samples[0], samples[1], bad]);

@@ -68,8 +68,7 @@ impl CarriedErrors {
         for _ in 0..20 {
             let vertical = earth.vertical(&r_e);
             let slope = vertical.up_e.dot(up_e);
-            // False for NaN too.
-            if !(slope.abs() >= LEAST_SLOPE) {
+            if slope.is_nan() || slope.abs() < LEAST_SLOPE {
                 return None;
             }
             let last_m = core::mem::replace(&mut miss_m, wanted_m - vertical.height_m);

@@ -86,3 +86,30 @@ impl Navigator {
         self.imu
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Simulator;
+    use crate::earth::Geodetic;
+    use nalgebra::{Quaternion, Vector3};
+
+    /// What a snapshot may bring is what a navigator may come to: at the end of all clocks it goes no further.
+    #[test]
+    fn a_navigator_at_the_end_of_time_can_be_saved_and_loaded() {
+        let options = Options::default();
+        let start =
+            Navigation::new(Geodetic::default(), Vector3::zeros(), Quaternion::identity(), options.axes);
+        let mut simulator = Simulator::new(&options).unwrap();
+        simulator.start_navigation(CLOCK_S - 15.0, &start).unwrap();
+        let increment = Increment { angle: Vector3::zeros(), velocity: Vector3::z() * 98.0 };
+        let mut buffer = [0; 8192];
+        let mut answers = Vec::new();
+        for _ in 0..3 {
+            answers.push(simulator.push_imu(&[increment], 10.0).is_ok());
+            let length = simulator.save_snapshot(&mut buffer).unwrap();
+            simulator.load_snapshot(&buffer[..length]).unwrap();
+        }
+        assert_eq!(answers, [true, false, false]);
+    }
+}

@@ -81,7 +81,7 @@ static void read_all(sins_sim *sim)
     sins_failure failure = {.struct_size = sizeof failure};
     sins_truth_summary summary = {.struct_size = sizeof summary};
     size_t size;
-    MEASURE(sins_get_truth_summary(sim, &summary));
+    TRY(sins_get_truth_summary(sim, &summary)); /* of what was flown, where it is on */
     MEASURE(sins_get_truth(sim, &navigation));
     MEASURE(sins_get_navigation(sim, &navigation));
     MEASURE(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors));
