@@ -1,17 +1,35 @@
-//! Writes the C header from the sources of `src/abi`, and names the shared library.
+//! Writes the structs of the table of sensor parameters and the C header from the sources of `src/abi`, and names the shared
+//! library.
 //!
 //! The header goes to the build's own folder, where a test compares it with the committed `include/sins.h`;
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed one.
 
+#[path = "build/enumerations.rs"]
+mod enumerations;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/sensors/parameter.rs"]
+mod parameter;
+#[path = "build/sensor_structs.rs"]
+mod sensor_structs;
+#[path = "build/sizes.rs"]
+mod sizes;
+#[path = "src/sensors/table.rs"]
+mod table;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/units.rs"]
+mod units;
+
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+
+use enumerations::Enumeration;
 
 /// Longest line of the header.
 const WIDTH: usize = 118;
 
 /// Effects of the sensors that the library can be built without, to show what their being off costs: benches/effects.sh.
 const EFFECTS: [&str; 18] = [
-    "lever_arms",
+    "size_effect",
     "bandwidth",
     "linear",
     "asymmetry",
@@ -67,7 +85,9 @@ const SOURCES: [&str; 30] = [
 
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
-    println!("cargo:rerun-if-changed=build.rs");
+    for source in ["build.rs", "build", "src/sensors/parameter.rs", "src/sensors/table.rs", "src/units.rs"] {
+        println!("cargo:rerun-if-changed={source}");
+    }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
     let names = format!("{EFFECTS:?}");
@@ -79,15 +99,20 @@ fn main() {
     }
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
-    let header = header(&root);
-    let generated = PathBuf::from(variable("OUT_DIR")).join("sins.h");
-    fs::write(&generated, &header).expect("the build folder is writable");
+    let out = PathBuf::from(variable("OUT_DIR"));
+    let interface = out.join("sensor_params.rs");
+    write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
+    write(&interface, &sensor_structs::interface());
+
+    let header = header(&root, &interface, &out.join("sizes.rs"));
+    let generated = out.join("sins.h");
+    write(&generated, &header);
     if env::var_os("SINS_WRITE_HEADER").is_some() {
-        fs::write(root.join("include/sins.h"), &header).expect("include/sins.h is writable");
+        write(&root.join("include/sins.h"), &header);
     }
     println!("cargo:rustc-env=SINS_GENERATED_HEADER={}", generated.display());
 
-    // The number is SINS_ABI_VERSION: libraries of another one do not take this one's place.
+    // The number is SINS_HEADER_ABI: libraries of another one do not take this one's place.
     if variable("CARGO_CFG_TARGET_OS") == "linux" {
         println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libsins.so.1");
     }
@@ -97,9 +122,20 @@ fn variable(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("cargo sets {name}"))
 }
 
-fn header(root: &Path) -> String {
+fn write(path: &Path, text: &str) {
+    fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
+
+/// The header, of the sources of `src/abi` and of the structs in `sensor_params`; checks of the sizes in it go to the file
+/// `size_checks`.
+fn header(root: &Path, sensor_params: &Path, size_checks: &Path) -> String {
     let abi = root.join("src/abi");
     let preamble = fs::read_to_string(abi.join("preamble.h")).expect("src/abi/preamble.h is readable");
+    let sources = SOURCES.map(|name| abi.join(name).with_extension("rs"));
+    let mut found = Vec::new();
+    for source in &sources {
+        enumerations::find(&fs::read_to_string(source).expect("a source is readable"), &mut found);
+    }
     let config = cbindgen::Config {
         language: cbindgen::Language::C,
         no_includes: true,
@@ -114,44 +150,54 @@ fn header(root: &Path) -> String {
             ..Default::default()
         },
         export: cbindgen::ExportConfig {
-            // Declared in the preamble: opaque.
-            exclude: vec![
-                "sins_sim".to_owned(),
-                "sins_flight".to_owned(),
-                "sins_scene".to_owned(),
-                "sins_log".to_owned(),
-            ],
+            // Declared in the preamble: opaque. And the enumerations.
+            exclude: ["sins_sim", "sins_flight", "sins_scene", "sins_log"]
+                .map(str::to_owned)
+                .into_iter()
+                .chain(found.iter().flat_map(Enumeration::names))
+                .collect(),
             ..Default::default()
         },
         ..Default::default()
     };
-    let builder = SOURCES.iter().fold(cbindgen::Builder::new().with_config(config), |builder, name| {
-        builder.with_src(abi.join(name).with_extension("rs"))
-    });
+    let builder = cbindgen::Builder::new().with_config(config).with_src(sensor_params);
+    let builder = sources.iter().fold(builder, |builder, source| builder.with_src(source));
     let mut declarations = Vec::new();
     builder.generate().expect("src/abi parses").write(&mut declarations);
     let declarations = String::from_utf8(declarations).expect("the sources are UTF-8");
 
-    // cbindgen has no place for a calling convention.
-    let declarations = declarations.replace("sins_status sins_", "sins_status SINS_CALL sins_");
     let declarations = tidy(declarations.trim());
-    format!("{preamble}\n{declarations}\n\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* SINS_H */\n")
+    let enumerations = enumerations::declare(&found);
+    let sizes = sizes::of_structs(&declarations);
+    write(size_checks, &sizes::check(&sizes));
+    let (structs, functions) = declarations.split_at(first_function(&declarations));
+    let sizes = sizes::declare(&sizes);
+    format!(
+        "{preamble}\n{enumerations}\n{structs}{sizes}\n\n{functions}\n\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* SINS_H */\n"
+    )
 }
 
-/// A prototype that cbindgen broke over lines, as one, or with its arguments on a line of their own.
-fn prototype<'a>(lines: &mut impl Iterator<Item = &'a str>) -> String {
-    let mut text = String::from("SINS_API");
-    for line in lines {
+/// Where the comment of the first function begins.
+fn first_function(declarations: &str) -> usize {
+    let function = declarations.find("SINS_API").expect("there are functions");
+    declarations[..function].rfind("\n\n").expect("structs come first") + 2
+}
+
+/// A prototype that cbindgen broke over lines, as one, or with its arguments on a line of their own. It gets the calling
+/// convention, for which cbindgen has no place.
+fn prototype<'a>(first: &str, lines: &mut impl Iterator<Item = &'a str>) -> String {
+    let mut text = first.to_owned();
+    while !text.ends_with(");") {
         let separator = if text.ends_with('(') { "" } else { " " };
-        text = text + separator + line.trim();
-        if text.ends_with(");") {
-            break;
-        }
+        text = text + separator + lines.next().expect("a prototype has an end").trim();
     }
+    let (head, arguments) = text.split_once('(').expect("a prototype has arguments");
+    let name = head.rfind([' ', '*']).expect("a prototype has a result") + 1;
+    let head = format!("{}SINS_CALL {}", &head[..name], &head[name..]);
+    let text = format!("{head}({arguments}");
     if text.len() <= WIDTH {
         return text;
     }
-    let Some((head, arguments)) = text.split_once('(') else { return text };
     let mut broken = format!("{head}(\n   ");
     let mut column = 3;
     for argument in arguments.split_inclusive(", ").map(str::trim) {
@@ -165,33 +211,31 @@ fn prototype<'a>(lines: &mut impl Iterator<Item = &'a str>) -> String {
     broken
 }
 
-/// One-line comments on one line, longer ones with a star a line, negative constants in parentheses, and no blank line
-/// between constants of one family.
+/// A comment of one line on that line, a longer one with a star a line.
+fn comment(indent: &str, lines: &[impl AsRef<str>]) -> Vec<String> {
+    if let [only] = lines {
+        return vec![format!("{indent}/* {} */", only.as_ref())];
+    }
+    let starred = lines.iter().map(|text| format!("{indent} * {}", text.as_ref()).trim_end().to_owned());
+    [format!("{indent}/*")].into_iter().chain(starred).chain([format!("{indent} */")]).collect()
+}
+
+/// Comments as [`comment`] writes them, and no blank line between constants of one family.
 fn tidy(declarations: &str) -> String {
     let mut out: Vec<String> = Vec::new();
-    let mut comment: Option<Vec<&str>> = None;
+    let mut open: Option<Vec<&str>> = None;
     let mut family = "";
     let mut lines = declarations.lines();
     while let Some(line) = lines.next() {
         let indent = &line[..line.len() - line.trim_start().len()];
-        match (line.trim(), comment.take()) {
-            ("/*", None) => comment = Some(Vec::new()),
+        match (line.trim(), open.take()) {
+            ("/*", None) => open = Some(Vec::new()),
             ("*/", Some(lines)) => {
-                let indent = &indent[..indent.len().saturating_sub(1)];
-                match lines[..] {
-                    [only] => out.push(format!("{indent}/* {only} */")),
-                    _ => {
-                        out.push(format!("{indent}/*"));
-                        out.extend(
-                            lines.iter().map(|text| format!("{indent} * {text}").trim_end().to_owned()),
-                        );
-                        out.push(format!("{indent} */"));
-                    }
-                }
+                out.extend(comment(&indent[..indent.len().saturating_sub(1)], &lines));
             }
             (text, Some(mut lines)) => {
                 lines.push(text);
-                comment = Some(lines);
+                open = Some(lines);
             }
             (text, None) => match text.strip_prefix("#define ").and_then(|define| define.split_once(' ')) {
                 Some((name, value)) => {
@@ -202,10 +246,9 @@ fn tidy(declarations: &str) -> String {
                         out.remove(comment - 1);
                     }
                     family = this;
-                    let value = if value.starts_with('-') { format!("({value})") } else { value.to_owned() };
                     out.push(format!("#define {name} {value}"));
                 }
-                None if text == "SINS_API" => out.push(prototype(&mut lines)),
+                None if text.starts_with("SINS_API") => out.push(prototype(text, &mut lines)),
                 None => out.push(line.to_owned()),
             },
         }

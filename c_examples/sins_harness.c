@@ -14,16 +14,13 @@
 
 static int library_fits(void)
 {
-    uint32_t version = 0;
+    uint32_t version = sins_abi_version();
 
-    if (refused(NULL, sins_abi_version(&version))) {
-        return 0;
-    }
-    if (version != SINS_ABI_VERSION) {
+    if (version != SINS_HEADER_ABI) {
         report("the library has interface version %u, this program wants %u", (unsigned)version,
-               (unsigned)SINS_ABI_VERSION);
+               (unsigned)SINS_HEADER_ABI);
     }
-    return version == SINS_ABI_VERSION;
+    return version == SINS_HEADER_ABI;
 }
 
 /* Puts all files in place. */

@@ -5,7 +5,7 @@
  * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
  *
  *   sins_sim *sim = NULL;
- *   sins_create(NULL, &sim);                       recommended options
+ *   sins_create(NULL, &sim);                       recommended options: navigation minus truth, no error model
  *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
  *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
@@ -21,12 +21,14 @@
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
+ * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size no compiler chooses.
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
- * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
- *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
+ * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value. On an
+ *   error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is
+ *   too small, sins_last_error() and sins_error_budget() report the size that is needed.) SINS_ERROR_NULL_POINTER,
+ *   SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
@@ -131,9 +133,9 @@ typedef unsigned __int64 uint64_t;
 #define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
 #define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
-#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1e-6)             /* millionth of g [m/s2] */
-#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1e-6) /* white noise of force [(m/s)/sqrt(s)] */
-#define SINS_PPM 1e-6                              /* part in a million */
+#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_PPM 1.0e-6                            /* part in a million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
 #define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */
@@ -151,11 +153,364 @@ typedef struct sins_flight sins_flight;
 typedef struct sins_scene sins_scene;
 typedef struct sins_log sins_log;
 
+/* Values of a sins_status: 0, positive an answer of another kind, negative an error. */
+enum sins_status_code {
+    /* The call did what it says. */
+    SINS_OK = 0,
+    /* There is no complete interval yet: push the next sample. */
+    SINS_NEED_SAMPLE = 1,
+    /* No options meet the requirement; the outputs tell the best there are. */
+    SINS_REQUIREMENT_NOT_MET = 2,
+    /* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
+    SINS_SCENE_HAS_FAULTS = 3,
+    /*
+     * The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
+     * two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
+     * the vehicle stood still, that is wrong: see sins_move_time().
+     */
+    SINS_GAP = 4,
+    /* A pointer that must not be null is. */
+    SINS_ERROR_NULL_POINTER = -1,
+    /* The handle is null, made up, destroyed, or of the other kind. */
+    SINS_ERROR_BAD_HANDLE = -2,
+    /* A struct_size that no release knows, or a struct of a newer release that uses what this one lacks. */
+    SINS_ERROR_STRUCT_SIZE = -3,
+    /* A value out of its range; sins_last_error() names field, value and limit. */
+    SINS_ERROR_INVALID_ARGUMENT = -4,
+    /* The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads). */
+    SINS_ERROR_BAD_STATE = -5,
+    /* A sample that is not later than the one before, or off the stated sample period. */
+    SINS_ERROR_TIME_ORDER = -6,
+    /* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
+    SINS_ERROR_DISCONTINUITY = -7,
+    /* The queue of samples is full: step first. */
+    SINS_ERROR_QUEUE_FULL = -8,
+    /* The solution left its representable range; the last good one stays readable. */
+    SINS_ERROR_DIVERGED = -9,
+    /* The geographic mechanization came within reach of a pole. */
+    SINS_ERROR_SINGULAR = -10,
+    /* A buffer is too small for the result. */
+    SINS_ERROR_BUFFER_TOO_SMALL = -11,
+    /* No memory, or no free handle; on Windows too few TLS indexes (see Unloading). */
+    SINS_ERROR_OUT_OF_MEMORY = -12,
+    /* The snapshot is damaged, foreign or newer. */
+    SINS_ERROR_SNAPSHOT = -13,
+    /* A defect inside the library was caught; this handle answers so from now on, others live. */
+    SINS_ERROR_INTERNAL = -99
+};
+
+/* Axes in which the mechanization integrates. */
+enum sins_frame {
+    /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
+    SINS_FRAME_EARTH_FIXED = 0,
+    /*
+     * Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
+     * than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+     */
+    SINS_FRAME_GEOGRAPHIC = 1
+};
+
+/* Algorithms of the mechanization. */
+enum sins_scheme {
+    /* Coning, sculling and exact rotation compensation, Earth terms of the middle of the update. */
+    SINS_SCHEME_EXACT = 0,
+    /* The paper's equations (7)-(24), misprints mended, approximations kept. */
+    SINS_SCHEME_PAPER = 1,
+    /* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
+    SINS_SCHEME_POLYNOMIAL = 2
+};
+
+/* What holds the vertical channel. */
+enum sins_vertical {
+    /*
+     * Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
+     * the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+     */
+    SINS_VERTICAL_DAMPED = 0,
+    /* Height and vertical velocity set to the truth at each sample. */
+    SINS_VERTICAL_FOLLOW_TRUTH = 1,
+    /* Left to itself: any error grows by e every 569 s. */
+    SINS_VERTICAL_FREE = 2
+};
+
+/* Whether the error differential equations are integrated. */
+enum sins_error_model {
+    /* No error differential equations: SINS_ERRORS_MODEL is not available. */
+    SINS_ERROR_MODEL_OFF = 0,
+    /* The error differential equations (error data 1) by fourth-order Runge-Kutta. */
+    SINS_ERROR_MODEL_RK4 = 1
+};
+
+/* Whether the motion of the truth is summed up. */
+enum sins_summary {
+    /* sins_get_truth_summary() is not available. */
+    SINS_SUMMARY_OFF = 0,
+    /* The motion of the truth is summed up; the other outputs have the same bits. */
+    SINS_SUMMARY_ON = 1
+};
+
+/* Ellipsoids. */
+enum sins_earth {
+    /* World Geodetic System 1984. */
+    SINS_EARTH_WGS84 = 0,
+    /* China Geodetic Coordinate System 2000. */
+    SINS_EARTH_CGCS2000 = 1,
+    /* Geodetic Reference System 1980. */
+    SINS_EARTH_GRS80 = 2,
+    /* Krassovsky 1940; Earth rate and gravitational constant as WGS-84. */
+    SINS_EARTH_KRASSOVSKY1940 = 3
+};
+
+/* Formulas of normal gravity. */
+enum sins_gravity {
+    /* Normal gravity in closed form at any height, with its north component. */
+    SINS_GRAVITY_NORMAL = 0,
+    /* Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it. */
+    SINS_GRAVITY_SOMIGLIANA = 1
+};
+
+/* Directions of the sensor axes. */
+enum sins_axes {
+    /* Sensor axes: x right, y forward, z up (the paper's). */
+    SINS_AXES_RIGHT_FORWARD_UP = 0,
+    /* Sensor axes: x forward, y right, z down. */
+    SINS_AXES_FORWARD_RIGHT_DOWN = 1
+};
+
+/* Ideal signals. */
+enum sins_signal {
+    /* Ideal signals are the integrals of the physics, so that the mechanization's own error shows. */
+    SINS_SIGNAL_PHYSICAL = 0,
+    /*
+     * The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
+     * for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
+     * navigator is the simulator's own and nothing is computed twice.
+     */
+    SINS_SIGNAL_CLOSED_LOOP = 1
+};
+
+/* Sensors that can fail. */
+enum sins_sensor {
+    /* The gyros. */
+    SINS_SENSOR_GYRO = 0,
+    /* The accelerometers. */
+    SINS_SENSOR_ACCEL = 1,
+    /* The altimeter; its axis is 0. */
+    SINS_SENSOR_ALTIMETER = 2
+};
+
+/* Kinds of failure. */
+enum sins_failure_kind {
+    /* None: clears the failure that there is. */
+    SINS_FAILURE_NONE = 0,
+    /*
+     * The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
+     * it looks like data.
+     */
+    SINS_FAILURE_STUCK = 1,
+    /*
+     * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
+     * altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+     */
+    SINS_FAILURE_DEAD = 2,
+    /* A bias of size more. Not flagged. */
+    SINS_FAILURE_BIAS_STEP = 3,
+    /*
+     * Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+     * mean over its interval. Not flagged but where they saturate.
+     */
+    SINS_FAILURE_SPIKES = 4,
+    /* White noise of density more; of the altimeter its mean over the interval. Not flagged. */
+    SINS_FAILURE_NOISE = 5,
+    /*
+     * Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
+     * that time, the first at once.
+     */
+    SINS_FAILURE_DROP_OUTS = 6
+};
+
+/* How the INS finds its attitude at the start. */
+enum sins_alignment {
+    /* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
+    SINS_ALIGNMENT_GIVEN = 0,
+    /*
+     * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
+     * the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
+     * heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+     */
+    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
+};
+
+/* Flags of a sins_flight_sample. */
+enum sins_sample_flags {
+    /* The sample carries angular_rate_rad_s. */
+    SINS_SAMPLE_ANGULAR_RATE = 1,
+    /* The sample carries specific_force_m_s2. */
+    SINS_SAMPLE_SPECIFIC_FORCE = 2,
+    /* The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval. */
+    SINS_SAMPLE_NO_VELOCITY = 4,
+    /* The sample carries temperature_c. */
+    SINS_SAMPLE_TEMPERATURE = 8
+};
+
+/* Flags of a sins_navigation. */
+enum sins_navigation_flags {
+    /*
+     * Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
+     * and the errors in metres stay right.
+     */
+    SINS_NAVIGATION_NEAR_POLE = 1,
+    /* Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s. */
+    SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
+    /* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
+    SINS_NAVIGATION_INCONSISTENT = 4,
+    /*
+     * The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
+     * rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
+     * accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
+     * horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+     */
+    SINS_NAVIGATION_NORTH_UNKNOWN = 8
+};
+
+/* Where errors come from. */
+enum sins_errors_source {
+    /* Navigation minus truth: the paper's error data 2. */
+    SINS_ERRORS_NAVIGATION = 0,
+    /* The error differential equations: the paper's error data 1 (sins_options.error_model). */
+    SINS_ERRORS_MODEL = 1
+};
+
+/* Flags of a sins_errors. */
+enum sins_errors_flags {
+    /* Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning. */
+    SINS_ERRORS_NEAR_POLE = 1,
+    /*
+     * Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
+     * pole; what it drops is no longer small.
+     */
+    SINS_ERRORS_OUTSIDE_VALIDITY = 2,
+    /* In a sins_record: not computed, all zero. */
+    SINS_ERRORS_NOT_COMPUTED = 4
+};
+
+/* Flags of a sins_imu. */
+enum sins_imu_flags {
+    /* The mean rate of a sub-increment was beyond the range of a gyro. */
+    SINS_IMU_GYRO_SATURATED = 1,
+    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
+    SINS_IMU_ACCEL_SATURATED = 2,
+    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave. */
+    SINS_IMU_GYRO_INVALID = 4,
+    /* An accelerometer had none. */
+    SINS_IMU_ACCEL_INVALID = 8
+};
+
+/* Grades of sensors. */
+enum sins_grade {
+    /*
+     * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
+     * angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+     */
+    SINS_GRADE_STRATEGIC = 1,
+    /* Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated. */
+    SINS_GRADE_NAVIGATION = 2,
+    /* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
+    SINS_GRADE_TACTICAL = 3,
+    /*
+     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
+     * range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+     */
+    SINS_GRADE_INDUSTRIAL = 4,
+    /* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
+    SINS_GRADE_CONSUMER = 5,
+    /*
+     * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
+     * white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+     */
+    SINS_GRADE_PAPER_SIMULATION2 = 6
+};
+
+/* Kinds of manoeuvre. */
+enum sins_manoeuvre_kind {
+    /* At rest for duration_s; the speed must be 0. */
+    SINS_MANOEUVRE_REST = 0,
+    /* Along a geodesic at constant speed and height for duration_s. */
+    SINS_MANOEUVRE_STRAIGHT = 1,
+    /* By speed_change_m_s in duration_s. */
+    SINS_MANOEUVRE_ACCELERATE = 2,
+    /* By height_change_m in duration_s, ramp_s. */
+    SINS_MANOEUVRE_CLIMB = 3,
+    /*
+     * Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
+     * follows.
+     */
+    SINS_MANOEUVRE_TURN = 4,
+    /* turns whole rolls (right positive) in duration_s along a straight path. */
+    SINS_MANOEUVRE_ROLL = 5,
+    /* turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s. */
+    SINS_MANOEUVRE_LOOP = 6,
+    /* Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s. */
+    SINS_MANOEUVRE_S_TURN = 7,
+    /* Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration. */
+    SINS_MANOEUVRE_SINUSOIDS = 8
+};
+
+/* What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves. */
+enum sins_channel {
+    /* The sinusoid moves the course [rad], with the bank of a coordinated turn. */
+    SINS_CHANNEL_COURSE = 0,
+    /* The sinusoid moves the climb angle [rad]. */
+    SINS_CHANNEL_CLIMB = 1,
+    /* The sinusoid moves the speed [m/s]. */
+    SINS_CHANNEL_SPEED = 2,
+    /* The sinusoid moves roll alone [rad]. */
+    SINS_CHANNEL_ROLL = 3,
+    /* The sinusoid moves pitch alone [rad]. */
+    SINS_CHANNEL_PITCH = 4,
+    /* The sinusoid moves heading alone [rad]. */
+    SINS_CHANNEL_HEADING = 5
+};
+
+/* Where the flight of a scene comes from: sins_scene_setup.flight. */
+enum sins_scene_flight {
+    /* It is composed of manoeuvres. */
+    SINS_SCENE_FLIGHT_MANOEUVRES = 0,
+    /* That of a built-in scene, SINS_SCENE_TEXT_BUILTIN. */
+    SINS_SCENE_FLIGHT_BUILTIN = 1,
+    /* A flight log, SINS_SCENE_TEXT_LOG. */
+    SINS_SCENE_FLIGHT_LOG = 2
+};
+
+/* The texts of a scene: sins_scene_get_text(), sins_scene_set_text(). */
+enum sins_scene_text {
+    /* The scene in words. */
+    SINS_SCENE_TEXT_TITLE = 0,
+    /* Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log. */
+    SINS_SCENE_TEXT_LOG = 1,
+    /* Name of the built-in scene whose flight is flown; setting it makes the flight that. */
+    SINS_SCENE_TEXT_BUILTIN = 2,
+    /* Folder of the files that a program writes. */
+    SINS_SCENE_TEXT_FOLDER = 3,
+    /* Base name of those files. */
+    SINS_SCENE_TEXT_NAME = 4,
+    /* File of the measured increments. */
+    SINS_SCENE_TEXT_IMU = 5
+};
+
+/* Flags of a sins_budget_row. */
+enum sins_budget_flags {
+    /* The row's figures are standard deviations (1 sigma) over the runs. */
+    SINS_BUDGET_RANDOM = 1,
+    /* The effect can be left out together with the others that are marked so. */
+    SINS_BUDGET_CAN_BE_LEFT_OUT = 2
+};
+
 /*
- * Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
- * there is gone or means something else; what is added at the end does not change it.
+ * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
+ * something that was there is gone or means something else; what is added at the end does not change it.
  */
-#define SINS_ABI_VERSION 1
+#define SINS_HEADER_ABI 1
 
 /* Release of the library, semantic versioning. */
 #define SINS_VERSION_MAJOR 0
@@ -164,295 +519,11 @@ typedef struct sins_log sins_log;
 /* See SINS_VERSION_MAJOR. */
 #define SINS_VERSION_PATCH 0
 
-/* The call did what it says. */
-#define SINS_OK 0
-
-/* There is no complete interval yet: push the next sample. */
-#define SINS_NEED_SAMPLE 1
-
-/* No options meet the requirement; the outputs tell the best there are. */
-#define SINS_REQUIREMENT_NOT_MET 2
-
-/* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
-#define SINS_SCENE_HAS_FAULTS 3
-
-/*
- * The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
- * two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
- * the vehicle stood still, that is wrong: see sins_move_time().
- */
-#define SINS_GAP 4
-
-/* A pointer that must not be null is. */
-#define SINS_ERROR_NULL_POINTER (-1)
-/* The handle is null, made up, destroyed, or of the other kind. */
-#define SINS_ERROR_BAD_HANDLE (-2)
-/* A struct_size that no release knows, or a struct of a newer release that uses what this one lacks. */
-#define SINS_ERROR_STRUCT_SIZE (-3)
-/* A value out of its range; sins_last_error() names field, value and limit. */
-#define SINS_ERROR_INVALID_ARGUMENT (-4)
-/* The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads). */
-#define SINS_ERROR_BAD_STATE (-5)
-/* A sample that is not later than the one before, or off the stated sample period. */
-#define SINS_ERROR_TIME_ORDER (-6)
-/* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
-#define SINS_ERROR_DISCONTINUITY (-7)
-/* The queue of samples is full: step first. */
-#define SINS_ERROR_QUEUE_FULL (-8)
-/* The solution left its representable range; the last good one stays readable. */
-#define SINS_ERROR_DIVERGED (-9)
-/* The geographic mechanization came within reach of a pole. */
-#define SINS_ERROR_SINGULAR (-10)
-/* A buffer is too small for the result. */
-#define SINS_ERROR_BUFFER_TOO_SMALL (-11)
-/* No memory, or no free handle; on Windows too few TLS indexes (see Unloading). */
-#define SINS_ERROR_OUT_OF_MEMORY (-12)
-/* The snapshot is damaged, foreign or newer. */
-#define SINS_ERROR_SNAPSHOT (-13)
-/* A defect inside the library was caught; this handle answers so from now on, others live. */
-#define SINS_ERROR_INTERNAL (-99)
-
-/* Navigation in Earth-fixed axes: regular everywhere, poles included. */
-#define SINS_FRAME_EARTH_FIXED 0
-/*
- * Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
- * than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
- */
-#define SINS_FRAME_GEOGRAPHIC 1
-
-/* Coning, sculling and exact rotation compensation, Earth terms of the middle of the update. */
-#define SINS_SCHEME_EXACT 0
-/* The paper's equations (7)-(24), misprints mended, approximations kept. */
-#define SINS_SCHEME_PAPER 1
-/* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
-#define SINS_SCHEME_POLYNOMIAL 2
-
-/*
- * Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
- * the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
- */
-#define SINS_VERTICAL_DAMPED 0
-/* Height and vertical velocity set to the truth at each sample. */
-#define SINS_VERTICAL_FOLLOW_TRUTH 1
-/* Left to itself: any error grows by e every 569 s. */
-#define SINS_VERTICAL_FREE 2
-
-/* No error differential equations: SINS_ERRORS_MODEL is not available. */
-#define SINS_ERROR_MODEL_OFF 0
-/* The error differential equations (error data 1) by fourth-order Runge-Kutta. */
-#define SINS_ERROR_MODEL_RK4 1
-
-/* sins_get_truth_summary() is not available. */
-#define SINS_TRUTH_SUMMARY_OFF 0
-/* The motion of the truth is summed up; the other outputs have the same bits. */
-#define SINS_TRUTH_SUMMARY_ON 1
-
-/* World Geodetic System 1984. */
-#define SINS_EARTH_WGS84 0
-/* China Geodetic Coordinate System 2000. */
-#define SINS_EARTH_CGCS2000 1
-/* Geodetic Reference System 1980. */
-#define SINS_EARTH_GRS80 2
-/* Krassovsky 1940; Earth rate and gravitational constant as WGS-84. */
-#define SINS_EARTH_KRASSOVSKY1940 3
-
-/* Normal gravity in closed form at any height, with its north component. */
-#define SINS_GRAVITY_NORMAL 0
-/* Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it. */
-#define SINS_GRAVITY_SOMIGLIANA 1
-
-/* Sensor axes: x right, y forward, z up (the paper's). */
-#define SINS_AXES_RIGHT_FORWARD_UP 0
-/* Sensor axes: x forward, y right, z down. */
-#define SINS_AXES_FORWARD_RIGHT_DOWN 1
-
-/* Ideal signals are the integrals of the physics, so that the mechanization's own error shows. */
-#define SINS_SIGNAL_PHYSICAL 0
-/*
- * The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
- * for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
- * navigator is the simulator's own and nothing is computed twice.
- */
-#define SINS_SIGNAL_CLOSED_LOOP 1
-
-/* The gyros. */
-#define SINS_SENSOR_GYRO 0
-/* The accelerometers. */
-#define SINS_SENSOR_ACCEL 1
-/* The altimeter; its axis is 0. */
-#define SINS_SENSOR_ALTIMETER 2
-
-/* None: clears the failure that there is. */
-#define SINS_FAILURE_NONE 0
-/*
- * The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
- * it looks like data.
- */
-#define SINS_FAILURE_STUCK 1
-/*
- * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
- * altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
- */
-#define SINS_FAILURE_DEAD 2
-/* A bias of size more. Not flagged. */
-#define SINS_FAILURE_BIAS_STEP 3
-/*
- * Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
- * mean over its interval. Not flagged but where they saturate.
- */
-#define SINS_FAILURE_SPIKES 4
-/* White noise of density more; of the altimeter its mean over the interval. Not flagged. */
-#define SINS_FAILURE_NOISE 5
-/*
- * Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
- * that time, the first at once.
- */
-#define SINS_FAILURE_DROP_OUTS 6
-
-/* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
-#define SINS_ALIGNMENT_GIVEN 0
-/*
- * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
- * the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
- * heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
- */
-#define SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS 1
-
-/* The sample carries angular_rate_rad_s. */
-#define SINS_SAMPLE_ANGULAR_RATE 1
-/* The sample carries specific_force_m_s2. */
-#define SINS_SAMPLE_SPECIFIC_FORCE 2
-/* The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval. */
-#define SINS_SAMPLE_NO_VELOCITY 4
-/* The sample carries temperature_c. */
-#define SINS_SAMPLE_TEMPERATURE 8
-
-/*
- * Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
- * and the errors in metres stay right.
- */
-#define SINS_NAVIGATION_NEAR_POLE 1
-/* Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s. */
-#define SINS_NAVIGATION_VERTICAL_UNAIDED 2
-/* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
-#define SINS_NAVIGATION_INCONSISTENT 4
-/*
- * The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
- * rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
- * accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
- * horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
- */
-#define SINS_NAVIGATION_NORTH_UNKNOWN 8
-
-/* Navigation minus truth: the paper's error data 2. */
-#define SINS_ERRORS_NAVIGATION 0
-/* The error differential equations: the paper's error data 1 (sins_options.error_model). */
-#define SINS_ERRORS_MODEL 1
-/* Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning. */
-#define SINS_ERRORS_NEAR_POLE 1
-/*
- * Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
- * pole; what it drops is no longer small.
- */
-#define SINS_ERRORS_OUTSIDE_VALIDITY 2
-/* In a sins_record: not computed, all zero. */
-#define SINS_ERRORS_NOT_COMPUTED 4
-
-/* The mean rate of a sub-increment was beyond the range of a gyro. */
-#define SINS_IMU_GYRO_SATURATED 1
-/* The mean force of a sub-increment was beyond the range of an accelerometer. */
-#define SINS_IMU_ACCEL_SATURATED 2
-/* A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave. */
-#define SINS_IMU_GYRO_INVALID 4
-/* An accelerometer had none. */
-#define SINS_IMU_ACCEL_INVALID 8
-
 /*
  * A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
  * sins_snapshot_size().
  */
 #define SINS_SNAPSHOT_MAX_SIZE 8192
-
-/*
- * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
- * angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
- */
-#define SINS_GRADE_STRATEGIC 1
-/* Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated. */
-#define SINS_GRADE_NAVIGATION 2
-/* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
-#define SINS_GRADE_TACTICAL 3
-/*
- * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
- * range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
- */
-#define SINS_GRADE_INDUSTRIAL 4
-/* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
-#define SINS_GRADE_CONSUMER 5
-/*
- * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
- * white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
- */
-#define SINS_GRADE_PAPER_SIMULATION2 6
-
-/* At rest for duration_s; the speed must be 0. */
-#define SINS_MANOEUVRE_REST 0
-/* Along a geodesic at constant speed and height for duration_s. */
-#define SINS_MANOEUVRE_STRAIGHT 1
-/* By speed_change_m_s in duration_s. */
-#define SINS_MANOEUVRE_ACCELERATE 2
-/* By height_change_m in duration_s, ramp_s. */
-#define SINS_MANOEUVRE_CLIMB 3
-/*
- * Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
- * follows.
- */
-#define SINS_MANOEUVRE_TURN 4
-/* turns whole rolls (right positive) in duration_s along a straight path. */
-#define SINS_MANOEUVRE_ROLL 5
-/* turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s. */
-#define SINS_MANOEUVRE_LOOP 6
-/* Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s. */
-#define SINS_MANOEUVRE_S_TURN 7
-/* Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration. */
-#define SINS_MANOEUVRE_SINUSOIDS 8
-
-/* The sinusoid moves the course [rad], with the bank of a coordinated turn. */
-#define SINS_CHANNEL_COURSE 0
-/* The sinusoid moves the climb angle [rad]. */
-#define SINS_CHANNEL_CLIMB 1
-/* The sinusoid moves the speed [m/s]. */
-#define SINS_CHANNEL_SPEED 2
-/* The sinusoid moves roll alone [rad]. */
-#define SINS_CHANNEL_ROLL 3
-/* The sinusoid moves pitch alone [rad]. */
-#define SINS_CHANNEL_PITCH 4
-/* The sinusoid moves heading alone [rad]. */
-#define SINS_CHANNEL_HEADING 5
-
-/* The flight of the scene is composed of manoeuvres. */
-#define SINS_SCENE_FLIGHT_MANOEUVRES 0
-/* That of a built-in scene, SINS_SCENE_TEXT_BUILTIN. */
-#define SINS_SCENE_FLIGHT_BUILTIN 1
-/* A flight log, SINS_SCENE_TEXT_LOG. */
-#define SINS_SCENE_FLIGHT_LOG 2
-/* The scene in words. */
-#define SINS_SCENE_TEXT_TITLE 0
-/* Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log. */
-#define SINS_SCENE_TEXT_LOG 1
-/* Name of the built-in scene whose flight is flown; setting it makes the flight that. */
-#define SINS_SCENE_TEXT_BUILTIN 2
-/* Folder of the files that a program writes. */
-#define SINS_SCENE_TEXT_FOLDER 3
-/* Base name of those files. */
-#define SINS_SCENE_TEXT_NAME 4
-/* File of the measured increments. */
-#define SINS_SCENE_TEXT_IMU 5
-
-/* The row's figures are standard deviations (1 sigma) over the runs. */
-#define SINS_BUDGET_RANDOM 1
-/* The effect can be left out together with the others that are marked so. */
-#define SINS_BUDGET_CAN_BE_LEFT_OUT 2
 
 /* Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed. */
 typedef int32_t sins_status;
@@ -463,25 +534,25 @@ typedef struct sins_options {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* SINS_FRAME_... */
+    /* Of enum sins_frame. */
     int32_t frame;
-    /* SINS_SCHEME_... */
+    /* Of enum sins_scheme. */
     int32_t scheme;
     /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
     int32_t subsamples;
     /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
     int32_t updates_per_sample;
-    /* SINS_VERTICAL_... */
+    /* Of enum sins_vertical. */
     int32_t vertical;
-    /* SINS_ERROR_MODEL_... */
+    /* Of enum sins_error_model. */
     int32_t error_model;
-    /* SINS_EARTH_... */
+    /* Of enum sins_earth. */
     int32_t earth;
-    /* SINS_GRAVITY_... */
+    /* Of enum sins_gravity. */
     int32_t gravity;
-    /* SINS_AXES_..., of gyros, accelerometers, quaternions and optional sample fields. */
+    /* Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes. */
     int32_t axes;
-    /* SINS_SIGNAL_... */
+    /* Of enum sins_signal. */
     int32_t signal;
     /* Seed of all random streams. */
     uint64_t seed;
@@ -504,7 +575,7 @@ typedef struct sins_options {
      * 0: 2000 m/s2.
      */
     double max_acceleration_m_s2;
-    /* SINS_TRUTH_SUMMARY_... */
+    /* Of enum sins_summary. */
     int32_t truth_summary;
     /* Must be 0. */
     uint32_t reserved2;
@@ -518,7 +589,7 @@ typedef struct sins_options {
 typedef struct sins_flight_sample {
     /* sizeof(sins_flight_sample) */
     uint32_t struct_size;
-    /* SINS_SAMPLE_... flags, or'ed. */
+    /* Flags of enum sins_sample_flags, or'ed. */
     uint32_t flags;
     /*
      * Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
@@ -559,13 +630,12 @@ typedef struct sins_flight_sample {
 } sins_flight_sample;
 
 /*
- * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units.
- * Densities do not depend on the sample rate.
+ * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
+ * triad. Signal: the angular rate. Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
  * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
- * range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ * range, quantization.
  *
  * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
  * sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
@@ -577,143 +647,185 @@ typedef struct sins_gyro_params {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [rad/s], measured less true; up to 100 rad/s. */
+    /* Constant bias, measured less true [rad/s], -100 to 100. */
     double bias_rad_s[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [rad/s]. */
+    /* Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
     double bias_sigma_rad_s[3];
-    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [rad/s]. */
+    /*
+     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from the
+     * first sample on.
+     */
     double markov_sigma_rad_s[3];
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_rad_s is not 0. */
+    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
     double markov_time_s[3];
-    /* Angle random walk N, white noise of rate [rad/sqrt(s)] = [(rad/s)/sqrt(Hz)]. */
+    /*
+     * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
+     * density of the noise [unit of the signal / sqrt(Hz)].
+     */
     double random_walk_rad_sqrt_s[3];
-    /* Rate random walk K, from 0 at the start of a run [(rad/s)/sqrt(s)]. */
+    /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
-    /* Rate ramp R, from 0 when it is set [rad/s2]. */
+    /* Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
     /*
-     * Flicker noise, bias instability B [rad/s], stationary from the first sample on: the Allan
-     * deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_rad_s[3];
-    /* Pulse of the angle increments, 1e-15 to 1 [rad]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
-    double quantization_rad[3];
-    /* Scale factor error, -1 to 1. */
+    /* Scale factor error [1], -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative rates, -1 to 1. */
-    double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the rate, -1 to 1 [s/rad]. */
-    double scale_factor_nonlinearity_s_rad[3];
-    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
-    double misalignment_rad[9];
-    /* g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force. */
-    double g_sensitivity_rad_s_per_m_s2[9];
-    /* Range, where the rate saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
-    double range_rad_s[3];
-    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
-    double bandwidth_hz[3];
-    /* Half the dead zone: rates up to this size give 0 [rad/s]. */
-    double dead_zone_rad_s[3];
     /*
-     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
-     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
      */
-    double reference_temperature_c;
-    /* Bias of this times T [(rad/s)/K]. */
-    double bias_temperature_rad_s_per_k[3];
-    /* Bias of this times T2 [(rad/s)/K2]. */
-    double bias_temperature2_rad_s_per_k2[3];
-    /* Scale factor error of this times T, -1 to 1 [1/K]. */
-    double scale_factor_temperature_per_k[3];
-    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
-    double scale_factor_temperature2_per_k2[3];
-    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
     double scale_factor_sigma[3];
+    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the size of the signal [s/rad], -1 to 1. */
+    double scale_factor_nonlinearity_s_rad[3];
+    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    double misalignment_rad[9];
     /*
-     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
-     * diagonal is 0.
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
+    /*
+     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1. The
+     * error of a gyro is the sum over the three axes of its row times the true specific force along them.
+     */
+    double g_sensitivity_rad_s_per_m_s2[9];
+    /*
+     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2], -1 to
+     * 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+     * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+     * sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+     * nonlinearity.
+     */
+    double g2_sensitivity_rad_s_per_m2_s4[3];
+    /*
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+     * temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T. */
+    double bias_temperature_rad_s_per_k[3];
+    /* Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2. */
+    double bias_temperature2_rad_s_per_k2[3];
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    double scale_factor_temperature2_per_k2[3];
+    /*
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
+     * first interval.
+     */
+    double bandwidth_hz[3];
+    /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
+    double dead_zone_rad_s[3];
+    /* Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_rad_s[3];
+    /*
+     * Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+     * pulse/sqrt(12).
+     */
+    double quantization_rad[3];
 } sins_gyro_params;
 
 /*
- * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units.
- * Densities do not depend on the sample rate.
+ * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
+ * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
  * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
- * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
- * see sins_gyro_params.
+ * zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [m/s2], measured less true; up to 10000 m/s2. */
+    /* Constant bias, measured less true [m/s2], -10000 to 10000. */
     double bias_m_s2[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [m/s2]. */
+    /* Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
     double bias_sigma_m_s2[3];
-    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [m/s2]. */
+    /*
+     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from the
+     * first sample on.
+     */
     double markov_sigma_m_s2[3];
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m_s2 is not 0. */
+    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
     double markov_time_s[3];
-    /* Velocity random walk N, white noise of force [(m/s)/sqrt(s)] = [(m/s2)/sqrt(Hz)]. */
+    /*
+     * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
+     * spectral density of the noise [unit of the signal / sqrt(Hz)].
+     */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Acceleration random walk K, from 0 at the start of a run [(m/s2)/sqrt(s)]. */
+    /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
-    /* Ramp R, from 0 when it is set [m/s3]. */
+    /* Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
     /*
-     * Flicker noise, bias instability B [m/s2], stationary from the first sample on: the Allan
-     * deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_m_s2[3];
-    /* Pulse of the velocity increments, 1e-15 to 1 [m/s]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
-    double quantization_m_s[3];
-    /* Scale factor error, -1 to 1. */
+    /* Scale factor error [1], -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative forces, -1 to 1. */
-    double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the force, -1 to 1 [s2/m]. */
-    double scale_factor_nonlinearity_s2_m[3];
-    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
-    double misalignment_rad[9];
-    /* Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
-    double range_m_s2[3];
-    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
-    double bandwidth_hz[3];
-    /* Half the dead zone: forces up to this size give 0 [m/s2]. */
-    double dead_zone_m_s2[3];
     /*
-     * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-     * row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
-     * first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
      */
-    double lever_arm_m[9];
-    /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
-    double vibration_rectification_s2_m[3];
-    /*
-     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
-     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
-     */
-    double reference_temperature_c;
-    /* Bias of this times T [(m/s2)/K]. */
-    double bias_temperature_m_s2_per_k[3];
-    /* Bias of this times T2 [(m/s2)/K2]. */
-    double bias_temperature2_m_s2_per_k2[3];
-    /* Scale factor error of this times T, -1 to 1 [1/K]. */
-    double scale_factor_temperature_per_k[3];
-    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
-    double scale_factor_temperature2_per_k2[3];
-    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
     double scale_factor_sigma[3];
+    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the size of the signal [s2/m], -1 to 1. */
+    double scale_factor_nonlinearity_s2_m[3];
+    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    double misalignment_rad[9];
     /*
-     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
-     * diagonal is 0.
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
+    /* Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2. */
+    double vibration_rectification_s2_m[3];
+    /*
+     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m], -100
+     * to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in motion
+     * see sins_mounting; the velocity lacks the change of rate in the first interval for good. With sins_push_imu()
+     * the angular acceleration follows from the increments before.
+     */
+    double lever_arm_m[9];
+    /*
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+     * temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T. */
+    double bias_temperature_m_s2_per_k[3];
+    /* Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2. */
+    double bias_temperature2_m_s2_per_k2[3];
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    double scale_factor_temperature2_per_k2[3];
+    /*
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
+     * first interval.
+     */
+    double bandwidth_hz[3];
+    /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
+    double dead_zone_m_s2[3];
+    /* Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_m_s2[3];
+    /*
+     * Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+     * pulse/sqrt(12).
+     */
+    double quantization_m_s[3];
 } sins_accel_params;
 
 /* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
@@ -745,7 +857,7 @@ typedef struct sins_failure {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* SINS_FAILURE_... */
+    /* Of enum sins_failure_kind. */
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
@@ -786,7 +898,7 @@ typedef struct sins_initial_errors {
     double velocity_sigma_enu_m_s[3];
     /* Standard deviation of misalignment, 0 to 1 [rad]. */
     double misalignment_sigma_enu_rad[3];
-    /* SINS_ALIGNMENT_... */
+    /* Of enum sins_alignment. */
     int32_t alignment;
     /* Must be 0. */
     uint32_t reserved2;
@@ -886,7 +998,7 @@ typedef struct sins_record_solution {
     double heading_rad;
     /* Scalar first. */
     double quaternion_nb[4];
-    /* SINS_NAVIGATION_... flags, or'ed. */
+    /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
     /* 0 */
     uint32_t reserved;
@@ -912,7 +1024,7 @@ typedef struct sins_record_errors {
     double pitch_rad;
     /* [rad] */
     double heading_rad;
-    /* SINS_ERRORS_... flags, or'ed. */
+    /* Flags of enum sins_errors_flags, or'ed. */
     int32_t flags;
     /* 0 */
     uint32_t reserved;
@@ -960,7 +1072,7 @@ typedef struct sins_navigation {
     double heading_rad;
     /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
     double quaternion_nb[4];
-    /* SINS_NAVIGATION_... flags, or'ed. */
+    /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
     /* 0 */
     uint32_t reserved2;
@@ -970,7 +1082,7 @@ typedef struct sins_navigation {
 typedef struct sins_imu {
     /* sizeof(sins_imu) */
     uint32_t struct_size;
-    /* SINS_IMU_... flags, or'ed. */
+    /* Flags of enum sins_imu_flags, or'ed. */
     uint32_t flags;
     /* Time of the end of the interval [s]. */
     double time_s;
@@ -1023,7 +1135,7 @@ typedef struct sins_errors {
     double pitch_rad;
     /* Heading, wrapped [rad]. */
     double heading_rad;
-    /* SINS_ERRORS_... flags (NEAR_POLE, OUTSIDE_VALIDITY, NOT_COMPUTED), or'ed. */
+    /* Flags of enum sins_errors_flags, or'ed. */
     int32_t flags;
     /* 0 */
     uint32_t reserved2;
@@ -1205,7 +1317,7 @@ typedef struct sins_flight_start {
     double roll_rad;
     /* Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad]. */
     double pitch_rad;
-    /* SINS_EARTH_..., as in the options of the simulator that will fly it. */
+    /* Of enum sins_earth, as in the options of the simulator that will fly it. */
     int32_t earth;
     /* Must be 0. */
     uint32_t reserved2;
@@ -1217,7 +1329,7 @@ typedef struct sins_manoeuvre {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* SINS_MANOEUVRE_... */
+    /* Of enum sins_manoeuvre_kind. */
     int32_t kind;
     /* Sinusoids, 1 to 6. */
     int32_t sinusoid_count;
@@ -1235,7 +1347,7 @@ typedef struct sins_manoeuvre {
     double bank_rad;
     /* Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6. */
     double turns;
-    /* SINS_CHANNEL_... of each sinusoid. */
+    /* What each sinusoid moves, of enum sins_channel. */
     int32_t channel[6];
     /*
      * Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
@@ -1270,7 +1382,7 @@ typedef struct sins_scene_setup {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* SINS_SCENE_FLIGHT_...; read only: a set call passes over it. */
+    /* Of enum sins_scene_flight; read only: a set call passes over it. */
     int32_t flight;
     /* 1: samples get the temperature below; 0: none. */
     int32_t has_temperature;
@@ -1294,7 +1406,7 @@ typedef struct sins_planned_failure {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* SINS_SENSOR_... */
+    /* Of enum sins_sensor. */
     int32_t sensor;
     /* 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0. */
     int32_t axis;
@@ -1302,7 +1414,7 @@ typedef struct sins_planned_failure {
     double from_s;
     /* When it ends, likewise; 0: at the end of the flight [s]. */
     double until_s;
-    /* SINS_FAILURE_..., but not SINS_FAILURE_NONE. */
+    /* Of enum sins_failure_kind, but not SINS_FAILURE_NONE. */
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
@@ -1406,7 +1518,7 @@ typedef struct sins_budget_request {
 typedef struct sins_budget_row {
     /* sizeof(sins_budget_row) */
     uint32_t struct_size;
-    /* SINS_BUDGET_... flags, or'ed. */
+    /* Flags of enum sins_budget_flags, or'ed. */
     uint32_t flags;
     /* Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization". */
     char effect[32];
@@ -1471,20 +1583,50 @@ typedef struct sins_budget {
     double ns_per_step;
 } sins_budget;
 
-/* The version of the interface that the loaded library has. */
-SINS_API sins_status SINS_CALL sins_abi_version(uint32_t *version);
+/* Sizes of the structs in bytes, the same on every platform: what struct_size is set to in other languages than C. */
+enum sins_sizeof {
+    SINS_SIZEOF_OPTIONS = 104,
+    SINS_SIZEOF_FLIGHT_SAMPLE = 144,
+    SINS_SIZEOF_GYRO_PARAMS = 736,
+    SINS_SIZEOF_ACCEL_PARAMS = 736,
+    SINS_SIZEOF_ALTIMETER_PARAMS = 56,
+    SINS_SIZEOF_FAILURE = 56,
+    SINS_SIZEOF_INITIAL_ERRORS = 160,
+    SINS_SIZEOF_MOUNTING = 104,
+    SINS_SIZEOF_GRAVITY_PARAMS = 80,
+    SINS_SIZEOF_RECORD_SOLUTION = 112,
+    SINS_SIZEOF_RECORD_ERRORS = 128,
+    SINS_SIZEOF_RECORD = 496,
+    SINS_SIZEOF_NAVIGATION = 128,
+    SINS_SIZEOF_IMU = 216,
+    SINS_SIZEOF_ERRORS = 144,
+    SINS_SIZEOF_ACCURACY = 256,
+    SINS_SIZEOF_TRUTH_SUMMARY = 232,
+    SINS_SIZEOF_IMU_INCREMENT = 264,
+    SINS_SIZEOF_FLIGHT_START = 72,
+    SINS_SIZEOF_MANOEUVRE = 240,
+    SINS_SIZEOF_FAULT = 288,
+    SINS_SIZEOF_SCENE_SETUP = 64,
+    SINS_SIZEOF_PLANNED_FAILURE = 80,
+    SINS_SIZEOF_LOG_INFO = 216,
+    SINS_SIZEOF_REQUIREMENT = 48,
+    SINS_SIZEOF_COST = 96,
+    SINS_SIZEOF_BUDGET_REQUEST = 40,
+    SINS_SIZEOF_BUDGET_ROW = 152,
+    SINS_SIZEOF_BUDGET = 128
+};
 
-/* The release of the loaded library. */
-SINS_API sins_status SINS_CALL sins_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
+/* The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI. */
+SINS_API uint32_t SINS_CALL sins_abi_version(void);
 
 /* The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded. */
-SINS_API sins_status SINS_CALL sins_version_string(const char **text);
+SINS_API const char *SINS_CALL sins_version_string(void);
 
 /*
  * The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
  * loaded.
  */
-SINS_API sins_status SINS_CALL sins_status_string(sins_status status, const char **text);
+SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 
 /* Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0. */
 SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
@@ -1633,7 +1775,7 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  * until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
  * once.
  *
- * sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+ * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
  * range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
  * there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
  * sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
@@ -1730,10 +1872,11 @@ SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, struct sins_na
 SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu);
 
 /*
- * Reads the errors of the navigated solution; source is SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL.
+ * Reads the errors of the navigated solution; source is of enum sins_errors_source.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
- * off, or navigating on increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+ * the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
+ * increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, struct sins_errors *errors);
 
@@ -1785,8 +1928,8 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.25 KiB
- * with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
+ * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
+ * with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
  * besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
@@ -1815,7 +1958,7 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
- * Fills params with the gyro errors of a grade, SINS_GRADE_... Biases, scale factor errors and misalignments are drawn at turn-on
+ * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at turn-on
  * with the standard deviations that the source states; what it does not state is 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
@@ -1984,24 +2127,28 @@ SINS_API sins_status SINS_CALL sins_scene_get_accel(const sins_scene *scene, str
 SINS_API sins_status SINS_CALL sins_scene_set_accel(sins_scene *scene, const struct sins_accel_params *params);
 
 /* Reads the errors of the scene's altimeter. */
-SINS_API sins_status SINS_CALL sins_scene_get_altimeter(const sins_scene *scene, struct sins_altimeter_params *params);
+SINS_API sins_status SINS_CALL sins_scene_get_altimeter(
+    const sins_scene *scene, struct sins_altimeter_params *params);
 
 /*
  * Sets the errors of the scene's altimeter.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
-SINS_API sins_status SINS_CALL sins_scene_set_altimeter(sins_scene *scene, const struct sins_altimeter_params *params);
+SINS_API sins_status SINS_CALL sins_scene_set_altimeter(
+    sins_scene *scene, const struct sins_altimeter_params *params);
 
 /* Reads the errors with which the navigation of the scene starts. */
-SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(const sins_scene *scene, struct sins_initial_errors *errors);
+SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(
+    const sins_scene *scene, struct sins_initial_errors *errors);
 
 /*
  * Sets the errors with which the navigation of the scene starts.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
-SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(sins_scene *scene, const struct sins_initial_errors *errors);
+SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(
+    sins_scene *scene, const struct sins_initial_errors *errors);
 
 /* Reads where the sensor block of the scene sits. */
 SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, struct sins_mounting *mounting);
@@ -2014,14 +2161,16 @@ SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, 
 SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const struct sins_mounting *mounting);
 
 /* Reads true gravity less normal gravity of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(const sins_scene *scene, struct sins_gravity_params *params);
+SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(
+    const sins_scene *scene, struct sins_gravity_params *params);
 
 /*
  * Sets true gravity less normal gravity of the scene.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
-SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(sins_scene *scene, const struct sins_gravity_params *params);
+SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(
+    sins_scene *scene, const struct sins_gravity_params *params);
 
 /* Reads what a scene says of its flight and of its output. */
 SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, struct sins_scene_setup *setup);
@@ -2034,7 +2183,7 @@ SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, str
 SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
 
 /*
- * Reads a text of the scene, SINS_SCENE_TEXT_...; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+ * Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in sins_scene_write().
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such text.
  */
@@ -2042,7 +2191,7 @@ SINS_API sins_status SINS_CALL sins_scene_get_text(
     const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Sets a text of the scene: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+ * Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
  */

@@ -53,9 +53,7 @@ template <typename T> T make() noexcept
 /* "SINS_ERROR_TIME_ORDER" */
 inline const char *status_string(sins_status status) noexcept
 {
-    const char *text = "";
-    sins_status_string(status, &text);
-    return text;
+    return sins_status_string(status);
 }
 
 /* The sentence of the last failed call on sim; NULL: of the last one on this thread that has no simulator. */
@@ -95,25 +93,16 @@ template <class Write> std::string text(Write write)
 
 } // namespace detail
 
-/* Compare with SINS_ABI_VERSION. */
-inline uint32_t abi_version()
+/* Compare with SINS_HEADER_ABI. */
+inline uint32_t abi_version() noexcept
 {
-    uint32_t version = 0;
-    detail::done(sins_abi_version(&version), nullptr);
-    return version;
+    return sins_abi_version();
 }
 
 /* "0.1.0" */
-inline const char *version_string()
+inline const char *version_string() noexcept
 {
-    const char *text = nullptr;
-    detail::done(sins_version_string(&text), nullptr);
-    return text;
-}
-
-inline void version(uint32_t &major, uint32_t &minor, uint32_t &patch)
-{
-    detail::done(sins_version(&major, &minor, &patch), nullptr);
+    return sins_version_string();
 }
 
 /* SINS_GRADE_... */

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::units::TEMPERATURE_RANGE_C;
+
 /// What kind of refusal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorKind {
@@ -34,6 +36,10 @@ pub enum Rule {
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
+    /// 0, which is none, or `low` ≤ value ≤ `high`.
+    OffOr(f64, f64),
+    /// `low` ≤ value ≤ `high`, because the named field is not 0.
+    NeededBy(f64, f64, &'static str),
     /// value < limit.
     Below(f64),
     /// A sentence, for limits that need words.
@@ -94,6 +100,12 @@ impl fmt::Display for Error {
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
             Rule::Between(low, high) => write!(f, "must be from {} to {}", Number(low), Number(high)),
+            Rule::OffOr(low, high) => {
+                write!(f, "must be 0 for none, or from {} to {}", Number(low), Number(high))
+            }
+            Rule::NeededBy(low, high, field) => {
+                write!(f, "must be from {} to {} where {field} is not 0", Number(low), Number(high))
+            }
             Rule::Below(limit) => write!(f, "must be less than {}", Number(limit)),
             Rule::Words(words) => f.write_str(words),
             Rule::WordsAnd(words, number) => write!(f, "{words} {}", Number(number)),
@@ -137,9 +149,6 @@ pub(crate) fn check_ranges(field: &'static str, values: &[f64], low: f64, high: 
     }
     Ok(())
 }
-
-/// Temperatures that a host may give [°C]: from the absolute zero to beyond any electronics.
-pub(crate) const TEMPERATURE_RANGE_C: (f64, f64) = (-273.15, 1000.0);
 
 /// Checks a temperature [°C].
 pub(crate) fn check_temperature(field: &'static str, temperature_c: f64) -> Result<(), Error> {

@@ -19,9 +19,7 @@ void library_sentence(const sins_sim *sim, char *sentence, size_t capacity)
     sins_status status = sins_last_error(sim, sentence, capacity, NULL);
 
     if (status != SINS_OK && status != SINS_ERROR_BUFFER_TOO_SMALL) {
-        const char *name = "";
-        sins_status_string(status, &name);
-        snprintf(sentence, capacity, "%s", name);
+        snprintf(sentence, capacity, "%s", sins_status_string(status));
     }
 }
 

@@ -59,7 +59,8 @@ int summary_gather(struct summary *sum, sins_sim *sim, const struct settings *se
     sum->scene = scene;
     sum->flown = flown;
     sum->accuracy.struct_size = sizeof sum->accuracy;
-    if (refused(sim, sins_get_accuracy(sim, &sum->accuracy)) || refused(NULL, sins_version_string(&sum->version))) {
+    sum->version = sins_version_string();
+    if (refused(sim, sins_get_accuracy(sim, &sum->accuracy))) {
         return FAILED;
     }
     sum->subsamples = set->options.subsamples > 0 ? set->options.subsamples : 2;

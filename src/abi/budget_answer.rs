@@ -6,10 +6,13 @@ use super::memory::interface_struct;
 use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
 use crate::recommend::SolutionError;
 
+/// Flags of a sins_budget_row.
+pub type sins_budget_flags = u32;
+
 /// The row's figures are standard deviations (1 sigma) over the runs.
-pub const SINS_BUDGET_RANDOM: u32 = 1;
+pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out together with the others that are marked so.
-pub const SINS_BUDGET_CAN_BE_LEFT_OUT: u32 = 2;
+pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
 
 /// An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
 /// set.
@@ -18,7 +21,7 @@ pub const SINS_BUDGET_CAN_BE_LEFT_OUT: u32 = 2;
 pub struct sins_budget_row {
     /// sizeof(sins_budget_row)
     pub struct_size: u32,
-    /// SINS_BUDGET_... flags, or'ed.
+    /// Flags of enum sins_budget_flags, or'ed.
     pub flags: u32,
     /// Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
     pub effect: [c_char; 32],

@@ -39,7 +39,7 @@ pub struct sins_flight_start {
     pub roll_rad: f64,
     /// Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
     pub pitch_rad: f64,
-    /// SINS_EARTH_..., as in the options of the simulator that will fly it.
+    /// Of enum sins_earth, as in the options of the simulator that will fly it.
     pub earth: i32,
     /// Must be 0.
     pub reserved2: u32,

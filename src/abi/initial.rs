@@ -8,12 +8,15 @@ use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{Alignment, InitialErrorParameters};
 
+/// How the INS finds its attitude at the start.
+pub type sins_alignment = i32;
+
 /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
-pub const SINS_ALIGNMENT_GIVEN: i32 = 0;
+pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
 /// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
 /// the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
 /// heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
-pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: i32 = 1;
+pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
 /// Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
@@ -38,7 +41,7 @@ pub struct sins_initial_errors {
     pub velocity_sigma_enu_m_s: [f64; 3],
     /// Standard deviation of misalignment, 0 to 1 [rad].
     pub misalignment_sigma_enu_rad: [f64; 3],
-    /// SINS_ALIGNMENT_...
+    /// Of enum sins_alignment.
     pub alignment: i32,
     /// Must be 0.
     pub reserved2: u32,

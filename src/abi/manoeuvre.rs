@@ -6,38 +6,44 @@ use super::options::{check_reserved, one_of};
 use crate::error::{Error, Rule, check_range};
 use crate::flight::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 
+/// Kinds of manoeuvre.
+pub type sins_manoeuvre_kind = i32;
+
 /// At rest for duration_s; the speed must be 0.
-pub const SINS_MANOEUVRE_REST: i32 = 0;
+pub const SINS_MANOEUVRE_REST: sins_manoeuvre_kind = 0;
 /// Along a geodesic at constant speed and height for duration_s.
-pub const SINS_MANOEUVRE_STRAIGHT: i32 = 1;
+pub const SINS_MANOEUVRE_STRAIGHT: sins_manoeuvre_kind = 1;
 /// By speed_change_m_s in duration_s.
-pub const SINS_MANOEUVRE_ACCELERATE: i32 = 2;
+pub const SINS_MANOEUVRE_ACCELERATE: sins_manoeuvre_kind = 2;
 /// By height_change_m in duration_s, ramp_s.
-pub const SINS_MANOEUVRE_CLIMB: i32 = 3;
+pub const SINS_MANOEUVRE_CLIMB: sins_manoeuvre_kind = 3;
 /// Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
 /// follows.
-pub const SINS_MANOEUVRE_TURN: i32 = 4;
+pub const SINS_MANOEUVRE_TURN: sins_manoeuvre_kind = 4;
 /// turns whole rolls (right positive) in duration_s along a straight path.
-pub const SINS_MANOEUVRE_ROLL: i32 = 5;
+pub const SINS_MANOEUVRE_ROLL: sins_manoeuvre_kind = 5;
 /// turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
-pub const SINS_MANOEUVRE_LOOP: i32 = 6;
+pub const SINS_MANOEUVRE_LOOP: sins_manoeuvre_kind = 6;
 /// Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
-pub const SINS_MANOEUVRE_S_TURN: i32 = 7;
+pub const SINS_MANOEUVRE_S_TURN: sins_manoeuvre_kind = 7;
 /// Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
-pub const SINS_MANOEUVRE_SINUSOIDS: i32 = 8;
+pub const SINS_MANOEUVRE_SINUSOIDS: sins_manoeuvre_kind = 8;
+
+/// What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
+pub type sins_channel = i32;
 
 /// The sinusoid moves the course [rad], with the bank of a coordinated turn.
-pub const SINS_CHANNEL_COURSE: i32 = 0;
+pub const SINS_CHANNEL_COURSE: sins_channel = 0;
 /// The sinusoid moves the climb angle [rad].
-pub const SINS_CHANNEL_CLIMB: i32 = 1;
+pub const SINS_CHANNEL_CLIMB: sins_channel = 1;
 /// The sinusoid moves the speed [m/s].
-pub const SINS_CHANNEL_SPEED: i32 = 2;
+pub const SINS_CHANNEL_SPEED: sins_channel = 2;
 /// The sinusoid moves roll alone [rad].
-pub const SINS_CHANNEL_ROLL: i32 = 3;
+pub const SINS_CHANNEL_ROLL: sins_channel = 3;
 /// The sinusoid moves pitch alone [rad].
-pub const SINS_CHANNEL_PITCH: i32 = 4;
+pub const SINS_CHANNEL_PITCH: sins_channel = 4;
 /// The sinusoid moves heading alone [rad].
-pub const SINS_CHANNEL_HEADING: i32 = 5;
+pub const SINS_CHANNEL_HEADING: sins_channel = 5;
 
 /// One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
 #[repr(C)]
@@ -47,7 +53,7 @@ pub struct sins_manoeuvre {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// SINS_MANOEUVRE_...
+    /// Of enum sins_manoeuvre_kind.
     pub kind: i32,
     /// Sinusoids, 1 to 6.
     pub sinusoid_count: i32,
@@ -65,7 +71,7 @@ pub struct sins_manoeuvre {
     pub bank_rad: f64,
     /// Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     pub turns: f64,
-    /// SINS_CHANNEL_... of each sinusoid.
+    /// What each sinusoid moves, of enum sins_channel.
     pub channel: [i32; 6],
     /// Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
     /// [m/s].

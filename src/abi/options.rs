@@ -11,62 +11,89 @@ use crate::simulator::Options;
 use crate::state::BodyAxes;
 use crate::truth::IntakeLimits;
 
+/// Axes in which the mechanization integrates.
+pub type sins_frame = i32;
+
 /// Navigation in Earth-fixed axes: regular everywhere, poles included.
-pub const SINS_FRAME_EARTH_FIXED: i32 = 0;
+pub const SINS_FRAME_EARTH_FIXED: sins_frame = 0;
 /// Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
 /// than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
-pub const SINS_FRAME_GEOGRAPHIC: i32 = 1;
+pub const SINS_FRAME_GEOGRAPHIC: sins_frame = 1;
+
+/// Algorithms of the mechanization.
+pub type sins_scheme = i32;
 
 /// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
-pub const SINS_SCHEME_EXACT: i32 = 0;
+pub const SINS_SCHEME_EXACT: sins_scheme = 0;
 /// The paper's equations (7)-(24), misprints mended, approximations kept.
-pub const SINS_SCHEME_PAPER: i32 = 1;
+pub const SINS_SCHEME_PAPER: sins_scheme = 1;
 /// As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
-pub const SINS_SCHEME_POLYNOMIAL: i32 = 2;
+pub const SINS_SCHEME_POLYNOMIAL: sins_scheme = 2;
+
+/// What holds the vertical channel.
+pub type sins_vertical = i32;
 
 /// Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
 /// the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
-pub const SINS_VERTICAL_DAMPED: i32 = 0;
+pub const SINS_VERTICAL_DAMPED: sins_vertical = 0;
 /// Height and vertical velocity set to the truth at each sample.
-pub const SINS_VERTICAL_FOLLOW_TRUTH: i32 = 1;
+pub const SINS_VERTICAL_FOLLOW_TRUTH: sins_vertical = 1;
 /// Left to itself: any error grows by e every 569 s.
-pub const SINS_VERTICAL_FREE: i32 = 2;
+pub const SINS_VERTICAL_FREE: sins_vertical = 2;
+
+/// Whether the error differential equations are integrated.
+pub type sins_error_model = i32;
 
 /// No error differential equations: SINS_ERRORS_MODEL is not available.
-pub const SINS_ERROR_MODEL_OFF: i32 = 0;
+pub const SINS_ERROR_MODEL_OFF: sins_error_model = 0;
 /// The error differential equations (error data 1) by fourth-order Runge-Kutta.
-pub const SINS_ERROR_MODEL_RK4: i32 = 1;
+pub const SINS_ERROR_MODEL_RK4: sins_error_model = 1;
+
+/// Whether the motion of the truth is summed up.
+pub type sins_summary = i32;
 
 /// sins_get_truth_summary() is not available.
-pub const SINS_TRUTH_SUMMARY_OFF: i32 = 0;
+pub const SINS_SUMMARY_OFF: sins_summary = 0;
 /// The motion of the truth is summed up; the other outputs have the same bits.
-pub const SINS_TRUTH_SUMMARY_ON: i32 = 1;
+pub const SINS_SUMMARY_ON: sins_summary = 1;
+
+/// Ellipsoids.
+pub type sins_earth = i32;
 
 /// World Geodetic System 1984.
-pub const SINS_EARTH_WGS84: i32 = 0;
+pub const SINS_EARTH_WGS84: sins_earth = 0;
 /// China Geodetic Coordinate System 2000.
-pub const SINS_EARTH_CGCS2000: i32 = 1;
+pub const SINS_EARTH_CGCS2000: sins_earth = 1;
 /// Geodetic Reference System 1980.
-pub const SINS_EARTH_GRS80: i32 = 2;
+pub const SINS_EARTH_GRS80: sins_earth = 2;
 /// Krassovsky 1940; Earth rate and gravitational constant as WGS-84.
-pub const SINS_EARTH_KRASSOVSKY1940: i32 = 3;
+pub const SINS_EARTH_KRASSOVSKY1940: sins_earth = 3;
+
+/// Formulas of normal gravity.
+pub type sins_gravity = i32;
 
 /// Normal gravity in closed form at any height, with its north component.
-pub const SINS_GRAVITY_NORMAL: i32 = 0;
+pub const SINS_GRAVITY_NORMAL: sins_gravity = 0;
 /// Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
-pub const SINS_GRAVITY_SOMIGLIANA: i32 = 1;
+pub const SINS_GRAVITY_SOMIGLIANA: sins_gravity = 1;
+
+/// Directions of the sensor axes.
+pub type sins_axes = i32;
 
 /// Sensor axes: x right, y forward, z up (the paper's).
-pub const SINS_AXES_RIGHT_FORWARD_UP: i32 = 0;
+pub const SINS_AXES_RIGHT_FORWARD_UP: sins_axes = 0;
 /// Sensor axes: x forward, y right, z down.
-pub const SINS_AXES_FORWARD_RIGHT_DOWN: i32 = 1;
+pub const SINS_AXES_FORWARD_RIGHT_DOWN: sins_axes = 1;
+
+/// Ideal signals.
+pub type sins_signal = i32;
 
 /// Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
-pub const SINS_SIGNAL_PHYSICAL: i32 = 0;
+pub const SINS_SIGNAL_PHYSICAL: sins_signal = 0;
 /// The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
 /// for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
 /// navigator is the simulator's own and nothing is computed twice.
-pub const SINS_SIGNAL_CLOSED_LOOP: i32 = 1;
+pub const SINS_SIGNAL_CLOSED_LOOP: sins_signal = 1;
 
 /// How a simulator is made. All zero (but struct_size) is the recommended simulator.
 #[repr(C)]
@@ -76,25 +103,25 @@ pub struct sins_options {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// SINS_FRAME_...
+    /// Of enum sins_frame.
     pub frame: i32,
-    /// SINS_SCHEME_...
+    /// Of enum sins_scheme.
     pub scheme: i32,
     /// Sub-increments of a mechanization update, 1 to 5; 0: 2.
     pub subsamples: i32,
     /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     pub updates_per_sample: i32,
-    /// SINS_VERTICAL_...
+    /// Of enum sins_vertical.
     pub vertical: i32,
-    /// SINS_ERROR_MODEL_...
+    /// Of enum sins_error_model.
     pub error_model: i32,
-    /// SINS_EARTH_...
+    /// Of enum sins_earth.
     pub earth: i32,
-    /// SINS_GRAVITY_...
+    /// Of enum sins_gravity.
     pub gravity: i32,
-    /// SINS_AXES_..., of gyros, accelerometers, quaternions and optional sample fields.
+    /// Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
     pub axes: i32,
-    /// SINS_SIGNAL_...
+    /// Of enum sins_signal.
     pub signal: i32,
     /// Seed of all random streams.
     pub seed: u64,
@@ -111,7 +138,7 @@ pub struct sins_options {
     /// Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
     /// 0: 2000 m/s2.
     pub max_acceleration_m_s2: f64,
-    /// SINS_TRUTH_SUMMARY_...
+    /// Of enum sins_summary.
     pub truth_summary: i32,
     /// Must be 0.
     pub reserved2: u32,
@@ -202,7 +229,7 @@ impl sins_options {
             sample_period_s: options.intake.period_s.unwrap_or(0.0),
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
-            truth_summary: if options.truth_summary { SINS_TRUTH_SUMMARY_ON } else { SINS_TRUTH_SUMMARY_OFF },
+            truth_summary: if options.truth_summary { SINS_SUMMARY_ON } else { SINS_SUMMARY_OFF },
             reserved2: 0,
         }
     }
@@ -213,8 +240,8 @@ impl sins_options {
         let truth_summary = one_of(
             "options.truth_summary",
             self.truth_summary,
-            &[(SINS_TRUTH_SUMMARY_OFF, false), (SINS_TRUTH_SUMMARY_ON, true)],
-            "must be a SINS_TRUTH_SUMMARY_ constant, 0 or 1",
+            &[(SINS_SUMMARY_OFF, false), (SINS_SUMMARY_ON, true)],
+            "must be a SINS_SUMMARY_ constant, 0 or 1",
         )?;
         let frame = one_of(
             "options.frame",

@@ -5,7 +5,7 @@
  * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
  *
  *   sins_sim *sim = NULL;
- *   sins_create(NULL, &sim);                       recommended options
+ *   sins_create(NULL, &sim);                       recommended options: navigation minus truth, no error model
  *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
  *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
@@ -21,12 +21,14 @@
  *   hosts run on new libraries and the other way round.
  * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
+ * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size no compiler chooses.
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
- * Errors. Every function returns a sins_status and gives data through pointers. On an error nothing changed: no state, no
- *   output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is too small, sins_last_error() and
- *   sins_error_budget() tell the size that would do.) SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
+ * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value. On an
+ *   error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is
+ *   too small, sins_last_error() and sins_error_budget() report the size that is needed.) SINS_ERROR_NULL_POINTER,
+ *   SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
@@ -131,9 +133,9 @@ typedef unsigned __int64 uint64_t;
 #define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
 #define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
-#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1e-6)             /* millionth of g [m/s2] */
-#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1e-6) /* white noise of force [(m/s)/sqrt(s)] */
-#define SINS_PPM 1e-6                              /* part in a million */
+#define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_PPM 1.0e-6                            /* part in a million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
 #define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */

@@ -1,28 +1,30 @@
 //! Presets of sensor errors.
 
-use super::accel::sins_accel_params;
 use super::boundary::enter_without_simulator;
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::gyro::sins_gyro_params;
 use super::memory::Output;
 use super::options::one_of;
+use super::sensor_params::{sins_accel_params, sins_gyro_params};
 use crate::sensors::{Grade, TriadParameters};
+
+/// Grades of sensors.
+pub type sins_grade = i32;
 
 /// Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
 /// angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
-pub const SINS_GRADE_STRATEGIC: i32 = 1;
+pub const SINS_GRADE_STRATEGIC: sins_grade = 1;
 /// Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
-pub const SINS_GRADE_NAVIGATION: i32 = 2;
+pub const SINS_GRADE_NAVIGATION: sins_grade = 2;
 /// Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
-pub const SINS_GRADE_TACTICAL: i32 = 3;
+pub const SINS_GRADE_TACTICAL: sins_grade = 3;
 /// Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
 /// range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
-pub const SINS_GRADE_INDUSTRIAL: i32 = 4;
+pub const SINS_GRADE_INDUSTRIAL: sins_grade = 4;
 /// Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
-pub const SINS_GRADE_CONSUMER: i32 = 5;
+pub const SINS_GRADE_CONSUMER: sins_grade = 5;
 /// The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
 /// white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
-pub const SINS_GRADE_PAPER_SIMULATION2: i32 = 6;
+pub const SINS_GRADE_PAPER_SIMULATION2: sins_grade = 6;
 
 fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure> {
     const GRADES: [(i32, Grade); 6] = [
@@ -36,7 +38,7 @@ fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure>
     one_of("grade", grade, &GRADES, "must be a SINS_GRADE_ constant, 1 to 6").map(Grade::parameters)
 }
 
-/// Fills params with the gyro errors of a grade, SINS_GRADE_... Biases, scale factor errors and misalignments are drawn at turn-on
+/// Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at turn-on
 /// with the standard deviations that the source states; what it does not state is 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.

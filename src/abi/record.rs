@@ -26,7 +26,7 @@ pub struct sins_record_solution {
     pub heading_rad: f64,
     /// Scalar first.
     pub quaternion_nb: [f64; 4],
-    /// SINS_NAVIGATION_... flags, or'ed.
+    /// Flags of enum sins_navigation_flags, or'ed.
     pub flags: i32,
     /// 0
     pub reserved: u32,
@@ -54,7 +54,7 @@ pub struct sins_record_errors {
     pub pitch_rad: f64,
     /// [rad]
     pub heading_rad: f64,
-    /// SINS_ERRORS_... flags, or'ed.
+    /// Flags of enum sins_errors_flags, or'ed.
     pub flags: i32,
     /// 0
     pub reserved: u32,

@@ -9,14 +9,17 @@ use crate::error::{Error, Rule};
 use crate::math::Euler;
 use crate::truth::FlightSample;
 
+/// Flags of a sins_flight_sample.
+pub type sins_sample_flags = u32;
+
 /// The sample carries angular_rate_rad_s.
-pub const SINS_SAMPLE_ANGULAR_RATE: u32 = 1;
+pub const SINS_SAMPLE_ANGULAR_RATE: sins_sample_flags = 1;
 /// The sample carries specific_force_m_s2.
-pub const SINS_SAMPLE_SPECIFIC_FORCE: u32 = 2;
+pub const SINS_SAMPLE_SPECIFIC_FORCE: sins_sample_flags = 2;
 /// The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
-pub const SINS_SAMPLE_NO_VELOCITY: u32 = 4;
+pub const SINS_SAMPLE_NO_VELOCITY: sins_sample_flags = 4;
 /// The sample carries temperature_c.
-pub const SINS_SAMPLE_TEMPERATURE: u32 = 8;
+pub const SINS_SAMPLE_TEMPERATURE: sins_sample_flags = 8;
 
 const KNOWN_FLAGS: u32 =
     SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_NO_VELOCITY | SINS_SAMPLE_TEMPERATURE;
@@ -29,7 +32,7 @@ const KNOWN_FLAGS: u32 =
 pub struct sins_flight_sample {
     /// sizeof(sins_flight_sample)
     pub struct_size: u32,
-    /// SINS_SAMPLE_... flags, or'ed.
+    /// Flags of enum sins_sample_flags, or'ed.
     pub flags: u32,
     /// Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
     /// (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.

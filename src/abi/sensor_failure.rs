@@ -7,31 +7,37 @@ use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
 use crate::sensors::{self, Axis, SensorOutput};
 
+/// Sensors that can fail.
+pub type sins_sensor = i32;
+
 /// The gyros.
-pub const SINS_SENSOR_GYRO: i32 = 0;
+pub const SINS_SENSOR_GYRO: sins_sensor = 0;
 /// The accelerometers.
-pub const SINS_SENSOR_ACCEL: i32 = 1;
+pub const SINS_SENSOR_ACCEL: sins_sensor = 1;
 /// The altimeter; its axis is 0.
-pub const SINS_SENSOR_ALTIMETER: i32 = 2;
+pub const SINS_SENSOR_ALTIMETER: sins_sensor = 2;
+
+/// Kinds of failure.
+pub type sins_failure_kind = i32;
 
 /// None: clears the failure that there is.
-pub const SINS_FAILURE_NONE: i32 = 0;
+pub const SINS_FAILURE_NONE: sins_failure_kind = 0;
 /// The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
 /// it looks like data.
-pub const SINS_FAILURE_STUCK: i32 = 1;
+pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
 /// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
 /// altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
-pub const SINS_FAILURE_DEAD: i32 = 2;
+pub const SINS_FAILURE_DEAD: sins_failure_kind = 2;
 /// A bias of size more. Not flagged.
-pub const SINS_FAILURE_BIAS_STEP: i32 = 3;
+pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
 /// Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
 /// mean over its interval. Not flagged but where they saturate.
-pub const SINS_FAILURE_SPIKES: i32 = 4;
+pub const SINS_FAILURE_SPIKES: sins_failure_kind = 4;
 /// White noise of density more; of the altimeter its mean over the interval. Not flagged.
-pub const SINS_FAILURE_NOISE: i32 = 5;
+pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
 /// Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
 /// that time, the first at once.
-pub const SINS_FAILURE_DROP_OUTS: i32 = 6;
+pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
 
 /// A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
 /// accelerometer, m of the altimeter.
@@ -42,7 +48,7 @@ pub struct sins_failure {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// SINS_FAILURE_...
+    /// Of enum sins_failure_kind.
     pub kind: i32,
     /// Must be 0.
     pub reserved2: u32,
@@ -164,7 +170,7 @@ pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
 /// until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
 /// once.
 ///
-/// sensor is SINS_SENSOR_...; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+/// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
 /// range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
 /// there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
 /// sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures

@@ -7,40 +7,52 @@ use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
 use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
 
+/// Flags of a sins_navigation.
+pub type sins_navigation_flags = i32;
+
 /// Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
 /// and the errors in metres stay right.
-pub const SINS_NAVIGATION_NEAR_POLE: i32 = 1;
+pub const SINS_NAVIGATION_NEAR_POLE: sins_navigation_flags = 1;
 /// Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
-pub const SINS_NAVIGATION_VERTICAL_UNAIDED: i32 = 2;
+pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
 /// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
-pub const SINS_NAVIGATION_INCONSISTENT: i32 = 4;
+pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
 /// The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
 /// rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
 /// accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
 /// horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
-pub const SINS_NAVIGATION_NORTH_UNKNOWN: i32 = 8;
+pub const SINS_NAVIGATION_NORTH_UNKNOWN: sins_navigation_flags = 8;
+
+/// Where errors come from.
+pub type sins_errors_source = i32;
 
 /// Navigation minus truth: the paper's error data 2.
-pub const SINS_ERRORS_NAVIGATION: i32 = 0;
+pub const SINS_ERRORS_NAVIGATION: sins_errors_source = 0;
 /// The error differential equations: the paper's error data 1 (sins_options.error_model).
-pub const SINS_ERRORS_MODEL: i32 = 1;
+pub const SINS_ERRORS_MODEL: sins_errors_source = 1;
+
+/// Flags of a sins_errors.
+pub type sins_errors_flags = i32;
 
 /// Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
-pub const SINS_ERRORS_NEAR_POLE: i32 = 1;
+pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
 /// Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
 /// pole; what it drops is no longer small.
-pub const SINS_ERRORS_OUTSIDE_VALIDITY: i32 = 2;
+pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
-pub const SINS_ERRORS_NOT_COMPUTED: i32 = 4;
+pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
+
+/// Flags of a sins_imu.
+pub type sins_imu_flags = u32;
 
 /// The mean rate of a sub-increment was beyond the range of a gyro.
-pub const SINS_IMU_GYRO_SATURATED: u32 = 1;
+pub const SINS_IMU_GYRO_SATURATED: sins_imu_flags = 1;
 /// The mean force of a sub-increment was beyond the range of an accelerometer.
-pub const SINS_IMU_ACCEL_SATURATED: u32 = 2;
+pub const SINS_IMU_ACCEL_SATURATED: sins_imu_flags = 2;
 /// A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
-pub const SINS_IMU_GYRO_INVALID: u32 = 4;
+pub const SINS_IMU_GYRO_INVALID: sins_imu_flags = 4;
 /// An accelerometer had none.
-pub const SINS_IMU_ACCEL_INVALID: u32 = 8;
+pub const SINS_IMU_ACCEL_INVALID: sins_imu_flags = 8;
 
 /// A solution: the truth or the navigated one.
 #[repr(C)]
@@ -68,7 +80,7 @@ pub struct sins_navigation {
     pub heading_rad: f64,
     /// Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
     pub quaternion_nb: [f64; 4],
-    /// SINS_NAVIGATION_... flags, or'ed.
+    /// Flags of enum sins_navigation_flags, or'ed.
     pub flags: i32,
     /// 0
     pub reserved2: u32,
@@ -105,7 +117,7 @@ pub struct sins_errors {
     pub pitch_rad: f64,
     /// Heading, wrapped [rad].
     pub heading_rad: f64,
-    /// SINS_ERRORS_... flags (NEAR_POLE, OUTSIDE_VALIDITY, NOT_COMPUTED), or'ed.
+    /// Flags of enum sins_errors_flags, or'ed.
     pub flags: i32,
     /// 0
     pub reserved2: u32,
@@ -119,7 +131,7 @@ interface_struct!(sins_errors, "errors", 144);
 pub struct sins_imu {
     /// sizeof(sins_imu)
     pub struct_size: u32,
-    /// SINS_IMU_... flags, or'ed.
+    /// Flags of enum sins_imu_flags, or'ed.
     pub flags: u32,
     /// Time of the end of the interval [s].
     pub time_s: f64,
@@ -298,10 +310,11 @@ pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) ->
     })
 }
 
-/// Reads the errors of the navigated solution; source is SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL.
+/// Reads the errors of the navigated solution; source is of enum sins_errors_source.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: the error model is
-/// off, or navigating on increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+/// the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
+/// increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_errors(
     sim: *mut sins_sim,

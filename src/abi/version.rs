@@ -2,13 +2,11 @@
 
 use core::ffi::{CStr, c_char};
 
-use super::boundary::enter_without_simulator;
 use super::failure::*;
-use super::memory::put;
 
-/// Version of the interface: a host compares it with what sins_abi_version() gives. It changes when something that was
-/// there is gone or means something else; what is added at the end does not change it.
-pub const SINS_ABI_VERSION: u32 = 1;
+/// Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
+/// something that was there is gone or means something else; what is added at the end does not change it.
+pub const SINS_HEADER_ABI: u32 = 1;
 /// Release of the library, semantic versioning.
 pub const SINS_VERSION_MAJOR: u32 = 0;
 /// See SINS_VERSION_MAJOR.
@@ -16,53 +14,23 @@ pub const SINS_VERSION_MINOR: u32 = 1;
 /// See SINS_VERSION_MAJOR.
 pub const SINS_VERSION_PATCH: u32 = 0;
 
-/// The version of the interface that the loaded library has.
+/// The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_abi_version(version: *mut u32) -> sins_status {
-    enter_without_simulator(|| {
-        // SAFETY: the host's promise.
-        unsafe { put(version, SINS_ABI_VERSION, "version")? };
-        Ok(SINS_OK)
-    })
-}
-
-/// The release of the loaded library.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_version(major: *mut u32, minor: *mut u32, patch: *mut u32) -> sins_status {
-    enter_without_simulator(|| {
-        if major.is_null() || minor.is_null() || patch.is_null() {
-            return Err(Failure::null("version"));
-        }
-        // SAFETY: the host's promise.
-        unsafe {
-            put(major, SINS_VERSION_MAJOR, "major")?;
-            put(minor, SINS_VERSION_MINOR, "minor")?;
-            put(patch, SINS_VERSION_PATCH, "patch")?;
-        }
-        Ok(SINS_OK)
-    })
+pub extern "C" fn sins_abi_version() -> u32 {
+    SINS_HEADER_ABI
 }
 
 /// The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_version_string(text: *mut *const c_char) -> sins_status {
-    const TEXT: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
-    enter_without_simulator(|| {
-        // SAFETY: the host's promise.
-        unsafe { put(text, TEXT.as_ptr().cast(), "text")? };
-        Ok(SINS_OK)
-    })
+pub extern "C" fn sins_version_string() -> *const c_char {
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
 /// The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
 /// loaded.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_status_string(status: sins_status, text: *mut *const c_char) -> sins_status {
-    enter_without_simulator(|| {
-        // SAFETY: the host's promise.
-        unsafe { put(text, name(status).as_ptr(), "text")? };
-        Ok(SINS_OK)
-    })
+pub extern "C" fn sins_status_string(status: sins_status) -> *const c_char {
+    name(status).as_ptr()
 }
 
 fn name(status: sins_status) -> &'static CStr {

@@ -324,7 +324,9 @@ impl Simulator {
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
         self.refuse_while_navigating()?;
         if source == ErrorSource::Model && !self.options.error_model {
-            return Err(Error::bad_state("the error model is off: options.error_model"));
+            return Err(Error::bad_state(
+                "the error model is off, as it is by default: create the simulator with options.error_model",
+            ));
         }
         let errors = self.read(|chain, truth| {
             let near_pole = truth.is_near_pole();

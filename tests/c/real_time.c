@@ -95,7 +95,7 @@ static void read_everything(sins_sim *sim, int flown)
     char text[200];
     size_t needed;
     FRAME_CHECK(sins_get_options(sim, &options) == SINS_OK);
-    if (options.truth_summary == SINS_TRUTH_SUMMARY_ON) {
+    if (options.truth_summary == SINS_SUMMARY_ON) {
         FRAME_CHECK(is_answer(sins_get_truth_summary(sim, &summary), flown));
     } else {
         FRAME_CHECK(sins_get_truth_summary(sim, &summary) == SINS_ERROR_BAD_STATE);
@@ -244,7 +244,7 @@ int main(void)
         options.subsamples = 1 + i % 5;
         options.updates_per_sample = 1 + i % 2;
         options.error_model = SINS_ERROR_MODEL_RK4;
-        options.truth_summary = i % 3 ? SINS_TRUTH_SUMMARY_ON : SINS_TRUTH_SUMMARY_OFF;
+        options.truth_summary = i % 3 ? SINS_SUMMARY_ON : SINS_SUMMARY_OFF;
         sims[i] = scene_simulator(&options, 0);
         if (i < FRAMES * SCHEMES) {
             sins_gyro_params gyro = scene_gyro(); /* and accelerometers without a limit to their range */

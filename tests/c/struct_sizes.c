@@ -62,7 +62,7 @@ static void *stating(size_t size, int filling)
 #define OUTPUT_SIZES(type, call) OUTPUT_SIZES_SINCE(sizeof(struct type), type, call)
 
 /* Of structs that have grown: their sizes in the first release. */
-enum { FIRST_GYRO_PARAMS = 512, FIRST_ACCEL_PARAMS = 536, FIRST_FLIGHT_SAMPLE = 136 };
+enum { FIRST_FLIGHT_SAMPLE = 136 };
 
 static sins_status create_and_destroy(const sins_options *options)
 {
@@ -239,8 +239,8 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     sins_sim *fresh = NULL;
     CHECK(sins_create(NULL, &fresh) == SINS_OK);
     INPUT_SIZES(sins_options, create_and_destroy(pointer));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_set_gyro(fresh, pointer));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_set_accel(fresh, pointer));
+    INPUT_SIZES(sins_gyro_params, sins_set_gyro(fresh, pointer));
+    INPUT_SIZES(sins_accel_params, sins_set_accel(fresh, pointer));
     INPUT_SIZES(sins_altimeter_params, sins_set_altimeter(fresh, pointer));
     INPUT_SIZES(sins_failure, sins_set_failure(fresh, SINS_SENSOR_ACCEL, 2, pointer));
     INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
@@ -258,8 +258,8 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
 
     INPUT_SIZES(sins_options, BUDGET_OF(options));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, BUDGET_OF(gyro));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, BUDGET_OF(accel));
+    INPUT_SIZES(sins_gyro_params, BUDGET_OF(gyro));
+    INPUT_SIZES(sins_accel_params, BUDGET_OF(accel));
     INPUT_SIZES(sins_altimeter_params, BUDGET_OF(altimeter));
     INPUT_SIZES(sins_initial_errors, BUDGET_OF(initial));
     INPUT_SIZES(sins_mounting, BUDGET_OF(mounting));
@@ -280,15 +280,15 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_get_gyro(sim, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_get_accel(sim, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_get_gyro(sim, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_get_accel(sim, pointer));
     OUTPUT_SIZES(sins_altimeter_params, sins_get_altimeter(sim, pointer));
     OUTPUT_SIZES(sins_failure, sins_get_failure(sim, SINS_SENSOR_ACCEL, 2, pointer));
     OUTPUT_SIZES(sins_initial_errors, sins_get_initial_errors(sim, pointer));
     OUTPUT_SIZES(sins_mounting, sins_get_mounting(sim, pointer));
     OUTPUT_SIZES(sins_gravity_params, sins_get_gravity_disturbance(sim, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
     strides(fresh);
     CHECK(sins_destroy(fresh) == SINS_OK);
@@ -301,7 +301,7 @@ int main(void)
     sins_flight *flight = scene_flight();
     sins_sim *sim = NULL;
     options.error_model = SINS_ERROR_MODEL_RK4;
-    options.truth_summary = SINS_TRUTH_SUMMARY_ON;
+    options.truth_summary = SINS_SUMMARY_ON;
     CHECK(sins_create(&options, &sim) == SINS_OK);
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 0.01;

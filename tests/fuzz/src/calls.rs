@@ -1,7 +1,7 @@
 //! Which call a record is.
 
 use std::ffi::{CStr, c_char};
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 
 use sins::abi::*;
 
@@ -126,12 +126,9 @@ impl Host {
 
 /// The calls that need nothing.
 fn names(status: sins_status) {
-    let (mut text, mut numbers) = (null(), [0; 4]);
-    let [abi, major, minor, patch] = &mut numbers;
-    assert_eq!(call!(sins_abi_version(abi)), SINS_OK);
-    assert_eq!(call!(sins_version(major, minor, patch)), SINS_OK);
-    assert_eq!(call!(sins_version_string(&mut text)), SINS_OK);
-    assert_eq!(call!(sins_status_string(status, &mut text)), SINS_OK);
-    // SAFETY: the sentences are the library's.
-    assert!(unsafe { CStr::from_ptr(text) }.to_str().is_ok());
+    assert_eq!(sins_abi_version(), SINS_HEADER_ABI);
+    for text in [sins_version_string(), sins_status_string(status)] {
+        // SAFETY: the texts are the library's.
+        assert!(unsafe { CStr::from_ptr(text) }.to_str().is_ok_and(|text| !text.is_empty()));
+    }
 }
