@@ -266,6 +266,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_mounting, sins_set_mounting(fresh, pointer));
     INPUT_SIZES(sins_gravity_params, sins_set_gravity_disturbance(fresh, pointer));
     INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_reposition(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_move_truth(fresh, pointer));
     CHECK(sins_reset(fresh) == SINS_OK);
     INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
     INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
@@ -293,6 +294,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
+    OUTPUT_SIZES(sins_truth_summary, sins_get_truth_summary(sim, pointer));
     OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
@@ -318,6 +320,7 @@ int main(void)
     sins_flight *flight = scene_flight();
     sins_sim *sim = NULL;
     options.error_model = SINS_ERROR_MODEL_RK4;
+    options.truth_summary = SINS_SUMMARY_ON;
     CHECK(sins_create(&options, &sim) == SINS_OK);
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 0.01;
