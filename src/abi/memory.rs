@@ -241,6 +241,17 @@ pub(super) unsafe fn text_of<'a>(
     Ok(unsafe { core::ffi::CStr::from_ptr(text) }.to_bytes())
 }
 
+/// Text as an array of a struct: terminated, cut at a character where it is longer.
+pub(super) fn chars<const N: usize>(text: &str) -> [core::ffi::c_char; N] {
+    let fits = |end: &usize| *end < N && text.is_char_boundary(*end);
+    let length = (0..=text.len().min(N)).rev().find(fits).unwrap_or(0);
+    let mut chars = [0; N];
+    for (place, byte) in chars.iter_mut().zip(&text.as_bytes()[..length]) {
+        *place = *byte as core::ffi::c_char;
+    }
+    chars
+}
+
 /// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
 ///
 /// # Safety
