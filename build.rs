@@ -50,7 +50,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 30] = [
     "version",
     "failure",
     "options",
@@ -66,6 +66,7 @@ const SOURCES: [&str; 29] = [
     "run",
     "solution",
     "accuracy",
+    "truth_summary",
     "record",
     "navigator",
     "snapshot",

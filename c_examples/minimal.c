@@ -24,7 +24,7 @@ int main(void)
     }
     for (; status >= 0 && sample.time_s <= 3600.0; sample.time_s += 1.0) {
         status = sins_push_sample(sim, &sample);
-        if (status == SINS_OK) {
+        if (status >= 0) {
             status = sins_step(sim); /* SINS_NEED_SAMPLE at the first one */
         }
     }

@@ -68,7 +68,7 @@ static sins_status fly(const sins_options *options, sins_flight *flight, double 
         if (status == SINS_OK) {
             status = sins_push_sample(sim, &sample);
         }
-        if (status == SINS_OK) {
+        if (status >= 0) {
             status = sins_step(sim);
         }
     }

@@ -32,7 +32,7 @@
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
- *   SINS_SCENE_HAS_FAULTS made a handle.
+ *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
@@ -49,15 +49,16 @@
  *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
  *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
  *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
- * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
+ * Real time. Push, step, run, the reads, the setters, reset, reposition, moving time and truth, and saving a snapshot make no allocation and no system
  *   call, unless the handle is in use in another thread. The library prints nothing, reads no environment and no file, and
  *   leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
  *   themselves, and the first create draws the numbers of its handles from the clock.)
- *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
- *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY, and so is each after it: take the pause off the stamps, or sins_reposition(). A shorter gap
- *     is an interval that was flown, the velocity times its length: take it off too if the vehicle stood still.
+ *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. If the
+ *     stamps go on where they stopped, there is nothing to do. If the host's clock ran on, call sins_move_time() with the time at
+ *     which the vehicle moves on, before the next push: the flight goes on as if there had been no pause. Without that call the
+ *     first sample after a pause of more than max_gap_s is SINS_ERROR_DISCONTINUITY, and so is each after it; a shorter pause is
+ *     flown as an interval, the velocity times its length, and its push answers SINS_GAP.
  *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
  *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
  *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
@@ -69,7 +70,8 @@
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
  *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
  *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
- *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
+ *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place, and its errors
+ *     with it: for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to a saved moment:
  *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
@@ -161,6 +163,12 @@ enum sins_status_code {
     SINS_REQUIREMENT_NOT_MET = 2,
     /* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
     SINS_SCENE_HAS_FAULTS = 3,
+    /*
+     * The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
+     * two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
+     * the vehicle stood still, that is wrong: see sins_move_time().
+     */
+    SINS_GAP = 4,
     /* A pointer that must not be null is. */
     SINS_ERROR_NULL_POINTER = -1,
     /* The handle is null, made up, destroyed, or of the other kind. */
@@ -173,7 +181,7 @@ enum sins_status_code {
     SINS_ERROR_BAD_STATE = -5,
     /* A sample that is not later than the one before, or off the stated sample period. */
     SINS_ERROR_TIME_ORDER = -6,
-    /* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_reposition(). */
+    /* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
     SINS_ERROR_DISCONTINUITY = -7,
     /* The queue of samples is full: step first. */
     SINS_ERROR_QUEUE_FULL = -8,
@@ -231,6 +239,14 @@ enum sins_error_model {
     SINS_ERROR_MODEL_OFF = 0,
     /* The error differential equations (error data 1) by fourth-order Runge-Kutta. */
     SINS_ERROR_MODEL_RK4 = 1
+};
+
+/* Whether the motion of the truth is summed up. */
+enum sins_summary {
+    /* sins_get_truth_summary() is not available. */
+    SINS_SUMMARY_OFF = 0,
+    /* The motion of the truth is summed up; the other outputs have the same bits. */
+    SINS_SUMMARY_ON = 1
 };
 
 /* Ellipsoids. */
@@ -559,6 +575,10 @@ typedef struct sins_options {
      * 0: 2000 m/s2.
      */
     double max_acceleration_m_s2;
+    /* Of enum sins_summary. */
+    int32_t truth_summary;
+    /* Must be 0. */
+    uint32_t reserved2;
 } sins_options;
 
 /*
@@ -1122,7 +1142,7 @@ typedef struct sins_errors {
 } sins_errors;
 
 /*
- * Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
+ * Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors sampled once a second. They describe one run,
  * which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
  */
 typedef struct sins_accuracy {
@@ -1182,6 +1202,79 @@ typedef struct sins_accuracy {
     /* The same of the specific force [m/s2]. */
     double trim_force_max_m_s2;
 } sins_accuracy;
+
+/*
+ * The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
+ * exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
+ * exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights and
+ * climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
+ * time stamp of the sample that it came with.
+ */
+typedef struct sins_truth_summary {
+    /* sizeof(sins_truth_summary) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Intervals flown. */
+    uint64_t intervals;
+    /* Those of them that are gaps (see SINS_GAP). */
+    uint64_t gaps;
+    /* Samples faster than 30 m/s: sideslip and angle of attack are of these. */
+    uint64_t fast_samples;
+    /* Sum of the lengths of the intervals [s]. */
+    double flown_s;
+    /* Time stamps of the first and of the last sample [s]. */
+    double first_s;
+    /* See first_s. */
+    double last_s;
+    /* Longest interval [s]. */
+    double interval_max_s;
+    /* When [s]. */
+    double interval_max_at_s;
+    /* Largest rotation in an interval [rad]. */
+    double turn_max_rad;
+    /* When [s]. */
+    double turn_max_at_s;
+    /* Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s]. */
+    double rate_max_rad_s;
+    /* When [s]. */
+    double rate_max_at_s;
+    /* Largest acceleration against the Earth, by the velocities [m/s2]. */
+    double acceleration_max_m_s2;
+    /* When [s]. */
+    double acceleration_max_at_s;
+    /* Largest specific force: by the velocities and gravity, or the samples' own [m/s2]. */
+    double force_max_m_s2;
+    /* When [s]. */
+    double force_max_at_s;
+    /* Largest displacement in an interval that the mean of the velocities at its ends does not explain [m]. */
+    double inconsistency_max_m;
+    /* When [s]. */
+    double inconsistency_max_at_s;
+    /* Largest speed against the Earth [m/s]. */
+    double speed_max_m_s;
+    /* When [s]. */
+    double speed_max_at_s;
+    /* Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it [rad]. */
+    double sideslip_max_rad;
+    /* When [s]. */
+    double sideslip_max_at_s;
+    /*
+     * Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
+     * symmetry [rad].
+     */
+    double attack_max_rad;
+    /* When [s]. */
+    double attack_max_at_s;
+    /* Lowest height [m]. */
+    double height_min_m;
+    /* When [s]. */
+    double height_min_at_s;
+    /* Highest height [m]. */
+    double height_max_m;
+    /* When [s]. */
+    double height_max_at_s;
+} sins_truth_summary;
 
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
 typedef struct sins_imu_increment {
@@ -1496,7 +1589,7 @@ typedef struct sins_budget {
 
 /* Sizes of the structs in bytes, the same on every platform: what struct_size is set to in other languages than C. */
 enum sins_sizeof {
-    SINS_SIZEOF_OPTIONS = 96,
+    SINS_SIZEOF_OPTIONS = 104,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,
     SINS_SIZEOF_GYRO_PARAMS = 736,
     SINS_SIZEOF_ACCEL_PARAMS = 736,
@@ -1512,6 +1605,7 @@ enum sins_sizeof {
     SINS_SIZEOF_IMU = 216,
     SINS_SIZEOF_ERRORS = 144,
     SINS_SIZEOF_ACCURACY = 256,
+    SINS_SIZEOF_TRUTH_SUMMARY = 232,
     SINS_SIZEOF_IMU_INCREMENT = 264,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
@@ -1571,15 +1665,19 @@ SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
  * SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
- * SINS_ERROR_DISCONTINUITY: a gap, a jump or half a turn since the last that was taken: no other is until one fits, or
- * sins_reposition(), which is for jumps.
+ * SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it as
+ * motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call sins_move_time()
+ * before this push; the push cannot be taken back.
+ * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken
+ * until one fits, or until sins_move_time() for a gap, sins_move_truth() or sins_reposition() for a jump.
  * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
- * further one one more. No allocation, no system call.
+ * further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
+ * the velocity times its length; sins_push_sample() answers SINS_GAP for it.
  *
  * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
  * reference point or of the closed loop's own error-free navigator beyond -500 km or
@@ -1590,8 +1688,42 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
- * The flight simulator was slewed or reloaded: truth jumps to the sample, the INS starts again there with its initial
- * errors, noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump
+ * The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause in
+ * which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors, noise,
+ * waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight goes on to
+ * the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles; with a stated
+ * period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
+ * rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.98e9 to 1e10. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+ * increments, which have no stamps.
+ */
+SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
+
+/*
+ * The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
+ * the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those
+ * before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity
+ * there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
+ * factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting
+ * samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval
+ * before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+ *
+ * Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
+ * common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the shortest
+ * way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm and boresight,
+ * and what is wrong of them, make of that in the new attitude.
+ *
+ * Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
+ * SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+ * SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth away.
+ */
+SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_flight_sample *sample);
+
+/*
+ * The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors that
+ * it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go on where
+ * they were. Waiting samples and the running accuracy figures are dropped. Time may jump
  * too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
  * next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
  * first, and the next push makes an interval.
@@ -1708,6 +1840,8 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
  * those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
  *
+ * SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
+ * sins_get_truth_summary() counts them.
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
  * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
@@ -1759,6 +1893,14 @@ SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, st
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
 
 /*
+ * Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+ *
+ * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
+ * there is no truth.
+ */
+SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
+
+/*
  * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
@@ -1790,9 +1932,9 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.25 KiB
- * with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
- * besides; up to 145 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+ * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
+ * with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
+ * besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 

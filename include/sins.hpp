@@ -14,7 +14,8 @@
  * Every function of sins.h has its namesake here, without handle and status; sins.h tells what it does. A negative
  * status is thrown as sins::Error with the library's sentence. SINS_NEED_SAMPLE is no error: functions that can answer
  * it return false, and leave their output as it was; so are SINS_REQUIREMENT_NOT_MET, whose output is
- * written, and SINS_SCENE_HAS_FAULTS. Structs and constants are those of sins.h. Header only; each function is the call and a look at its status.
+ * written, SINS_SCENE_HAS_FAULTS, and SINS_GAP, where all was done. Structs and constants are those of sins.h. Header only; each
+ * function is the call and a look at its status.
  */
 
 #ifndef SINS_HPP
@@ -275,19 +276,22 @@ public:
     }
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
 
-    void push_sample(const sins_flight_sample &sample) { done(sins_push_sample(sim_, &sample)); }
+    /* False: taken, behind a gap (SINS_GAP). */
+    bool push_sample(const sins_flight_sample &sample) { return done(sins_push_sample(sim_, &sample)); }
 
     /* False: no complete interval yet. */
     bool step() { return done(sins_step(sim_)); }
 
+    void move_time(double time_s) { done(sins_move_time(sim_, time_s)); }
+    void move_truth(const sins_flight_sample &sample) { done(sins_move_truth(sim_, &sample)); }
     void reposition(const sins_flight_sample &sample) { done(sins_reposition(sim_, &sample)); }
     void reset() { done(sins_reset(sim_)); }
 
-    /* written, if not NULL, gets the number of records also when it throws. */
-    void run(const sins_flight_sample *samples, std::size_t count, std::size_t every = 0,
+    /* written, if not NULL, gets the number of records also when it throws. False: flown, with a gap (SINS_GAP). */
+    bool run(const sins_flight_sample *samples, std::size_t count, std::size_t every = 0,
              sins_record *records = nullptr, std::size_t capacity = 0, std::size_t *written = nullptr)
     {
-        done(sins_run(sim_, samples, count, every, records, capacity, written));
+        return done(sins_run(sim_, samples, count, every, records, capacity, written));
     }
 
     /* Reads into structs with struct_size set. False: no sample, or no interval, yet. */
@@ -296,6 +300,7 @@ public:
     bool get_imu(sins_imu &imu) const { return done(sins_get_imu(sim_, &imu)); }
     bool get_errors(int32_t source, sins_errors &errors) const { return done(sins_get_errors(sim_, source, &errors)); }
     bool get_accuracy(sins_accuracy &accuracy) const { return done(sins_get_accuracy(sim_, &accuracy)); }
+    bool get_truth_summary(sins_truth_summary &summary) const { return done(sins_get_truth_summary(sim_, &summary)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
 
     /* The options in effect, defaults in place of 0. */

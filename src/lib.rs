@@ -84,6 +84,8 @@
 //! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
 //! | whatever a host does within its rules: no solution beyond the limits is good, a refused call changes nothing, each snapshot loads | `tests/any_use.rs` |
 //! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
+//! | a slew or a pause whose stamps ran on keeps the errors of the INS | `tests/moved.rs` |
+//! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |

@@ -126,7 +126,9 @@ fn a_snapshot_of_another_machine_replays_to_the_pinned_digest() {
         simulator(&Options { closed_loop_time_s: Some(30.0), ..options(Frame::EarthFixed, Scheme::Exact) });
     digest(&mut straight, before);
     let (waiting, rest) = rest.split_at(3);
-    waiting.iter().for_each(|sample| straight.push_sample(sample).unwrap());
+    for sample in waiting {
+        straight.push_sample(sample).unwrap();
+    }
     let mut bytes = vec![0; straight.snapshot_size()];
     straight.save_snapshot(&mut bytes).unwrap();
 

@@ -142,6 +142,7 @@ fn simulators(tried: &mut Tried) {
         ] {
             tried.each_word(&good, &[], &read, &|words| sins_set_failure(sim, SINS_SENSOR_GYRO, 1, words));
         }
+        tried.each_word(&sample(3.0), &[], &read, &|words| sins_move_truth(sim, words));
         tried.each_word(&sample(3.0), &[], &read, &|words| sins_reposition(sim, words));
         let good = Words::new::<sins_initial_errors>(0);
         tried.each_word(&good, &[], &read, &|words| sins_set_initial_errors(sim, words));

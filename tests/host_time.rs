@@ -44,7 +44,7 @@ fn an_hour_of_pause_is_nothing() {
     assert_eq!(paused.imu(), straight.imu());
 }
 
-/// A host whose clock ran on takes the jump as a reposition: time goes on from there, the errors start again.
+/// A host may take a clock that ran on as a reposition: time goes on from there, the errors start again (`moved.rs` keeps them).
 #[test]
 fn stamps_that_ran_on_are_a_reposition() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();

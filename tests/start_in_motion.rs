@@ -180,7 +180,9 @@ fn check_scene(name: &str, rate_hz: f64, sample: &dyn Fn(i32) -> FlightSample) {
     repositioned.reposition(&sample(0)).unwrap();
     assert_eq!(flown(&mut repositioned, sample, 1, last), started);
     let mut queued = mounted();
-    (0..=15).for_each(|k| queued.push_sample(&sample(k)).unwrap());
+    for k in 0..=15 {
+        queued.push_sample(&sample(k)).unwrap();
+    }
     for expected in &started[..15] {
         queued.step().unwrap();
         assert_eq!(queued.imu().unwrap(), *expected);

@@ -7,7 +7,7 @@ use super::solution::write_or_need;
 use crate::errors::AccuracyFigures;
 use crate::simulator::{ClosureFigures, TrimFigures};
 
-/// Running figures of the flight since its start or last reposition, errors sampled once a second. They describe one run,
+/// Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors sampled once a second. They describe one run,
 /// which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]

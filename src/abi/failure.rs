@@ -18,6 +18,10 @@ pub const SINS_NEED_SAMPLE: sins_status_code = 1;
 pub const SINS_REQUIREMENT_NOT_MET: sins_status_code = 2;
 /// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
 pub const SINS_SCENE_HAS_FAULTS: sins_status_code = 3;
+/// The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
+/// two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
+/// the vehicle stood still, that is wrong: see sins_move_time().
+pub const SINS_GAP: sins_status_code = 4;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: sins_status_code = -1;
 /// The handle is null, made up, destroyed, or of the other kind.
@@ -30,7 +34,7 @@ pub const SINS_ERROR_INVALID_ARGUMENT: sins_status_code = -4;
 pub const SINS_ERROR_BAD_STATE: sins_status_code = -5;
 /// A sample that is not later than the one before, or off the stated sample period.
 pub const SINS_ERROR_TIME_ORDER: sins_status_code = -6;
-/// Truth jumped: a gap, a teleport, half a turn between two samples. See sins_reposition().
+/// Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
 pub const SINS_ERROR_DISCONTINUITY: sins_status_code = -7;
 /// The queue of samples is full: step first.
 pub const SINS_ERROR_QUEUE_FULL: sins_status_code = -8;

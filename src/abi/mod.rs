@@ -56,6 +56,7 @@ mod simulator;
 mod snapshot;
 mod solution;
 mod thread;
+mod truth_summary;
 mod version;
 
 pub use accel::*;
@@ -94,6 +95,7 @@ pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
+pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use version::*;
 
 // That the sizes which the header states are those of the structs; a library without scenes lacks some of these.

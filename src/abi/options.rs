@@ -49,6 +49,14 @@ pub const SINS_ERROR_MODEL_OFF: sins_error_model = 0;
 /// The error differential equations (error data 1) by fourth-order Runge-Kutta.
 pub const SINS_ERROR_MODEL_RK4: sins_error_model = 1;
 
+/// Whether the motion of the truth is summed up.
+pub type sins_summary = i32;
+
+/// sins_get_truth_summary() is not available.
+pub const SINS_SUMMARY_OFF: sins_summary = 0;
+/// The motion of the truth is summed up; the other outputs have the same bits.
+pub const SINS_SUMMARY_ON: sins_summary = 1;
+
 /// Ellipsoids.
 pub type sins_earth = i32;
 
@@ -130,9 +138,13 @@ pub struct sins_options {
     /// Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
     /// 0: 2000 m/s2.
     pub max_acceleration_m_s2: f64,
+    /// Of enum sins_summary.
+    pub truth_summary: i32,
+    /// Must be 0.
+    pub reserved2: u32,
 }
 
-interface_struct!(sins_options, "options", 96);
+interface_struct!(sins_options, "options", 104);
 
 /// The value of an enumeration field.
 pub(super) fn one_of<T: Copy>(
@@ -222,11 +234,20 @@ impl sins_options {
             sample_period_s: options.intake.period_s.unwrap_or(0.0),
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
+            truth_summary: if options.truth_summary { SINS_SUMMARY_ON } else { SINS_SUMMARY_OFF },
+            reserved2: 0,
         }
     }
 
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
+        check_reserved("options.reserved2", self.reserved2)?;
+        let truth_summary = one_of(
+            "options.truth_summary",
+            self.truth_summary,
+            &[(SINS_SUMMARY_OFF, false), (SINS_SUMMARY_ON, true)],
+            "must be a SINS_SUMMARY_ constant, 0 or 1",
+        )?;
         let frame = one_of(
             "options.frame",
             self.frame,
@@ -309,6 +330,7 @@ impl sins_options {
                 max_acceleration_m_s2: or(self.max_acceleration_m_s2, defaults.intake.max_acceleration_m_s2),
                 period_s: (self.sample_period_s != 0.0).then_some(self.sample_period_s),
             },
+            truth_summary,
         })
     }
 }

@@ -32,7 +32,7 @@
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
- *   SINS_SCENE_HAS_FAULTS made a handle.
+ *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
@@ -49,15 +49,16 @@
  *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
  *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
  *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
- * Real time. Push, step, run, the reads, the setters, reset, reposition and saving a snapshot make no allocation and no system
+ * Real time. Push, step, run, the reads, the setters, reset, reposition, moving time and truth, and saving a snapshot make no allocation and no system
  *   call, unless the handle is in use in another thread. The library prints nothing, reads no environment and no file, and
  *   leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
  *   themselves, and the first create draws the numbers of its handles from the clock.)
- *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. Stamps
- *     go on where they stopped; where the host's clock ran on by more than max_gap_s, the first sample after the pause is
- *     SINS_ERROR_DISCONTINUITY, and so is each after it: take the pause off the stamps, or sins_reposition(). A shorter gap
- *     is an interval that was flown, the velocity times its length: take it off too if the vehicle stood still.
+ *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. If the
+ *     stamps go on where they stopped, there is nothing to do. If the host's clock ran on, call sins_move_time() with the time at
+ *     which the vehicle moves on, before the next push: the flight goes on as if there had been no pause. Without that call the
+ *     first sample after a pause of more than max_gap_s is SINS_ERROR_DISCONTINUITY, and so is each after it; a shorter pause is
+ *     flown as an interval, the velocity times its length, and its push answers SINS_GAP.
  *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
  *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
  *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
@@ -69,7 +70,8 @@
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
  *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
  *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
- *   Slewed or reloaded: sins_reposition(). Another flight with the same draws: sins_reset(). Back to a saved moment:
+ *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place, and its errors
+ *     with it: for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to a saved moment:
  *     sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect

@@ -4,7 +4,7 @@ use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Array, put};
 use super::record::sins_record;
 use super::sample::sins_flight_sample;
-use super::simulator::{sins_sim, step, with_simulator};
+use super::simulator::{push, sins_sim, step, with_simulator};
 use crate::simulator::Simulator;
 
 /// Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
@@ -13,6 +13,8 @@ use crate::simulator::Simulator;
 /// samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
 /// those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
 ///
+/// SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
+/// sins_get_truth_summary() counts them.
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
 /// SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
 /// sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
@@ -70,13 +72,15 @@ fn run(
 ) -> Result<sins_status, Failure> {
     // What waited in the queue before the call goes first.
     while fly(simulator, every, records, done)? == SINS_OK {}
+    let mut answer = SINS_OK;
     for index in 0..samples.count() {
         let sample =
             samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
-        simulator.push_sample(&sample).map_err(|error| Failure::from(error).of_sample(index))?;
+        let pushed = push(simulator, &sample).map_err(|f| f.of_sample(index))?;
+        answer = answer.max(pushed);
         while fly(simulator, every, records, done).map_err(|f| f.of_sample(index))? != SINS_NEED_SAMPLE {}
     }
-    Ok(SINS_OK)
+    Ok(answer)
 }
 
 /// One step and its record.

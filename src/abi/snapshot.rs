@@ -10,9 +10,9 @@ use super::simulator::{sins_sim, with_simulator};
 /// sins_snapshot_size().
 pub const SINS_SNAPSHOT_MAX_SIZE: usize = 8192;
 
-/// The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.25 KiB
-/// with every error of gyros, accelerometers and altimeter, up to 5 KiB with mounting, gravity, temperature and failures
-/// besides; up to 145 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+/// The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
+/// with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
+/// besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::NavigationErrors;
-use crate::snapshot::{COUNT, NO_SQUARE, stored};
+use crate::snapshot::{CLOCK_S, COUNT, NO_SQUARE, moved_clock, stored};
 
 /// R50 = 0.8326 √(mean RER²): half of the radial errors, circular normal distribution (√ln 2).
 const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
@@ -32,8 +32,8 @@ pub struct Accuracy {
 }
 
 stored!(Accuracy {
-    start_s: 1e12,
-    next_s: 1e12,
+    start_s: CLOCK_S,
+    next_s: CLOCK_S,
     samples: COUNT,
     velocity_squares: SUMS,
     windowed: COUNT,
@@ -108,6 +108,12 @@ impl Accuracy {
                 *sum += term;
             }
         }
+    }
+
+    /// The clock of the run has been moved by `shift_s` [s].
+    pub(crate) fn move_time(&mut self, shift_s: f64) {
+        self.start_s = moved_clock(self.start_s, shift_s);
+        self.next_s = moved_clock(self.next_s, shift_s);
     }
 
     /// The figures at `time_s` [s].

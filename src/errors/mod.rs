@@ -2,10 +2,12 @@
 //! by the same sensor errors (error data 1); and the accuracy figures made of the first.
 
 mod accuracy;
+mod carried;
 mod difference;
 mod model;
 
 pub use accuracy::{Accuracy, AccuracyFigures};
+pub use carried::CarriedErrors;
 pub use difference::navigation_minus_truth;
 pub use model::{ErrorModel, SensorErrors};
 

@@ -132,6 +132,15 @@ impl Mechanization {
         Self { earth, scheme, solution: Solution { axes, vertical: VerticalLoop::new() } }
     }
 
+    /// The same navigator with the solution `state`; its vertical channel goes on.
+    pub(crate) fn moved_to(&self, state: &EarthFixedState) -> Self {
+        let axes = match self.solution.axes {
+            Axes::EarthFixed(_) => Axes::EarthFixed(EarthFixed::new(&self.earth, state)),
+            Axes::Geographic(_) => Axes::Geographic(Geographic::new(&self.earth, state)),
+        };
+        Self { solution: Solution { axes, ..self.solution }, ..*self }
+    }
+
     /// What [`Self::go_back`] needs.
     #[inline]
     pub(crate) fn kept(&self) -> KeptSolution {

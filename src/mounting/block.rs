@@ -86,6 +86,11 @@ impl Block {
         }
     }
 
+    /// The same block of a vehicle that turns at `rate_b` [rad/s] by now.
+    pub fn turning_at(&self, rate_b: Vector3<f64>) -> Self {
+        Self { rate_b, ..*self }
+    }
+
     /// Makes of the reference point's `increments` over the interval of `motion`, which begins at `start`, those of the block.
     ///
     /// Where the generator has revised the rate at the start, the block has had another velocity there: gives how much more it is

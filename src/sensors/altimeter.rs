@@ -167,6 +167,16 @@ impl Altimeter {
         *self.heights = Heights { true_m: height_m, lagged_m: height_m, indicated_m: None };
     }
 
+    /// The truth jumped by `change_m` up: the lag and the last indication keep what they are off it.
+    pub fn shift(&mut self, change_m: f64) {
+        let Heights { true_m, lagged_m, indicated_m } = &mut *self.heights;
+        *true_m += change_m;
+        *lagged_m += change_m;
+        if let Some(indicated_m) = indicated_m {
+            *indicated_m += change_m;
+        }
+    }
+
     /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal. [`Self::undo`]
     /// takes it back.
     #[inline]

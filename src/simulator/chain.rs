@@ -2,6 +2,7 @@
 
 mod beside;
 mod fly;
+mod moved;
 mod snapshot;
 
 use core::ops::Range;
@@ -22,7 +23,7 @@ use crate::mechanization::{Mechanization, VerticalMode};
 use crate::mounting::Block;
 use crate::signal::{Increment, SignalGenerator};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
-use crate::truth::{Recent, TruthPoint};
+use crate::truth::{Recent, TruthPoint, TruthSummary};
 
 /// The chain in flight.
 #[derive(Debug, Clone)]
@@ -40,7 +41,9 @@ pub(super) struct Chain {
     block: Option<Block>,
     /// True less normal gravity, where it is other.
     disturbance: Option<Disturbance>,
-    /// Neither block nor disturbance nor closed loop: the ideal signals are the generator's.
+    /// Of the truth, if it is wanted.
+    pub summary: Option<TruthSummary>,
+    /// Neither block nor disturbance nor closed loop nor summary: the ideal signals are the generator's.
     is_plain: bool,
     mechanization: Mechanization,
     error_model: Option<ErrorModel>,
@@ -113,6 +116,7 @@ impl Chain {
             generator: SignalGenerator::new(earth.rate_rad_s),
             signals: Signals::default(),
             parts: 0..0,
+            summary: None,
             last: LastInterval::None,
             north_unknown: start.north_unknown,
             is_plain: block.is_none() && disturbance.is_none() && closed_loop.is_none(),
@@ -126,6 +130,12 @@ impl Chain {
             closed_loop,
             views: Views::default(),
         }
+    }
+
+    /// Takes the summary over that each interval is added to.
+    pub fn set_summary(&mut self, summary: Option<TruthSummary>) {
+        self.summary = summary;
+        self.is_plain &= summary.is_none();
     }
 
     pub fn intervals(&self) -> u64 {

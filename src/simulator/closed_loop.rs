@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::math::rotate_inverse;
 use crate::mechanization::Mechanization;
 use crate::signal::Increment;
-use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
+use crate::snapshot::{CLOCK_S, Numbers, Reader, Stored, Writer, moved_clock, stored};
 use crate::state::EarthFixedState;
 
 /// Damping of the position loop.
@@ -69,7 +69,7 @@ impl Stored for ClosedLoop {
         }
         rate_b.load(from, 1e12)?;
         force_b.load(from, 1e12)?;
-        settles_at_s.load(from, 1e12)?;
+        settles_at_s.load(from, CLOCK_S)?;
         largest.load(from)
     }
 }
@@ -117,19 +117,40 @@ impl ClosedLoop {
         }
     }
 
+    /// The clock of the run has been moved by `shift_s` [s].
+    pub fn move_time(&mut self, shift_s: f64) {
+        self.settles_at_s = moved_clock(self.settles_at_s, shift_s);
+    }
+
+    /// The truth has jumped to `truth`, the state of its sensors at `time_s` [s], with `navigator` and the shadow, which
+    /// [`Self::shadow_mut`] gives. The trim settles anew.
+    pub fn go_on(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {
+        self.set_trim(navigator, truth);
+        self.settles_at_s = time_s + SETTLING * self.time_constant_s;
+    }
+
+    /// The shadow, where it is not the navigator itself.
+    pub fn shadow_mut(&mut self) -> Option<&mut Mechanization> {
+        self.shadow.as_mut()
+    }
+
     /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow
     /// against `truth`, the state of its sensors at `time_s` [s].
     pub fn observe(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {
-        let rate = 1.0 / self.time_constant_s;
-        let error = self.shadow.as_ref().unwrap_or(navigator).minus(truth);
-        let force_e = error.v_e * (-2.0 * DAMPING * rate) - error.r_e * (rate * rate + STIFFNESS);
-        self.rate_b = error.rotation_b * -rate;
-        self.force_b = rotate_inverse(&truth.q_eb, &force_e);
+        self.set_trim(navigator, truth);
         if time_s >= self.settles_at_s {
             let TrimFigures { rate_rad_s, force_m_s2 } = &mut self.largest;
             *rate_rad_s = rate_rad_s.max(self.rate_b.norm_squared().sqrt());
             *force_m_s2 = force_m_s2.max(self.force_b.norm_squared().sqrt());
         }
+    }
+
+    fn set_trim(&mut self, navigator: &Mechanization, truth: &EarthFixedState) {
+        let rate = 1.0 / self.time_constant_s;
+        let error = self.shadow.as_ref().unwrap_or(navigator).minus(truth);
+        let force_e = error.v_e * (-2.0 * DAMPING * rate) - error.r_e * (rate * rate + STIFFNESS);
+        self.rate_b = error.rotation_b * -rate;
+        self.force_b = rotate_inverse(&truth.q_eb, &force_e);
     }
 
     pub fn largest(&self) -> TrimFigures {

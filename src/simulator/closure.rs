@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::earth::Earth;
+use crate::earth::{Earth, Geodetic};
 use crate::errors::NavigationErrors;
 use crate::math::Compensated;
 use crate::snapshot::{COUNT, NO_SQUARE, stored};
@@ -145,6 +145,17 @@ impl Closure {
             self.pending_e = Vector3::zeros();
             self.pending_s = 0.0;
         }
+    }
+
+    /// The truth has jumped from one place to another: what has come so far goes along in east, north and up.
+    pub fn turn(&mut self, earth: &Earth, from: &Geodetic, to: &Geodetic) {
+        let (from, to) = (earth.east_north_up(from), earth.east_north_up(to));
+        let turned = |v: &Vector3<f64>| to.0 * v.dot(&from.0) + to.1 * v.dot(&from.1) + to.2 * v.dot(&from.2);
+        let Answer { r_e, v_e } = &self.answer;
+        self.answer = Answer { r_e: turned(r_e), v_e: turned(v_e) };
+        self.pending_e = turned(&self.pending_e);
+        self.inconsistency_e = Compensated::new(turned(&self.inconsistency_e.value));
+        self.last_flagged = false;
     }
 
     /// Whether the last sample contradicts its velocity.

@@ -1,7 +1,7 @@
 //! What is told of the signals of an interval.
 
 use crate::signal::Increment;
-use crate::snapshot::stored;
+use crate::snapshot::{CLOCK_S, stored};
 use crate::truth::INTERVALS_S;
 
 /// Ideal and measured signals of an interval.
@@ -19,7 +19,7 @@ pub struct ImuInterval {
     pub flags: ImuFlags,
 }
 
-stored!(ImuInterval { time_s: 1e12, interval_s: INTERVALS_S.1, ideal, measured, flags } then |imu, from| {
+stored!(ImuInterval { time_s: CLOCK_S, interval_s: INTERVALS_S.1, ideal, measured, flags } then |imu, from| {
     from.require(imu.interval_s >= INTERVALS_S.0, imu.interval_s, "is no interval")
 });
 

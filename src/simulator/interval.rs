@@ -14,6 +14,15 @@ pub(super) enum LastInterval {
 }
 
 impl LastInterval {
+    /// It ended at `now_s` [s], as time has been moved.
+    pub fn move_to(&mut self, now_s: f64) {
+        match self {
+            Self::None => {}
+            Self::Flown { time_s, .. } => *time_s = now_s,
+            Self::Loaded { imu, .. } => imu.time_s = now_s,
+        }
+    }
+
     /// Whether nothing aided the vertical channel, if there was an interval.
     pub fn vertical_unaided(&self) -> Option<bool> {
         match *self {

@@ -33,7 +33,7 @@ use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
+use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthPoint, TruthSummary};
 use chain::Chain;
 use navigator::Navigator;
 use signals::Signals;
@@ -81,6 +81,8 @@ pub struct Simulator {
     sensors: SensorSuite,
     /// Of a flight to come: a chain that flies has them.
     signals: Signals,
+    /// Likewise, of the flights so far, if it is wanted.
+    summary: Option<TruthSummary>,
     mode: Mode,
 }
 
@@ -104,6 +106,7 @@ impl Simulator {
             intake,
             sensors: SensorSuite::new(options),
             signals,
+            summary: options.truth_summary.then(TruthSummary::default),
             mode: Mode::Waiting,
         }
     }
@@ -114,10 +117,16 @@ impl Simulator {
     }
 
     /// Takes one flight-control sample in.
-    pub fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
+    pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.refuse_while_navigating()?;
         self.sensors.check_temperature(sample.temperature_c)?;
-        self.intake.push(sample)
+        let pushed = self.intake.push(sample)?;
+        if pushed == Pushed::FirstVelocity
+            && let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current())
+        {
+            chain.take_first_velocity(current);
+        }
+        Ok(pushed)
     }
 
     /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors.
@@ -142,6 +151,7 @@ impl Simulator {
         let mut sensors = self.sensors.clone();
         sensors.reposition(first.current.sample.place.height_m);
         chain.signals = core::mem::take(&mut self.signals);
+        chain.set_summary(self.summary);
         if let Err(error) = chain.advance(&first, &mut sensors) {
             self.signals = chain.signals;
             return Err(error);
@@ -184,18 +194,48 @@ impl Simulator {
         Ok(())
     }
 
+    /// The truth jumps to `sample`, which may be at another time; the INS goes on there with the errors that it has. Samples that
+    /// wait are dropped. Before the first step it is [`Self::reposition`].
+    #[inline(never)]
+    pub fn move_truth(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        self.refuse_while_navigating()?;
+        self.sensors.check_temperature(sample.temperature_c)?;
+        match (&mut self.mode, self.intake.current()) {
+            (Mode::Flying(chain), Some(current)) => {
+                let point = self.intake.first_point(sample)?;
+                chain.move_truth(current, &point, &mut self.sensors)?;
+                self.intake.go_on_from(point);
+                Ok(())
+            }
+            _ => self.reposition(sample),
+        }
+    }
+
+    /// The sample that was pushed last counts as at `time_s` [s] from now on; everything else is as it was. The flight goes on as
+    /// one whose stamps never jumped.
+    pub fn move_time(&mut self, time_s: f64) -> Result<(), Error> {
+        self.refuse_while_navigating()?;
+        let shift_s = self.intake.move_time(time_s)?;
+        if let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current()) {
+            chain.move_time(shift_s, current.time_s);
+        }
+        Ok(())
+    }
+
     /// Back to before the first sample: same parameters, seed and draws, no failures.
     #[inline(never)]
     pub fn reset(&mut self) {
         self.intake.clear();
         self.sensors = self.sensors.restarted(&self.options);
         self.wait();
+        self.summary = self.options.truth_summary.then(TruthSummary::default);
     }
 
     /// No flight any more: before the first step.
     fn wait(&mut self) {
         if let Mode::Flying(chain) = &mut self.mode {
             self.signals = core::mem::take(&mut chain.signals);
+            self.summary = chain.summary;
         }
         self.mode = Mode::Waiting;
     }
@@ -231,6 +271,20 @@ impl Simulator {
             (_, _, Some(first)) => Some(Solution::of_truth(&self.options, &self.earth, first)),
             _ => None,
         })
+    }
+
+    /// Figures of the true motion since the start or the last reset, repositions and jumps between; `None` before the first
+    /// interval.
+    pub fn truth_summary(&self) -> Result<Option<TruthSummary>, Error> {
+        self.refuse_while_navigating()?;
+        let summary = match &self.mode {
+            Mode::Flying(chain) => &chain.summary,
+            _ => &self.summary,
+        };
+        match summary {
+            None => Err(Error::bad_state("the truth is not summed up: options.truth_summary")),
+            Some(summary) => Ok((summary.intervals > 0).then_some(*summary)),
+        }
     }
 
     /// The navigated solution; `None` before the first sample.

@@ -17,11 +17,19 @@ pub(super) fn block_at_start(
     first: &TruthPoint,
     interval: Option<&Recent<'_>>,
 ) -> Block {
+    Block::new(parameters, options.axes, earth.rate_rad_s, rate_at_start(earth, first, interval))
+}
+
+/// Angular rate of the vehicle at `first` against inertial space, body axes [rad/s].
+pub(super) fn rate_at_start(
+    earth: &Earth,
+    first: &TruthPoint,
+    interval: Option<&Recent<'_>>,
+) -> Vector3<f64> {
     let against_earth = interval.map_or(Vector3::zeros(), |recent| {
         let turn = relative_rotation(&first.state.q_eb, &recent.next.state.q_eb);
         rotation_vector(&turn) / recent.next.interval_s
     });
     let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth.rate_rad_s));
-    let rate_b = first.sample.omega_ib_b.unwrap_or(against_earth + earth_rate_b);
-    Block::new(parameters, options.axes, earth.rate_rad_s, rate_b)
+    first.sample.omega_ib_b.unwrap_or(against_earth + earth_rate_b)
 }

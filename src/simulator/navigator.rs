@@ -7,7 +7,7 @@ use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::two_sum;
 use crate::mechanization::{MAX_SUBSAMPLES, Mechanization};
 use crate::signal::Increment;
-use crate::snapshot::stored;
+use crate::snapshot::{CLOCK_S, stored};
 use crate::state::{BodyAxes, Navigation};
 
 /// A mechanization without a truth: its vertical channel is free.
@@ -22,7 +22,7 @@ pub(super) struct Navigator {
     imu: Option<ImuInterval>,
 }
 
-stored!(Navigator { mechanization, time_s: 1e12, time_carry_s: 1.0, imu } rebuilt { earth, axes });
+stored!(Navigator { mechanization, time_s: CLOCK_S, time_carry_s: 1.0, imu } rebuilt { earth, axes });
 
 impl Navigator {
     pub fn new(options: &Options, earth: Earth, time_s: f64, navigation: &Navigation) -> Self {
@@ -48,6 +48,8 @@ impl Navigator {
             check_ranges("imu.angle_rad", increment.angle.as_slice(), -1e3, 1e3).map_err(at)?;
             check_ranges("imu.velocity_m_s", increment.velocity.as_slice(), -1e4, 1e4).map_err(at)?;
         }
+        let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);
+        check_range("time behind the interval [s]", time_s, -CLOCK_S, CLOCK_S)?;
         let sum = Increment::sum(increments);
         let largest =
             increments.iter().chain([&sum]).map(|part| part.angle.norm_squared()).fold(0.0, f64::max);
@@ -69,9 +71,7 @@ impl Navigator {
             sensors.undo();
             return Err(error);
         }
-        let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);
-        self.time_s = time_s;
-        self.time_carry_s = lost;
+        (self.time_s, self.time_carry_s) = (time_s, lost);
         let measured = Increment::sum(measured);
         self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured, flags });
         Ok(())
@@ -84,5 +84,32 @@ impl Navigator {
 
     pub fn imu(&self) -> Option<ImuInterval> {
         self.imu
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Simulator;
+    use crate::earth::Geodetic;
+    use nalgebra::{Quaternion, Vector3};
+
+    /// What a snapshot may bring is what a navigator may come to: at the end of all clocks it goes no further.
+    #[test]
+    fn a_navigator_at_the_end_of_time_can_be_saved_and_loaded() {
+        let options = Options::default();
+        let start =
+            Navigation::new(Geodetic::default(), Vector3::zeros(), Quaternion::identity(), options.axes);
+        let mut simulator = Simulator::new(&options).unwrap();
+        simulator.start_navigation(CLOCK_S - 15.0, &start).unwrap();
+        let increment = Increment { angle: Vector3::zeros(), velocity: Vector3::z() * 98.0 };
+        let mut buffer = [0; 8192];
+        let mut answers = Vec::new();
+        for _ in 0..3 {
+            answers.push(simulator.push_imu(&[increment], 10.0).is_ok());
+            let length = simulator.save_snapshot(&mut buffer).unwrap();
+            simulator.load_snapshot(&buffer[..length]).unwrap();
+        }
+        assert_eq!(answers, [true, false, false]);
     }
 }

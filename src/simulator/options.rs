@@ -39,6 +39,8 @@ pub struct Options {
     pub key: StreamKey,
     /// Limits and time base of the samples.
     pub intake: IntakeLimits,
+    /// Whether the motion of the truth is summed up.
+    pub truth_summary: bool,
 }
 
 stored!(Options {
@@ -54,6 +56,7 @@ stored!(Options {
     closed_loop_time_s: ANY,
     key,
     intake,
+    truth_summary,
 });
 
 impl Default for Options {
@@ -71,6 +74,7 @@ impl Default for Options {
             closed_loop_time_s: None,
             key: StreamKey::default(),
             intake: IntakeLimits::default(),
+            truth_summary: false,
         }
     }
 }

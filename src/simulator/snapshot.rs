@@ -51,13 +51,16 @@ impl Simulator {
 
     /// The length of the snapshot, of which as much is written as `buffer` has room for.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
-        let Self { options, earth: _, intake, sensors, signals: _, mode } = self;
+        let Self { options, earth: _, intake, sensors, signals: _, summary, mode } = self;
         let mut to = Writer::new(buffer);
         options.save(&mut to);
         sensors.save(&mut to);
         intake.save(&mut to);
         match mode {
-            Mode::Waiting => to.count(WAITING),
+            Mode::Waiting => {
+                to.count(WAITING);
+                summary.iter().for_each(|summary| summary.save(&mut to));
+            }
             Mode::Flying(chain) => {
                 to.count(FLYING);
                 chain.save(&mut to);
@@ -88,6 +91,7 @@ impl Simulator {
                 self.mode = Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.sensors));
                 if let Mode::Flying(chain) = &mut self.mode {
                     chain.signals = core::mem::take(&mut self.signals);
+                    chain.set_summary(self.summary);
                     chain.load(&mut from)?;
                     chain.look_back(&behind);
                 }
@@ -104,7 +108,11 @@ impl Simulator {
                 navigator.load(&mut from)?;
                 self.mode = Mode::Navigating(navigator);
             }
-            _ => {}
+            _ => {
+                if let Some(summary) = &mut self.summary {
+                    summary.load(&mut from)?;
+                }
+            }
         }
         if self.sensors.depend_on_temperature() {
             self.check_temperatures()?;

@@ -271,6 +271,13 @@ impl SensorSuite {
         self.altimeter.reposition(height_m);
     }
 
+    /// The truth jumped by `change_m` up, and the INS goes on: what follows the signals settles there at once, errors stay.
+    pub fn go_on(&mut self, change_m: f64) {
+        self.gyro.reposition();
+        self.accel.reposition();
+        self.altimeter.shift(change_m);
+    }
+
     /// What the two triads make of the ideal increments of an interval, each over `dt` [s]; [`Self::undo`] takes it back.
     #[inline]
     pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> ImuFlags {

@@ -12,6 +12,14 @@ pub(crate) const ANY: f64 = f64::MAX;
 /// For counters: one that is full would take longer than any run.
 pub(crate) const COUNT: f64 = 9e15;
 
+/// For clocks [s]: no run comes so far.
+pub(crate) const CLOCK_S: f64 = 1e12;
+
+/// The clock at `time_s` [s], moved by `shift_s` [s] within [`CLOCK_S`].
+pub(crate) fn moved_clock(time_s: f64, shift_s: f64) -> f64 {
+    (time_s + shift_s).clamp(-CLOCK_S, CLOCK_S)
+}
+
 /// For signals, their integrals and what sensors make of them [u, u s]: beyond all that accepted samples and parameters give, and
 /// with squares that are finite.
 pub(crate) const SIGNALS: f64 = 1e120;

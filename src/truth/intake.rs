@@ -7,7 +7,7 @@ use super::sample::LATEST_S;
 use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, ErrorKind, Rule, check_range};
 use crate::math::end_derivative_weights;
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::state::BodyAxes;
@@ -24,6 +24,12 @@ pub(crate) const INTERVALS_S: (f64, f64) = {
     let rounding = STAMP_ROUNDING * LATEST_S;
     (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
 };
+
+/// Earliest time that a sample can be moved to [s]: those before it, at most 18 intervals, have room then.
+const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
+
+/// What a time stamp may be off the stated period by, in periods.
+const OFF_PERIOD: f64 = 0.4;
 
 /// What separates a bad sample from a hard manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +49,17 @@ impl Default for IntakeLimits {
 }
 
 stored!(IntakeLimits { max_gap_s: ANY, max_acceleration_m_s2: ANY, period_s: ANY });
+
+/// What a sample that was taken is to those before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pushed {
+    /// The first, or at the end of an interval like others.
+    Regular,
+    /// At the end of a gap: of an interval of more than 2.5 times each of the two before it.
+    BehindGap,
+    /// The second: the velocity of the first, which has none itself, follows from both.
+    FirstVelocity,
+}
 
 /// Takes samples in.
 #[derive(Debug, Clone)]
@@ -70,9 +87,60 @@ impl Intake {
 
     /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first, it is checked by itself alone.
     pub fn restart(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        let first = self.first_point(sample)?;
+        self.begin(first);
+        Ok(())
+    }
+
+    /// Forgets all samples: a flight goes on from `point`, a [`Self::first_point`], as if it had been flown to.
+    pub fn go_on_from(&mut self, point: TruthPoint) {
+        self.begin(point);
+        self.take();
+    }
+
+    /// The point of `sample` were it the first.
+    pub fn first_point(&self, sample: &FlightSample) -> Result<TruthPoint, Error> {
         sample.validate()?;
+        // Multiples of a period are added to the time: -0 would be +0 in a snapshot that is loaded.
+        let first = FlightSample { time_s: sample.time_s + 0.0, ..*sample };
+        Ok(TruthPoint::new(&self.earth, self.axes, &first, first.time_s, 0.0))
+    }
+
+    fn begin(&mut self, first: TruthPoint) {
         self.clear();
-        self.push(sample)
+        self.first_time_s = first.time_s;
+        self.ring.push(first);
+    }
+
+    /// The sample pushed last counts as at `time_s` [s]. The others move with it, intervals and periods stay to the bit. Gives how
+    /// far they moved [s].
+    pub fn move_time(&mut self, time_s: f64) -> Result<f64, Error> {
+        let Some(newest) = self.ring.pushed(0) else {
+            return Err(Error::bad_state("no sample yet: the first one brings its own time"));
+        };
+        check_range("time_s", time_s, EARLIEST_MOVED_S, LATEST_S)?;
+        let shift_s = time_s - newest.sample.time_s;
+        let period_s = self.limits.period_s;
+        let off_time_base = |point: &TruthPoint| {
+            let most = OFF_PERIOD * period_s.unwrap_or(0.0);
+            (point.sample.time_s - point.time_s).clamp(-most, most)
+        };
+        let newest_s = time_s + 0.0 - off_time_base(newest);
+        let (mut later_s, mut ticks) = (0.0, 0.0);
+        let mut moved_s = newest_s;
+        self.ring.for_each_kept_mut(|point| {
+            match period_s {
+                // As a snapshot makes it of the time stamp.
+                Some(period) => moved_s = newest_s + ticks * period,
+                None => moved_s -= later_s,
+            }
+            point.sample.time_s = moved_s + off_time_base(point);
+            point.time_s = moved_s;
+            later_s = point.interval_s;
+            ticks -= period_s.map_or(0.0, |period| (point.interval_s / period).round());
+        });
+        (self.first_time_s, self.ticks) = (newest_s, 0.0);
+        Ok(shift_s)
     }
 
     /// Number of points that wait.
@@ -123,7 +191,7 @@ impl Intake {
     }
 
     /// Checks `sample` and puts it into the queue.
-    pub fn push(&mut self, sample: &FlightSample) -> Result<(), Error> {
+    pub fn push(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         sample.validate()?;
         if self.waiting() == QUEUE_CAPACITY {
             let rule =
@@ -131,10 +199,8 @@ impl Intake {
             return Err(Error::of(ErrorKind::QueueFull, "queued samples", QUEUE_CAPACITY as f64, rule));
         }
         let Some(last) = self.ring.pushed(0) else {
-            self.first_time_s = sample.time_s;
-            self.ticks = 0.0;
-            self.ring.push(TruthPoint::new(&self.earth, self.axes, sample, sample.time_s, 0.0));
-            return Ok(());
+            self.restart(sample)?;
+            return Ok(Pushed::Regular);
         };
         let (time_s, interval_s, ticks) = self.place_in_time(last, sample.time_s)?;
         let mut point = TruthPoint::new(&self.earth, self.axes, sample, time_s, interval_s);
@@ -142,15 +208,20 @@ impl Intake {
             point.set_velocity(&self.earth, self.velocity_from_positions(&point));
         }
         Steps { last, before: [self.ring.pushed(1), self.ring.pushed(2)] }.check(&point, &self.limits)?;
+        let mut pushed = match point.gap_ratio(last, self.ring.pushed(1)) {
+            None => Pushed::Regular,
+            Some(_) => Pushed::BehindGap,
+        };
         if last.sample.v_n.is_none() && self.ring.pushed(1).is_none() {
             // The first velocity is known only now: the mean of the first interval.
             if let Some(first) = self.ring.pushed_mut() {
                 first.set_velocity(&self.earth, point.state.v_e);
             }
+            pushed = Pushed::FirstVelocity;
         }
         self.ticks = ticks;
         self.ring.push(point);
-        Ok(())
+        Ok(pushed)
     }
 
     /// Time on the time base and periods since the first sample, where a period is stated.
@@ -164,17 +235,17 @@ impl Intake {
         }
     }
 
-    /// Checks and puts back a sample that was in the ring, oldest first; `v_e` is its velocity [m/s] if it has none itself.
-    fn put_back(&mut self, sample: &FlightSample, v_e: Option<Vector3<f64>>) -> Result<(), Error> {
+    /// Checks and puts back a sample that was in the ring, oldest first, `interval_s` [s] after the one before; `v_e` is its
+    /// velocity [m/s] if it has none itself.
+    fn put_back(
+        &mut self,
+        sample: &FlightSample,
+        interval_s: f64,
+        v_e: Option<Vector3<f64>>,
+    ) -> Result<(), Error> {
         sample.validate()?;
-        let (time_s, interval_s, ticks) = match self.ring.pushed(0) {
-            Some(last) => self.place_in_time(last, sample.time_s)?,
-            None => {
-                // What the interval before the oldest was nobody asks any more.
-                let (time_s, ticks) = self.on_time_base(sample.time_s);
-                (time_s, 0.0, ticks)
-            }
-        };
+        let (time_s, ticks) = self.on_time_base(sample.time_s);
+        self.check_kept_time(sample.time_s, time_s, interval_s)?;
         let mut point = TruthPoint::new(&self.earth, self.axes, sample, time_s, interval_s);
         if let Some(v_e) = v_e {
             point.set_velocity(&self.earth, v_e);
@@ -196,6 +267,30 @@ impl Intake {
         Ok(())
     }
 
+    /// Refuses a kept sample at `stamp_s`, which is `time_s` on the time base, that no flight has `interval_s` after the last. Where
+    /// time has been moved, stamps are rounded otherwise than when the interval was taken.
+    fn check_kept_time(&self, stamp_s: f64, time_s: f64, interval_s: f64) -> Result<(), Error> {
+        let rounding = STAMP_ROUNDING * LATEST_S;
+        let refuse = |value, why| {
+            Err(Error::of(ErrorKind::TimeOrder, "snapshot: time of a sample", value, Rule::Words(why)))
+        };
+        if let Some(period) = self.limits.period_s
+            && (stamp_s - time_s).abs() > OFF_PERIOD * period + rounding
+        {
+            return refuse(stamp_s, "is off the stated sample period");
+        }
+        let Some(last) = self.ring.pushed(0) else {
+            check_range("snapshot: interval before a sample", interval_s, 0.0, INTERVALS_S.1)?;
+            return Ok(());
+        };
+        let (shortest, longest) = (INTERVALS_S.0, self.limits.max_gap_s + rounding);
+        check_range("snapshot: interval before a sample", interval_s, shortest, longest)?;
+        if (time_s - last.time_s - interval_s).abs() > rounding {
+            return refuse(stamp_s, "is not an interval after the sample before");
+        }
+        Ok(())
+    }
+
     /// Time on the time base, interval to the point before, ticks since the first sample.
     fn place_in_time(&self, last: &TruthPoint, stamp_s: f64) -> Result<(f64, f64, f64), Error> {
         let order = |rule| Err(Error::of(ErrorKind::TimeOrder, "sample.time_s", stamp_s, rule));
@@ -203,7 +298,7 @@ impl Intake {
         let interval_s = match self.limits.period_s {
             None => stamp_s - last.time_s,
             Some(period) => {
-                if (stamp_s - time_s).abs() > 0.4 * period {
+                if (stamp_s - time_s).abs() > OFF_PERIOD * period {
                     return order(Rule::WordsAnd(
                         "is off the stated sample period; the nearest sample time is",
                         time_s,
@@ -257,6 +352,7 @@ impl Stored for Intake {
         to.count(ring.waiting());
         for point in ring.kept() {
             point.sample.save(to);
+            point.interval_s.save(to);
             if point.sample.v_n.is_none() {
                 point.state.v_e.save(to);
             }
@@ -272,12 +368,15 @@ impl Stored for Intake {
         for _ in 0..behind + waiting {
             let mut sample = FlightSample::default();
             sample.load(from)?;
+            from.enter("snapshot: interval before a sample");
+            let mut interval_s = 0.0;
+            interval_s.load(from, INTERVALS_S.1)?;
             let mut v_e = None;
             if sample.v_n.is_none() {
                 from.enter("snapshot: velocity of a sample");
                 Numbers::load(v_e.insert(Vector3::zeros()), from, 1e12)?;
             }
-            self.put_back(&sample, v_e)?;
+            self.put_back(&sample, interval_s, v_e)?;
         }
         for _ in 0..behind {
             self.take();

@@ -12,7 +12,7 @@ use crate::math::{
 use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
 /// Times the interval before it beyond which an interval is a gap. One lost sample is none.
-pub(crate) const GAP: f64 = 2.5;
+const GAP: f64 = 2.5;
 
 /// Truth at a sample, in Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,6 +87,23 @@ impl TruthPoint {
     #[inline]
     pub(crate) fn ends_gap(&self, last: &Self) -> bool {
         self.interval_s > GAP * last.interval_s
+    }
+
+    /// How many times as long as each of the two intervals before it the interval to this point is, where that makes it a gap;
+    /// `last` and `before` are the points before this one.
+    #[inline]
+    pub(crate) fn gap_ratio(&self, last: &Self, before: Option<&Self>) -> Option<f64> {
+        if self.ends_gap(last) { self.ratio_to_usual(last, before) } else { None }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn ratio_to_usual(&self, last: &Self, before: Option<&Self>) -> Option<f64> {
+        // Of the two intervals that lie between the points that are kept.
+        let usual_s = last.interval_s.max(before.map_or(0.0, |point| point.interval_s));
+        let ratio = self.interval_s / usual_s;
+        // At the start there is no usual one.
+        (usual_s > 0.0 && ratio > GAP).then_some(ratio)
     }
 
     /// The vertical there.

@@ -33,6 +33,14 @@ pub struct Recent<'a> {
     pub before: [Option<&'a TruthPoint>; 2],
 }
 
+impl Recent<'_> {
+    /// [`TruthPoint::gap_ratio`] of the interval.
+    #[inline]
+    pub(crate) fn gap_ratio(&self) -> Option<f64> {
+        self.next.gap_ratio(self.current, self.before[0])
+    }
+}
+
 impl Ring {
     pub fn new() -> Result<Self, Error> {
         let mut points = room(RING)?;
@@ -61,6 +69,15 @@ impl Ring {
     /// The points taken last that a stencil still looks back to, then those that wait, oldest first.
     pub fn kept(&self) -> impl Iterator<Item = &TruthPoint> {
         (self.taken - self.behind() as u64..self.pushed).filter_map(|index| self.at(index))
+    }
+
+    /// [`Self::kept`], newest first, to be moved in time.
+    pub fn for_each_kept_mut(&mut self, mut change: impl FnMut(&mut TruthPoint)) {
+        for index in (self.taken - self.behind() as u64..self.pushed).rev() {
+            if let Some(point) = &mut self.points[place(index)] {
+                change(point);
+            }
+        }
     }
 
     /// How many of the kept points have been taken.

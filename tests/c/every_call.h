@@ -16,6 +16,7 @@ static inline void every_read(sins_sim *sim, every_call_answer *answer, void *co
     sins_errors errors = {.struct_size = sizeof errors};
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
     sins_record record = {.struct_size = sizeof record};
+    sins_truth_summary summary = {.struct_size = sizeof summary};
     EVERY_CALL(sins_get_truth(sim, &navigation));
     EVERY_CALL(sins_get_navigation(sim, &navigation));
     EVERY_CALL(sins_get_imu(sim, &imu));
@@ -23,6 +24,7 @@ static inline void every_read(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors));
     EVERY_CALL(sins_get_accuracy(sim, &accuracy));
     EVERY_CALL(sins_get_record(sim, &record));
+    EVERY_CALL(sins_get_truth_summary(sim, &summary));
 }
 
 /* All but sins_destroy() and sins_last_error(), which answer otherwise. */
@@ -67,6 +69,8 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_snapshot_size(sim, &size));
     EVERY_CALL(sins_snapshot_save(sim, snapshot, sizeof snapshot, &size));
     EVERY_CALL(sins_snapshot_load(sim, snapshot, size));
+    EVERY_CALL(sins_move_time(sim, 1.0));
+    EVERY_CALL(sins_move_truth(sim, &sample));
     EVERY_CALL(sins_reposition(sim, &sample));
     EVERY_CALL(sins_reset(sim));
     EVERY_CALL(sins_start_navigation(sim, &start));

@@ -119,6 +119,7 @@ typedef struct {
     sins_errors errors, model;
     sins_imu imu;
     sins_accuracy accuracy;
+    sins_truth_summary summary;
     sins_options options, recommended;
     sins_cost cost;
     sins_budget budget;
@@ -196,6 +197,7 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->model);
     SINS_INIT(found->imu);
     SINS_INIT(found->accuracy);
+    SINS_INIT(found->summary);
     SINS_INIT(found->options);
     SINS_INIT(found->recommended);
     SINS_INIT(found->cost);
@@ -231,6 +233,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, &found->model) == SINS_OK);
     CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
+    CHECK(sins_get_truth_summary(sim, &found->summary) == SINS_OK);
     CHECK(sins_get_options(sim, &found->options) == SINS_OK);
     CHECK(sins_recommend(sim, found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
     /* Of few samples: it times each effect in many rounds. */

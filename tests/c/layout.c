@@ -13,7 +13,7 @@
 #define SIZE(type, stated, size) CHECK(sizeof(struct type) == (size) && (stated) == (size))
 #define AT(type, field, offset) CHECK(offsetof(struct type, field) == (offset))
 
-SIZE(sins_options, SINS_SIZEOF_OPTIONS, 96);
+SIZE(sins_options, SINS_SIZEOF_OPTIONS, 104);
 AT(sins_options, struct_size, 0);
 AT(sins_options, reserved, 4);
 AT(sins_options, frame, 8);
@@ -21,6 +21,7 @@ AT(sins_options, signal, 44);
 AT(sins_options, seed, 48);
 AT(sins_options, closed_loop_time_s, 64);
 AT(sins_options, max_acceleration_m_s2, 88);
+AT(sins_options, truth_summary, 96);
 
 /* sins_gyro_params and sins_accel_params, as the library has them: written by the test from the table of sensor parameters. */
 #include "sensor_layout.h"
@@ -86,6 +87,12 @@ AT(sins_imu, flags, 4);
 AT(sins_imu, interval_s, 16);
 AT(sins_imu, ideal_angle_rad, 24);
 AT(sins_imu, measured_force_m_s2, 192);
+
+SIZE(sins_truth_summary, SINS_SIZEOF_TRUTH_SUMMARY, 232);
+AT(sins_truth_summary, intervals, 8);
+AT(sins_truth_summary, flown_s, 32);
+AT(sins_truth_summary, sideslip_max_rad, 168);
+AT(sins_truth_summary, height_max_at_s, 224);
 
 SIZE(sins_accuracy, SINS_SIZEOF_ACCURACY, 256);
 AT(sins_accuracy, window_samples, 32);
@@ -163,10 +170,11 @@ AT(sins_fault, count, 8);
 AT(sins_fault, column, 24);
 AT(sins_fault, sentence, 32);
 
-SIZE(sins_scene_setup, SINS_SIZEOF_SCENE_SETUP, 64);
+SIZE(sins_scene_setup, SINS_SIZEOF_SCENE_SETUP, 72);
 AT(sins_scene_setup, flight, 8);
-AT(sins_scene_setup, duration_s, 16);
-AT(sins_scene_setup, every_s, 56);
+AT(sins_scene_setup, quiet, 16);
+AT(sins_scene_setup, duration_s, 24);
+AT(sins_scene_setup, every_s, 64);
 
 SIZE(sins_planned_failure, SINS_SIZEOF_PLANNED_FAILURE, 80);
 AT(sins_planned_failure, sensor, 8);

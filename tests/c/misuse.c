@@ -192,6 +192,8 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     CHECK(sins_get_options(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_start_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_push_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_get_truth_summary(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_move_truth(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_reposition(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_snapshot_size(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_snapshot_save(sim, NULL, 10000, NULL) == SINS_ERROR_NULL_POINTER);

@@ -91,8 +91,15 @@ static void read_everything(sins_sim *sim, int flown)
     sins_initial_errors initial = {.struct_size = sizeof initial};
     sins_mounting mounting = {.struct_size = sizeof mounting};
     sins_gravity_params gravity = {.struct_size = sizeof gravity};
+    sins_truth_summary summary = {.struct_size = sizeof summary};
     char text[200];
     size_t needed;
+    FRAME_CHECK(sins_get_options(sim, &options) == SINS_OK);
+    if (options.truth_summary == SINS_SUMMARY_ON) {
+        FRAME_CHECK(is_answer(sins_get_truth_summary(sim, &summary), flown));
+    } else {
+        FRAME_CHECK(sins_get_truth_summary(sim, &summary) == SINS_ERROR_BAD_STATE);
+    }
     FRAME_CHECK(is_answer(sins_get_truth(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_navigation(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_imu(sim, &imu), flown));
@@ -134,6 +141,8 @@ static void start_again(sins_sim *sim)
     sins_initial_errors initial = scene_initial_errors();
     sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {1.0, 2.0, 3.0}};
     sins_gravity_params gravity = {.struct_size = sizeof gravity, .anomaly_m_s2 = 1e-4};
+    FRAME_CHECK(sins_move_time(sim, 1e6) == SINS_OK);
+    FRAME_CHECK(sins_move_truth(sim, &samples[0]) == SINS_OK);
     FRAME_CHECK(sins_reposition(sim, &samples[0]) == SINS_OK);
     FRAME_CHECK(sins_set_initial_errors(sim, &initial) == SINS_OK);
     FRAME_CHECK(sins_reset(sim) == SINS_OK);
@@ -235,6 +244,7 @@ int main(void)
         options.subsamples = 1 + i % 5;
         options.updates_per_sample = 1 + i % 2;
         options.error_model = SINS_ERROR_MODEL_RK4;
+        options.truth_summary = i % 3 ? SINS_SUMMARY_ON : SINS_SUMMARY_OFF;
         sims[i] = scene_simulator(&options, 0);
         if (i < FRAMES * SCHEMES) {
             sins_gyro_params gyro = scene_gyro(); /* and accelerometers without a limit to their range */

@@ -81,7 +81,9 @@ static void read_all(sins_sim *sim)
     sins_mounting mounting = {.struct_size = sizeof mounting};
     sins_gravity_params gravity = {.struct_size = sizeof gravity};
     sins_failure failure = {.struct_size = sizeof failure};
+    sins_truth_summary summary = {.struct_size = sizeof summary};
     size_t size;
+    TRY(sins_get_truth_summary(sim, &summary)); /* of what was flown, where it is on */
     MEASURE(sins_get_truth(sim, &navigation));
     MEASURE(sins_get_navigation(sim, &navigation));
     MEASURE(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors));
@@ -145,6 +147,9 @@ static void fly(const sins_options *options)
     }
     read_all(sim);
     MEASURE(sins_run(sim, &samples[SAMPLES], SAMPLES, 1, records, SAMPLES, NULL));
+    MEASURE(sins_move_time(sim, 1e6));
+    MEASURE(sins_move_truth(sim, &samples[0]));
+    MEASURE(sins_run(sim, &samples[1], SAMPLES, 1, records, SAMPLES, NULL));
     MEASURE(sins_reposition(sim, &samples[0]));
     read_all(sim);
     MEASURE(sins_reset(sim));
@@ -297,6 +302,7 @@ static void call_all(void)
     call_without_a_simulator();
     call_with_scenes();
     options.error_model = SINS_ERROR_MODEL_RK4;
+    options.truth_summary = SINS_SUMMARY_ON;
     for (options.frame = SINS_FRAME_EARTH_FIXED; options.frame <= SINS_FRAME_GEOGRAPHIC; options.frame++) {
         for (options.scheme = SINS_SCHEME_EXACT; options.scheme <= SINS_SCHEME_POLYNOMIAL; options.scheme++) {
             for (options.signal = SINS_SIGNAL_PHYSICAL; options.signal <= SINS_SIGNAL_CLOSED_LOOP; options.signal++) {

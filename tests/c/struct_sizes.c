@@ -222,8 +222,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     CHECK(sins_scene_create(&scene) == SINS_OK);
     CHECK(sins_scene_parse("[", 1, &faulty) == SINS_SCENE_HAS_FAULTS);
     INPUT_SIZES(sins_options, sins_scene_set_options(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_set_gyro(scene, pointer));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_set_accel(scene, pointer));
+    INPUT_SIZES(sins_gyro_params, sins_scene_set_gyro(scene, pointer));
+    INPUT_SIZES(sins_accel_params, sins_scene_set_accel(scene, pointer));
     INPUT_SIZES(sins_altimeter_params, sins_scene_set_altimeter(scene, pointer));
     INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
     INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
@@ -235,8 +235,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     OUTPUT_SIZES(sins_flight_start, get_manoeuvres(scene, pointer, NULL));
     OUTPUT_SIZES(sins_manoeuvre, get_manoeuvres(scene, NULL, pointer));
     OUTPUT_SIZES(sins_options, sins_scene_get_options(scene, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_scene_get_gyro(scene, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_scene_get_accel(scene, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_scene_get_gyro(scene, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_scene_get_accel(scene, pointer));
     OUTPUT_SIZES(sins_altimeter_params, sins_scene_get_altimeter(scene, pointer));
     OUTPUT_SIZES(sins_initial_errors, sins_scene_get_initial_errors(scene, pointer));
     OUTPUT_SIZES(sins_mounting, sins_scene_get_mounting(scene, pointer));
@@ -266,6 +266,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_mounting, sins_set_mounting(fresh, pointer));
     INPUT_SIZES(sins_gravity_params, sins_set_gravity_disturbance(fresh, pointer));
     INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_reposition(fresh, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_move_truth(fresh, pointer));
     CHECK(sins_reset(fresh) == SINS_OK);
     INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
     INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
@@ -293,6 +294,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
+    OUTPUT_SIZES(sins_truth_summary, sins_get_truth_summary(sim, pointer));
     OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
@@ -318,6 +320,7 @@ int main(void)
     sins_flight *flight = scene_flight();
     sins_sim *sim = NULL;
     options.error_model = SINS_ERROR_MODEL_RK4;
+    options.truth_summary = SINS_SUMMARY_ON;
     CHECK(sins_create(&options, &sim) == SINS_OK);
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 0.01;

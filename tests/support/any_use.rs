@@ -107,6 +107,7 @@ impl Host {
                 max_acceleration_m_s2: draws.of(&[2000.0, 1e6]),
                 period_s: draws.one_in(3).then_some(period_s),
             },
+            truth_summary: draws.one_in(2),
             ..Default::default()
         };
         Self {
@@ -149,6 +150,7 @@ impl Host {
                 self.time_s += self.period_s;
                 Call::Reposition(self.sample())
             }
+            5 if self.draws.one_in(2) => self.jump(),
             5 if self.draws.one_in(6) => {
                 self.waiting = 0;
                 Call::Reset
@@ -168,12 +170,28 @@ impl Host {
         }
     }
 
+    /// A pause, or a slew.
+    fn jump(&mut self) -> Call {
+        if self.draws.one_in(2) {
+            self.time_s =
+                self.draws.of(&[0.0, 1_700_000_000.123_456_7, -9.9e9, 9.9e9, self.time_s + 1.0, -1e10]);
+            return Call::MoveTime(self.time_s);
+        }
+        self.waiting = 0;
+        self.time_s += self.period_s;
+        self.place.latitude_rad = self.draws.of(&[0.0, 0.7, -1.2, 1.5607, QUARTER, -1.5697]);
+        self.place.longitude_rad = self.draws.of(&[2.0, -3.1]);
+        self.place.height_m = self.draws.of(&[0.0, 1e4, -20e3, 2000e3, self.place.height_m]);
+        Call::MoveTruth(self.sample())
+    }
+
     fn call_of_a_navigator(&mut self) -> Call {
         let draws = &mut self.draws;
         match draws.below(20) {
             0 => Call::Gyro(self.gyro()),
             1 => Call::Accel(self.accel()),
             2 => self.failure(),
+            4 => self.jump(),
             3 => {
                 let q_nb = sins::math::attitude_from_euler(&Euler { roll: 0.3, pitch: -0.1, heading: 2.0 });
                 let start = Navigation::new(self.place, self.v_n, q_nb, self.options.axes);

@@ -30,6 +30,8 @@ pub enum Call {
     Gravity(GravityDisturbanceParameters),
     Failure(SensorOutput, Option<Failure>),
     Reposition(FlightSample),
+    MoveTruth(FlightSample),
+    MoveTime(f64),
     Reset,
     Start(f64, Box<Navigation>),
     Imu(Vec<Increment>, f64),
@@ -58,6 +60,8 @@ impl Call {
             Self::Gravity(parameters) => format!("{:?}", simulator.set_gravity_disturbance(parameters)),
             Self::Failure(output, failure) => format!("{:?}", simulator.set_failure(*output, *failure)),
             Self::Reposition(sample) => format!("{:?}", simulator.reposition(sample)),
+            Self::MoveTruth(sample) => format!("{:?}", simulator.move_truth(sample)),
+            Self::MoveTime(time_s) => format!("{:?}", simulator.move_time(*time_s)),
             Self::Reset => {
                 simulator.reset();
                 "reset".to_owned()
@@ -79,7 +83,7 @@ pub fn reads(simulator: &Simulator) -> String {
             (simulator.intervals(), simulator.has_started(), simulator.waiting_samples()),
             (simulator.truth(), simulator.navigation(), simulator.imu()),
             (simulator.errors(ErrorSource::Navigation), simulator.errors(ErrorSource::Model)),
-            (simulator.accuracy(), simulator.trim()),
+            (simulator.accuracy(), simulator.trim(), simulator.truth_summary()),
         )
     )
 }
@@ -186,6 +190,7 @@ pub fn unusual_options() -> Options {
         closed_loop_time_s: Some(20.0),
         key: StreamKey { seed: u64::MAX, run: 3 },
         intake: IntakeLimits { max_gap_s: 3.0, max_acceleration_m_s2: 1500.0, period_s: Some(0.01) },
+        truth_summary: true,
     }
 }
 
@@ -269,6 +274,29 @@ pub fn runs() -> Vec<Run> {
     calls.push(Call::Reset);
     calls.extend(flown(samples(15, 0.01)));
     runs.push(Run { name: "slewed and reset", options: model, calls, every: 1 });
+
+    // Slewed and paused in flight, errors kept: with samples in the queue at both, twice at once, without velocities.
+    for (name, options) in [
+        ("moved", Options { truth_summary: true, ..model }),
+        ("moved, periods stated", Options { closed_loop_time_s: Some(20.0), ..unusual_options() }),
+    ] {
+        let mut calls = setting();
+        calls.extend(flown(samples(15, 0.01)));
+        let elsewhere: Vec<FlightSample> = loops(40, false).collect();
+        let later = |sample: &FlightSample| FlightSample { time_s: sample.time_s + 1e6, ..*sample };
+        calls.push(Call::Push(samples(16, 0.01).last().unwrap()));
+        calls.push(Call::MoveTime(1.7e9));
+        calls.push(Call::MoveTruth(elsewhere[0]));
+        calls.push(Call::MoveTruth(elsewhere[0]));
+        calls.extend(flown(elsewhere[1..10].iter().copied()));
+        calls.push(Call::Push(elsewhere[10]));
+        calls.push(Call::Push(elsewhere[11]));
+        calls.push(Call::MoveTime(elsewhere[11].time_s + 1e6));
+        calls.extend(flown(elsewhere[12..30].iter().map(later)));
+        calls.push(Call::MoveTruth(FlightSample { v_n: None, ..elsewhere[30] }));
+        calls.extend(flown(elsewhere[31..].iter().map(|sample| FlightSample { v_n: None, ..*sample })));
+        runs.push(Run { name, options, calls, every: 1 });
+    }
 
     for (name, closed_loop_time_s) in
         [("a troubled block", None), ("a troubled block in a closed loop", Some(30.0))]

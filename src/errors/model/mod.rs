@@ -154,6 +154,39 @@ impl ErrorModel {
         Self { earth, form, vertical: VerticalLoop::new() }
     }
 
+    /// The same errors in local terms at another truth; each is given by its vertical, its velocity `v_e` [m/s] and whether it
+    /// is near a pole. There they are told in the truth's own axes, those elsewhere in the solution's, which are turned about the
+    /// vertical by the displacement.
+    pub(crate) fn moved(
+        &self,
+        from: &(Vertical, Vector3<f64>, bool),
+        to: &(Vertical, Vector3<f64>, bool),
+    ) -> Self {
+        let turned =
+            |errors: StateErrors, (vertical, v_e, near_pole): &(Vertical, Vector3<f64>, bool), sign: f64| {
+                if !near_pole {
+                    return errors;
+                }
+                let local = LocalGeometry::new(&self.earth, vertical);
+                let turn = Vector3::z() * (sign * local.rotation_of_axes(&errors.position_n).z);
+                StateErrors {
+                    velocity_n: errors.velocity_n - turn.cross(&local.in_local_axes(v_e)),
+                    misalignment_n: errors.misalignment_n + turn,
+                    ..errors
+                }
+            };
+        let local = LocalGeometry::new(&self.earth, &from.0);
+        let errors = turned(turned(self.in_local_terms(&local, &from.1), from, -1.0), to, 1.0);
+        let frame = match self.form {
+            Form::EarthFixed(_) => Frame::EarthFixed,
+            Form::Geographic(_) => Frame::Geographic,
+        };
+        let mut moved =
+            Self { vertical: self.vertical, ..Self::new(self.earth, frame, &to.0, &to.1, &errors) };
+        moved.keep_within();
+        moved
+    }
+
     /// Over the interval of `motion`, which ends at `truth`, with the sensor errors `errors`; then the vertical channel as
     /// the mechanization has it, with its aid. The sensors are those of `block` where there is a mounting.
     pub fn advance(
@@ -171,6 +204,12 @@ impl ErrorModel {
             }
         }
         self.correct_vertical(motion.interval_s, truth, aid, block);
+        self.keep_within();
+    }
+
+    /// Stops where the errors are beyond [`LARGEST`].
+    #[inline(always)]
+    fn keep_within(&mut self) {
         let [.., displacement] = self.state();
         // False for NaN too.
         if displacement.norm_squared() < LARGEST * LARGEST {

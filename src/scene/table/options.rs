@@ -55,6 +55,10 @@ pub const OPTIONS: &[Key] = &[
         "off" => false,
         "rk4" => true,
     ]),
+    choice!(O, "truth_summary", "figures of the true motion", "options.truth_summary", scene.options.truth_summary, [
+        "off" => false,
+        "on" => true,
+    ]),
     choice!(O, "earth", "ellipsoid", "options.earth", scene.options.ellipsoid, [
         "wgs84" => Ellipsoid::Wgs84,
         "cgcs2000" => Ellipsoid::Cgcs2000,

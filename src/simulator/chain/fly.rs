@@ -40,12 +40,14 @@ impl Chain {
         let result = self.fly(parts, recent, sensors);
         if result.is_err() {
             (self.block, self.disturbance, self.closed_loop) = (block, disturbance, closed_loop);
+        } else if let Some(summary) = &mut self.summary {
+            summary.add(&self.earth, self.options.axes, recent);
         }
         result
     }
 
     /// Whether the mechanization can follow the truth to `next`.
-    fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
+    pub(super) fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
         if self.options.frame == Frame::Geographic {
             let cos = sin_cos(next.sample.place.latitude_rad).1;
             if cos < Mechanization::MIN_COS_LATITUDE {

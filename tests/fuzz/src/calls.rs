@@ -37,9 +37,17 @@ impl Host {
                 let place = self.place();
                 self.push_imu(place);
             }
-            175..178 => {
+            175 => {
                 let place = self.place();
                 self.reposition(place);
+            }
+            176 => {
+                let place = self.place();
+                self.move_truth(place);
+            }
+            177 => {
+                let place = self.place();
+                self.move_time(place);
             }
             178 => {
                 let place = self.place();

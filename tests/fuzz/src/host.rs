@@ -85,6 +85,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         10 => drop(check::<sins_initial_errors>(|errors| call!(sins_get_initial_errors(sim, errors)))),
         11 => drop(check::<sins_mounting>(|mounting| call!(sins_get_mounting(sim, mounting)))),
         12 => drop(check::<sins_gravity_params>(|params| call!(sins_get_gravity_disturbance(sim, params)))),
+        14 => drop(check::<sins_truth_summary>(|summary| call!(sins_get_truth_summary(sim, summary)))),
         13 => {
             check::<sins_failure>(|failure| call!(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, failure)));
         }
@@ -94,7 +95,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
 
 /// Reads all there is.
 pub fn look_at_all(sim: *mut sins_sim) {
-    (0..15).for_each(|what| look(sim, what));
+    (0..16).for_each(|what| look(sim, what));
 }
 
 impl Host {
@@ -171,14 +172,14 @@ impl Host {
         let before = (may_fail || self.input.one_in(16)).then(|| frozen(sim));
         let status = call(sim);
         match before {
-            Some(before) if status != SINS_OK => {
+            Some(before) if status != SINS_OK && status != SINS_GAP => {
                 assert!(before == frozen(sim), "a call that failed changed something");
             }
             _ => {}
         }
         self.follower.follow(place, status, call);
         if status == SINS_OK && self.input.one_in(8) {
-            look(sim, self.input.below(15));
+            look(sim, self.input.below(16));
         }
         status
     }

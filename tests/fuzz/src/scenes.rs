@@ -68,7 +68,7 @@ impl Host {
         let (sample, motion) = self.next_sample(place);
         let status = self.giving_to(place, sample, |sim, sample| call!(sins_push_sample(sim, sample)));
         match status {
-            SINS_OK => self.advance(place, motion),
+            SINS_OK | SINS_GAP => self.advance(place, motion),
             // The host may know how to go on.
             SINS_ERROR_DISCONTINUITY | SINS_ERROR_TIME_ORDER | SINS_ERROR_INVALID_ARGUMENT
                 if self.input.byte() < 128 =>
@@ -119,6 +119,27 @@ impl Host {
         let status = self.giving_to(place, sample, |sim, sample| call!(sins_reposition(sim, sample)));
         if status == SINS_OK {
             self.advance(place, motion);
+        }
+    }
+
+    /// A slew: mostly to elsewhere.
+    pub fn move_truth(&mut self, place: usize) {
+        if self.input.byte() < 192 {
+            self.set_out(place);
+        }
+        let (sample, motion) = self.next_sample(place);
+        let status = self.giving_to(place, sample, |sim, sample| call!(sins_move_truth(sim, sample)));
+        if status == SINS_OK {
+            self.advance(place, motion);
+        }
+    }
+
+    /// A pause.
+    pub fn move_time(&mut self, place: usize) {
+        let number = self.input.number();
+        let time_s = self.input.pick(&[0.0, 1.7e9, -9.9e9, 1e10, 1e3, number]);
+        if self.changing(place, true, |sim| call!(sins_move_time(sim, time_s))) == SINS_OK {
+            self.sims[place].motion.time_s = time_s;
         }
     }
 
@@ -241,13 +262,13 @@ impl Host {
             assert!(same == records, "other records from the simulator that was loaded");
             status
         });
-        if status == SINS_OK {
+        if status >= 0 {
             self.advance(place, motion);
             if count > 1 {
                 self.hold_to_limits(place);
             }
         }
-        look(sim, self.input.below(15));
+        look(sim, self.input.below(16));
     }
 
     pub fn create_flight(&mut self) {

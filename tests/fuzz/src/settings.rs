@@ -162,6 +162,7 @@ pub fn some_options(input: &mut Input) -> sins_options {
         sample_period_s: input.pick::<f64>(&[0.0, 0.0, 0.0, 0.01, 5e-5, longest_s]).min(longest_s),
         max_gap_s,
         max_acceleration_m_s2: input.pick(&[0.0, 0.0, 1e6, 1e-3, 1e4]),
+        truth_summary: i32::from(input.one_in(4)),
         ..init()
     }
 }

@@ -413,7 +413,7 @@ impl Host {
                     break;
                 }
                 let status = call!(sins_scene_prepare(self.scene, sim, 0.0, &mut sample));
-                if status != SINS_OK || call!(sins_push_sample(sim, &sample)) != SINS_OK {
+                if status != SINS_OK || call!(sins_push_sample(sim, &sample)) < 0 {
                     break;
                 }
                 call!(sins_step(sim));

@@ -1,0 +1,165 @@
+//! `sins_truth_summary`.
+
+use super::failure::sins_status;
+use super::memory::{Output, interface_struct};
+use super::simulator::{sins_sim, with_simulator};
+use super::solution::write_or_need;
+use crate::truth::{Extreme, TruthSummary};
+
+/// The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
+/// exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
+/// exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights and
+/// climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
+/// time stamp of the sample that it came with.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_truth_summary {
+    /// sizeof(sins_truth_summary)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Intervals flown.
+    pub intervals: u64,
+    /// Those of them that are gaps (see SINS_GAP).
+    pub gaps: u64,
+    /// Samples faster than 30 m/s: sideslip and angle of attack are of these.
+    pub fast_samples: u64,
+    /// Sum of the lengths of the intervals [s].
+    pub flown_s: f64,
+    /// Time stamps of the first and of the last sample [s].
+    pub first_s: f64,
+    /// See first_s.
+    pub last_s: f64,
+    /// Longest interval [s].
+    pub interval_max_s: f64,
+    /// When [s].
+    pub interval_max_at_s: f64,
+    /// Largest rotation in an interval [rad].
+    pub turn_max_rad: f64,
+    /// When [s].
+    pub turn_max_at_s: f64,
+    /// Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s].
+    pub rate_max_rad_s: f64,
+    /// When [s].
+    pub rate_max_at_s: f64,
+    /// Largest acceleration against the Earth, by the velocities [m/s2].
+    pub acceleration_max_m_s2: f64,
+    /// When [s].
+    pub acceleration_max_at_s: f64,
+    /// Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
+    pub force_max_m_s2: f64,
+    /// When [s].
+    pub force_max_at_s: f64,
+    /// Largest displacement in an interval that the mean of the velocities at its ends does not explain [m].
+    pub inconsistency_max_m: f64,
+    /// When [s].
+    pub inconsistency_max_at_s: f64,
+    /// Largest speed against the Earth [m/s].
+    pub speed_max_m_s: f64,
+    /// When [s].
+    pub speed_max_at_s: f64,
+    /// Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it [rad].
+    pub sideslip_max_rad: f64,
+    /// When [s].
+    pub sideslip_max_at_s: f64,
+    /// Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
+    /// symmetry [rad].
+    pub attack_max_rad: f64,
+    /// When [s].
+    pub attack_max_at_s: f64,
+    /// Lowest height [m].
+    pub height_min_m: f64,
+    /// When [s].
+    pub height_min_at_s: f64,
+    /// Highest height [m].
+    pub height_max_m: f64,
+    /// When [s].
+    pub height_max_at_s: f64,
+}
+
+interface_struct!(sins_truth_summary, "summary", 232);
+
+impl sins_truth_summary {
+    fn new(summary: &TruthSummary) -> Self {
+        let TruthSummary {
+            intervals,
+            gaps,
+            flown_s,
+            first_s,
+            last_s,
+            interval_max,
+            turn_max,
+            rate_max,
+            acceleration_max,
+            force_max,
+            inconsistency_max,
+            speed_max,
+            fast_samples,
+            sideslip_max,
+            attack_max,
+            height_min,
+            height_max,
+        } = *summary;
+        let pair = |Extreme { value, time_s }| (value, time_s);
+        let (interval_max_s, interval_max_at_s) = pair(interval_max);
+        let (turn_max_rad, turn_max_at_s) = pair(turn_max);
+        let (rate_max_rad_s, rate_max_at_s) = pair(rate_max);
+        let (acceleration_max_m_s2, acceleration_max_at_s) = pair(acceleration_max);
+        let (force_max_m_s2, force_max_at_s) = pair(force_max);
+        let (inconsistency_max_m, inconsistency_max_at_s) = pair(inconsistency_max);
+        let (speed_max_m_s, speed_max_at_s) = pair(speed_max);
+        let (sideslip_max_rad, sideslip_max_at_s) = pair(sideslip_max);
+        let (attack_max_rad, attack_max_at_s) = pair(attack_max);
+        let (height_min_m, height_min_at_s) = pair(height_min);
+        let (height_max_m, height_max_at_s) = pair(height_max);
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            intervals,
+            gaps,
+            fast_samples,
+            flown_s,
+            first_s,
+            last_s,
+            interval_max_s,
+            interval_max_at_s,
+            turn_max_rad,
+            turn_max_at_s,
+            rate_max_rad_s,
+            rate_max_at_s,
+            acceleration_max_m_s2,
+            acceleration_max_at_s,
+            force_max_m_s2,
+            force_max_at_s,
+            inconsistency_max_m,
+            inconsistency_max_at_s,
+            speed_max_m_s,
+            speed_max_at_s,
+            sideslip_max_rad,
+            sideslip_max_at_s,
+            attack_max_rad,
+            attack_max_at_s,
+            height_min_m,
+            height_min_at_s,
+            height_max_m,
+            height_max_at_s,
+        }
+    }
+}
+
+/// Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+///
+/// SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
+/// there is no truth.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_truth_summary(
+    sim: *mut sins_sim,
+    summary: *mut sins_truth_summary,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(summary, "summary")? };
+        let summary = simulator.truth_summary()?;
+        Ok(write_or_need(&output, summary.as_ref().map(sins_truth_summary::new)))
+    })
+}

@@ -1,0 +1,128 @@
+//! The host's time or its truth jumps, and the INS goes on with its errors.
+
+use super::Chain;
+use crate::error::{Error, ErrorKind, Rule};
+use crate::errors::CarriedErrors;
+use crate::mechanization::Mechanization;
+use crate::mounting::Block;
+use crate::signal::SignalGenerator;
+use crate::simulator::SensorSuite;
+use crate::simulator::disturbance::Disturbance;
+use crate::simulator::mounted::rate_at_start;
+use crate::simulator::views::Views;
+use crate::state::{EarthFixedState, Navigation};
+use crate::truth::TruthPoint;
+
+/// Of the sensors' own point, which is the block's where there is a mounting: before and after a jump.
+struct Jump {
+    from: (EarthFixedState, Navigation),
+    to: (EarthFixedState, Navigation),
+}
+
+impl Chain {
+    /// All clocks have been moved by `shift_s` [s]; the last interval ended at `time_s` [s].
+    pub fn move_time(&mut self, shift_s: f64, time_s: f64) {
+        self.last.move_to(time_s);
+        self.accuracy.move_time(shift_s);
+        if let Some(closed_loop) = &mut self.closed_loop {
+            closed_loop.move_time(shift_s);
+        }
+    }
+
+    /// The truth jumps from `from` to `to`; the solution keeps its errors, and so does the error model. On an error nothing has
+    /// changed.
+    #[inline(never)]
+    pub fn move_truth(
+        &mut self,
+        from: &TruthPoint,
+        to: &TruthPoint,
+        sensors: &mut SensorSuite,
+    ) -> Result<(), Error> {
+        self.check_truth(to)?;
+        let block = self.block.map(|block| block.turning_at(rate_at_start(&self.earth, to, None)));
+        let jump = self.jump(block.as_ref(), from, to);
+        let mechanization = self.carried(&self.mechanization, &jump)?;
+        let shadow = match self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow_mut().copied())
+        {
+            Some(shadow) => Some(self.carried(&shadow, &jump)?),
+            None => None,
+        };
+        self.go_on(&jump, mechanization, shadow, (from, to));
+        self.block = block;
+        self.generator = SignalGenerator::new(self.earth.rate_rad_s);
+        self.closure.turn(&self.earth, &from.sample.place, &to.sample.place);
+        sensors.go_on(to.sample.place.height_m - from.sample.place.height_m);
+        if let Some(disturbance) = &mut self.disturbance {
+            *disturbance = Disturbance::new(sensors.gravity.at(&self.earth, to));
+        }
+        self.move_time(to.time_s - from.time_s, to.time_s);
+        Ok(())
+    }
+
+    /// The velocity of the truth at `point`, 0 so far, is known: that of the solution is as much more.
+    #[cold]
+    #[inline(never)]
+    pub fn take_first_velocity(&mut self, point: &TruthPoint) {
+        let mut without = *point;
+        without.state.v_e.fill(0.0);
+        let block = self.block;
+        let jump = self.jump(block.as_ref(), &without, point);
+        // Only the velocity changes: where the height of the solution is, it is.
+        let Ok(mechanization) = self.carried(&self.mechanization, &jump) else { return };
+        let shadow = self
+            .closed_loop
+            .as_mut()
+            .and_then(|closed_loop| closed_loop.shadow_mut().copied())
+            .and_then(|shadow| self.carried(&shadow, &jump).ok());
+        self.go_on(&jump, mechanization, shadow, (&without, point));
+    }
+
+    /// The jump from `from` to `to` where the sensors are, which at `to` are those of `block`.
+    fn jump(&self, block: Option<&Block>, from: &TruthPoint, to: &TruthPoint) -> Jump {
+        let at = |block: Option<&Block>, point: &TruthPoint| match block {
+            Some(block) => {
+                let state = block.state(point);
+                (state, state.navigation(&self.earth, self.options.axes))
+            }
+            None => (point.state, point.navigation(&self.earth, self.options.axes)),
+        };
+        Jump { from: at(self.block.as_ref(), from), to: at(block, to) }
+    }
+
+    /// `navigator` with its errors behind the jump.
+    fn carried(&self, navigator: &Mechanization, jump: &Jump) -> Result<Mechanization, Error> {
+        let errors = CarriedErrors::of(&self.earth, &navigator.state(), &jump.from.1);
+        let Some(state) = errors.at(&self.earth, &jump.to.1) else {
+            let error = navigator.minus(&jump.from.0).r_e.norm_squared().sqrt();
+            let rule =
+                Rule::Words("cannot be kept: there is no place with this error at the sample's height");
+            return Err(Error::of(ErrorKind::Diverged, "navigated position error [m]", error, rule));
+        };
+        let moved = navigator.moved_to(&state);
+        moved.check()?;
+        Ok(moved)
+    }
+
+    fn go_on(
+        &mut self,
+        jump: &Jump,
+        mechanization: Mechanization,
+        shadow: Option<Mechanization>,
+        (from, to): (&TruthPoint, &TruthPoint),
+    ) {
+        self.mechanization = mechanization;
+        if let Some(model) = &mut self.error_model {
+            let at = |(state, _): &(EarthFixedState, Navigation), point: &TruthPoint| {
+                (self.earth.vertical(&state.r_e), state.v_e, point.is_near_pole())
+            };
+            *model = model.moved(&at(&jump.from, from), &at(&jump.to, to));
+        }
+        if let Some(closed_loop) = &mut self.closed_loop {
+            if let (Some(old), Some(new)) = (closed_loop.shadow_mut(), shadow) {
+                *old = new;
+            }
+            closed_loop.go_on(&self.mechanization, &jump.to.0, to.time_s);
+        }
+        self.views = Views::default();
+    }
+}

@@ -1,0 +1,116 @@
+//! The table of sensor parameters against what its own texts say: the factor of each data-sheet unit is that of the unit's text,
+//! which is of the dimension of the SI unit.
+
+use sins::sensors::{PARAMETERS, ParameterRange, Sensor};
+
+/// Size in SI, and twice the exponents of rad, m, s, K: roots have halves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Unit {
+    si: f64,
+    twice: [i32; 4],
+}
+
+const ONE: Unit = Unit { si: 1.0, twice: [0; 4] };
+
+impl Unit {
+    fn named(name: &str) -> Self {
+        let degree = std::f64::consts::PI / 180.0;
+        let (si, twice) = match name {
+            "" => (1.0, [0; 4]),
+            "ppm" => (1e-6, [0; 4]),
+            "rad" => (1.0, [2, 0, 0, 0]),
+            "deg" => (degree, [2, 0, 0, 0]),
+            "arcsec" => (degree / 3600.0, [2, 0, 0, 0]),
+            "m" => (1.0, [0, 2, 0, 0]),
+            "mm" => (1e-3, [0, 2, 0, 0]),
+            "g" => (9.80665, [0, 2, -4, 0]),
+            "micro-g" => (9.80665e-6, [0, 2, -4, 0]),
+            "s" => (1.0, [0, 0, 2, 0]),
+            "h" => (3600.0, [0, 0, 2, 0]),
+            "Hz" => (1.0, [0, 0, -2, 0]),
+            "K" | "deg C" => (1.0, [0, 0, 0, 2]),
+            "1" => (1.0, [0; 4]),
+            _ => panic!("{name}: no unit"),
+        };
+        Self { si, twice }
+    }
+
+    fn power(self, twice_exponent: i32) -> Self {
+        let si = self.si.powf(f64::from(twice_exponent) / 2.0);
+        Self { si, twice: self.twice.map(|twice| twice * twice_exponent / 2) }
+    }
+
+    fn over(self, other: Self) -> Self {
+        Self { si: self.si / other.si, twice: std::array::from_fn(|i| self.twice[i] - other.twice[i]) }
+    }
+
+    /// Terms with "/" between them, from the left: "deg/h/sqrt(h)", "(rad/s)/(m/s2)^2".
+    fn of(text: &str) -> Self {
+        let (mut depth, mut start, mut terms) = (0, 0, Vec::new());
+        for (at, letter) in text.char_indices() {
+            depth += i32::from(letter == '(') - i32::from(letter == ')');
+            if letter == '/' && depth == 0 {
+                terms.push(&text[start..at]);
+                start = at + 1;
+            }
+        }
+        terms.push(&text[start..]);
+        terms.into_iter().map(Self::term).reduce(Self::over).unwrap()
+    }
+
+    /// A name or a text in parentheses, with a digit as exponent behind it or a root before it.
+    fn term(text: &str) -> Self {
+        let exponent = text.chars().last().and_then(|letter| letter.to_digit(10)).filter(|_| text != "1");
+        match (exponent, text.strip_prefix("sqrt(")) {
+            (Some(digit), _) => {
+                Self::term(text[..text.len() - 1].trim_end_matches('^')).power(2 * digit as i32)
+            }
+            (_, Some(rest)) => Self::of(rest.strip_suffix(')').unwrap()).power(1),
+            _ => match text.strip_prefix('(') {
+                Some(rest) => Self::of(rest.strip_suffix(')').unwrap()),
+                None => Self::named(text),
+            },
+        }
+    }
+}
+
+#[test]
+fn data_sheet_units_are_what_their_texts_say() {
+    let mut count = 0;
+    for (parameter, sensor) in
+        PARAMETERS.iter().flat_map(|row| [Sensor::Gyro, Sensor::Accelerometer].map(|sensor| (row, sensor)))
+    {
+        let Some(field) = parameter.of(sensor) else { continue };
+        let (unit, key) = (Unit::of(field.unit), Unit::of(field.key_unit));
+        assert_eq!(unit.si, ONE.si, "{}: [{}] is not SI", field.path, field.unit);
+        assert_eq!(unit.twice, key.twice, "{}: [{}], [{}]", field.path, field.unit, field.key_unit);
+        assert!(
+            (field.key_si / key.si - 1.0).abs() < 8.0 * f64::EPSILON,
+            "{}: {:e}",
+            field.path,
+            field.key_si
+        );
+        count += 1;
+    }
+    assert!(count > 40, "{count}");
+}
+
+/// Definitions read as parts of a sentence, effects have their sensor's name, and a time has its standard deviation.
+#[test]
+fn names_are_whole() {
+    for parameter in PARAMETERS {
+        assert!(parameter.doc.starts_with(|letter: char| letter.is_ascii_lowercase()), "{}", parameter.name);
+        assert!(!parameter.doc.ends_with('.') && parameter.doc.is_ascii() && parameter.note.is_ascii());
+        assert!(parameter.note.is_empty() || parameter.note.ends_with('.'), "{}", parameter.name);
+        for (field, sensor) in [(parameter.gyro, "gyro"), (parameter.accel, "accel")] {
+            let Some(field) = field else { continue };
+            assert!(field.path.starts_with(&format!("{sensor}.")), "{}", field.path);
+            assert!(field.effect.is_empty() || field.effect.starts_with(sensor), "{}", field.effect);
+            let (low, high) = field.range.ends();
+            assert!(low < high, "{}", field.path);
+            if let ParameterRange::TimeOf(sigma, ..) = field.range {
+                assert!(PARAMETERS.iter().any(|row| row.name == sigma), "{sigma}");
+            }
+        }
+    }
+}
