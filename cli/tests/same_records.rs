@@ -135,7 +135,8 @@ fn the_example_host_ends_with_the_same_errors() {
         done(&folder, &[&["fly", file, "-q", "--name", "run"], &settings[..]].concat());
         let text = done(&folder, &[&["scene", "write", file], &settings[..]].concat());
         let flights = project_file("c_examples/flights");
-        std::fs::write(folder.join("scene.toml"), text.replace("../flights", flights.to_str().unwrap())).unwrap();
+        std::fs::write(folder.join("scene.toml"), text.replace("../flights", flights.to_str().unwrap()))
+            .unwrap();
         let output = Command::new(&host).arg("scene.toml").current_dir(&folder).output().unwrap();
         assert!(output.status.success(), "{scene}: {}", String::from_utf8_lossy(&output.stderr));
 

@@ -120,7 +120,8 @@ fn fly_with(
 fn push(simulator: &mut Simulator, given: &Given, index: usize) -> Result<(), Failure> {
     let mut sample = given.sample(index)?;
     let prepared = given.scene.prepare(simulator, given.start_s(), &mut sample);
-    prepared.and_then(|()| simulator.push_sample(&sample)).map_err(|error| stopped(given, index, &error))
+    let pushed = prepared.and_then(|()| simulator.push_sample(&sample));
+    pushed.map(|_| ()).map_err(|error| stopped(given, index, &error))
 }
 
 /// Flies the interval that the sample `index` ends.
