@@ -217,7 +217,7 @@ fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
     };
     let page = folder.join("page.html");
     for value in ["1e308", "-1e308", "nan", "inf", "1e30", "-1e30", "5e-324", "1e-60", "-0.0"] {
-        for column in 1..columns.len() {
+        for (column, name) in columns.iter().enumerate().skip(1) {
             for only in [Some(3), None] {
                 // All columns of one of them, and a third of the others.
                 if only.is_none() && column % 3 != 0 {
@@ -226,12 +226,12 @@ fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
                 std::fs::write(&records, with(value, column, only)).unwrap();
                 let (code, _, errors) = run(&folder, &["report", "sins_out/run.csv", "-o", "page.html"]);
                 let row = 2 + only.unwrap_or(0);
-                let place = format!("sins_out/run.csv:{row}: column {} ({})", column + 1, columns[column]);
+                let place = format!("sins_out/run.csv:{row}: column {} ({name})", column + 1);
                 if code == 2 {
                     assert!(errors.starts_with(&place), "{errors}");
                 } else {
-                    assert_eq!(code, 0, "{value} in {}: {errors}", columns[column]);
-                    assert_is_finite(&read(&page), &format!("{value} in {}", columns[column]));
+                    assert_eq!(code, 0, "{value} in {name}: {errors}");
+                    assert_is_finite(&read(&page), &format!("{value} in {name}"));
                 }
             }
         }

@@ -27,7 +27,7 @@ impl Text {
             let (bytes, name) = (text.as_bytes().to_vec(), (*name).to_owned());
             return Ok(Self { bytes, origin: format!("{name} (built in)"), path: None, name });
         }
-        if !path.extension().is_some_and(|ending| ending == "toml") && !path.exists() {
+        if path.extension().is_none_or(|ending| ending != "toml") && !path.exists() {
             let near = nearest(&path.to_string_lossy(), BUILTIN_SCENES.iter().map(|(name, _)| *name));
             let hint = match near {
                 Some(near) => format!("did you mean {near}?"),
