@@ -73,6 +73,25 @@ fn records_are_spaced_as_they_are_wanted() {
     );
 }
 
+/// Where the scene wants it, the summary tells what the truth was like: a log in wrong units stands out.
+#[test]
+fn the_true_motion_is_summed_up() {
+    let folder = folder("truth");
+    let fly = |settings: &[&str]| {
+        let said = done(&folder, &[&["fly", "aerobatics", "--name", "run"], settings].concat());
+        (said, read(folder.join("sins_out/run_summary.csv")))
+    };
+    let (said, summary) = fly(&[]);
+    assert!(!summary.contains("truth_rate_max_rad_s") && !said.contains("largest angular rate"));
+    let (said, summary) = fly(&["--set", "options.truth_summary=on"]);
+    let rate: f64 = figure(&summary, "truth_rate_max_rad_s").parse().unwrap();
+    // Three rolls in 6 s, by a step that is smooth to the third derivative: its slope is 35/16 at the most. The mean over an interval of
+    // 1/600 of that is less by (1/600)² of its curvature.
+    let expected = 35.0 / 16.0 * std::f64::consts::PI;
+    assert!((rate / expected - 1.0).abs() < 1e-4, "{rate}");
+    assert!(said.contains("truth           largest angular rate"), "{said}");
+}
+
 #[test]
 fn what_was_meant_is_told() {
     let folder = folder("meant");

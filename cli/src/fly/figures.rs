@@ -58,6 +58,25 @@ impl<'a> Figures<'a> {
         self.accuracy.window_samples >= LEAST_SAMPLES
     }
 
+    /// Extremes of the true motion: key, value, unit, label and the time stamp of each; none unless the scene wants them.
+    pub fn truth(&self) -> Vec<(&'static str, f64, &'static str, &'static str, f64)> {
+        let Some(truth) = &self.flown.truth else { return Vec::new() };
+        [
+            ("truth_interval_max_s", &truth.interval_max, "s", "longest interval"),
+            ("truth_turn_max_rad", &truth.turn_max, "rad", "largest rotation in an interval"),
+            ("truth_rate_max_rad_s", &truth.rate_max, "rad/s", "largest angular rate"),
+            ("truth_acceleration_max_m_s2", &truth.acceleration_max, "m/s2", "largest acceleration"),
+            ("truth_force_max_m_s2", &truth.force_max, "m/s2", "largest specific force"),
+            ("truth_speed_max_m_s", &truth.speed_max, "m/s", "largest speed"),
+            ("truth_sideslip_max_rad", &truth.sideslip_max, "rad", "largest sideslip"),
+            ("truth_attack_max_rad", &truth.attack_max, "rad", "largest angle of attack"),
+            ("truth_height_min_m", &truth.height_min, "m", "lowest height"),
+            ("truth_height_max_m", &truth.height_max, "m", "highest height"),
+        ]
+        .map(|(key, extreme, unit, label)| (key, extreme.value, unit, label, extreme.time_s))
+        .to_vec()
+    }
+
     /// What is set in a section of the scene, in words; "none" if nothing.
     pub fn set_in(&self, section: &str) -> String {
         let set = self.scene().changed_keys();

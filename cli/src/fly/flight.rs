@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
+use sins::truth::TruthSummary;
 use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
 
 use super::imu;
@@ -37,6 +38,8 @@ pub struct Flown {
     /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
     pub largest_difference: [f64; 2],
     pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
+    /// What the true motion was like, if the scene wants to know.
+    pub truth: Option<TruthSummary>,
 }
 
 /// Errors of the sensors since the last record: integrals [rad], [m/s], and over which time [s].
@@ -76,6 +79,9 @@ pub fn fly(
     let result = fly_with(simulator, given, every, files, flown, quiet);
     if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
         flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
+    }
+    if given.scene.options.truth_summary {
+        flown.truth = simulator.truth_summary()?;
     }
     result
 }

@@ -54,6 +54,9 @@ fn setting(figures: &Figures, records: &Path) -> String {
         ),
     );
     let every = six_digits(figures.every_s);
+    for (_, value, unit, label, time_s) in figures.truth() {
+        line("truth", format!("{label} {} {unit}, at {} s", six_digits(value), six_digits(time_s)));
+    }
     line("records", format!("{}, one each {every} s, in {}", flown.records, records.display()));
     text
 }

@@ -6,6 +6,7 @@ use sins::units::NMI_PER_HOUR;
 use super::figures::Figures;
 use crate::failure::Failure;
 use crate::rows;
+use crate::units::six_digits;
 
 /// How every summary begins.
 pub const MARK: &str = "key,value,unit,label\nname,";
@@ -93,6 +94,9 @@ fn flight(figures: &Figures, rows: &mut Rows) {
     let label = "stopped before the end of the flight (0: no, 1: yes)";
     rows.whole("interrupted", u64::from(figures.is_interrupted), label);
     rows.whole("records", flown.records, "records written");
+    for (key, value, unit, label, time_s) in figures.truth() {
+        rows.number(key, value, unit, &format!("truth: {label}, at {} s", six_digits(time_s)));
+    }
 }
 
 fn closure(figures: &Figures, rows: &mut Rows) {
