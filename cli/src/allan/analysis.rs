@@ -44,11 +44,11 @@ impl Coefficient {
         self.interval.low > 0.0 && !self.is_at_bound()
     }
 
-    /// Whether the estimate sits on an end of its own interval: it is what the constraint of the fit left, nothing that the record
-    /// shows.
+    /// Whether the estimate sits on the upper bound of its own interval, which reaches far below it: what the constraint of the fit
+    /// left, nothing that the record shows. A short interval may end at the estimate as well; the term is there.
     pub fn is_at_bound(&self) -> bool {
         let Interval { low, high } = self.interval;
-        self.value > 0.0 && (self.value <= low || self.value >= high)
+        self.value > 0.0 && self.value >= high && low < 0.5 * self.value
     }
 }
 

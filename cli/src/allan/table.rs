@@ -93,8 +93,9 @@ mod tests {
             on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval })
         };
         assert_eq!(told(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
-        assert_eq!(told(2.0, 2.0, 3.0), "not shown by this record");
         assert_eq!(told(2.0, 0.0, 2.0), "not shown by this record");
+        assert_eq!(told(2.0, 0.9, 2.0), "not shown by this record");
+        assert_eq!(told(2.0, 1.9, 2.0), "2.000 (1.900 to 2.000) u");
         assert_eq!(
             (told(0.0, 0.0, 2.0), told(1.0, 0.0, 2.0)),
             ("below 2.000 u".into(), "below 2.000 u".into())

@@ -30,7 +30,7 @@ impl Scene {
         Self {
             name: given.name.clone(),
             title: format!(
-                "{title}: {} at {} Hz{failures}",
+                "{title}, {} at {} Hz{failures}",
                 time_text(span_s),
                 (rate_hz * 10.0).round() / 10.0
             ),
