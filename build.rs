@@ -39,11 +39,12 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 25] = [
     "version",
     "failure",
     "options",
     "simulator",
+    "last_error",
     "gyro",
     "accel",
     "altimeter",

@@ -32,11 +32,12 @@
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
- *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
+ *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
+ *   sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
- *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE, without a sentence. A signal handler gets
- *     this answer if it interrupted a call on that handle. It may call every function that takes a simulator, except
+ *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE; sins_last_error(NULL, ...) has the
+ *     sentence. A signal handler gets this answer if it interrupted a call on that handle. It may call every function that takes a simulator, except
  *     sins_destroy() and sins_snapshot_load(), which use the allocator.
  *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
  *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
@@ -85,6 +86,7 @@
 
 #if defined(_MSC_VER) && _MSC_VER < 1600
 typedef __int32 int32_t;
+typedef __int64 int64_t;
 typedef unsigned __int32 uint32_t;
 typedef unsigned __int64 uint64_t;
 #else
@@ -249,6 +251,18 @@ enum sins_signal {
      * navigator is the simulator's own and nothing is computed twice.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
+};
+
+/* Flags of a sins_error_info. */
+enum sins_error_info_flags {
+    /* A value is at fault, and is in value. */
+    SINS_ERROR_INFO_VALUE = 1,
+    /* There is a least value, and minimum has it. */
+    SINS_ERROR_INFO_MINIMUM = 2,
+    /* There is a greatest value, and maximum has it. */
+    SINS_ERROR_INFO_MAXIMUM = 4,
+    /* The field is an integer. */
+    SINS_ERROR_INFO_INTEGER = 8
 };
 
 /* Sensors that can fail. */
@@ -560,6 +574,30 @@ typedef struct sins_flight_sample {
      */
     double temperature_c;
 } sins_flight_sample;
+
+/* Why a call failed: what the sentence of sins_last_error() is made of. */
+typedef struct sins_error_info {
+    /* sizeof(sins_error_info) */
+    uint32_t struct_size;
+    /* Flags of enum sins_error_info_flags, or'ed. */
+    uint32_t flags;
+    /* What the call returned, of enum sins_status_code; SINS_OK if none failed. */
+    sins_status status;
+    /* 0 */
+    uint32_t reserved;
+    /* The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself. */
+    char field[96];
+    /* Element of the field, from 0; -1: the field is no array, or all of it is at fault. */
+    int64_t index;
+    /* Sample of the array that the call took, from 0; -1: none. */
+    int64_t sample;
+    /* With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double. */
+    double value;
+    /* With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused. */
+    double minimum;
+    /* With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused. */
+    double maximum;
+} sins_error_info;
 
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
@@ -1321,6 +1359,7 @@ typedef struct sins_budget {
 enum sins_sizeof {
     SINS_SIZEOF_OPTIONS = 96,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,
+    SINS_SIZEOF_ERROR_INFO = 152,
     SINS_SIZEOF_GYRO_PARAMS = 712,
     SINS_SIZEOF_ACCEL_PARAMS = 736,
     SINS_SIZEOF_ALTIMETER_PARAMS = 56,
@@ -1376,16 +1415,6 @@ SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, s
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 
 /*
- * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
- * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
- * simulator (create, presets, flights, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
- *
- * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
- * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
- */
-SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
-
-/*
  * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
@@ -1426,6 +1455,23 @@ SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_
  * seed or run; to come back to a moment in flight, see sins_snapshot_save().
  */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
+
+/*
+ * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
+ * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
+ * (create, presets, flights, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
+ * Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+ *
+ * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+ * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+ */
+SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
+ * sentence.
+ */
+SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
 
 /*
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not

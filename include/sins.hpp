@@ -30,15 +30,20 @@
 
 namespace sins {
 
-/* A call that failed: its status, and in what() the sentence of sins_last_error(). */
+/* A call that failed: its status, in what() the sentence of sins_last_error(), in info() what that is made of. */
 class Error : public std::runtime_error {
 public:
-    Error(sins_status status, const std::string &sentence) : std::runtime_error(sentence), status_(status) {}
+    Error(sins_status status, const std::string &sentence, const sins_error_info &info)
+        : std::runtime_error(sentence), status_(status), info_(info)
+    {
+    }
 
     sins_status status() const noexcept { return status_; }
+    const sins_error_info &info() const noexcept { return info_; }
 
 private:
     sins_status status_;
+    sins_error_info info_;
 };
 
 /* An interface struct: all zero, which is off or recommended, with struct_size set. */
@@ -67,8 +72,11 @@ namespace detail {
 
 [[noreturn]] inline void fail(sins_status status, const sins_sim *sim)
 {
-    /* A handle that is none has no sentence. */
-    throw Error(status, status == SINS_ERROR_BAD_HANDLE ? status_string(status) : last_error(sim));
+    /* A handle that is none remembers nothing; the thread does. */
+    const sins_sim *place = status == SINS_ERROR_BAD_HANDLE ? nullptr : sim;
+    sins_error_info info = make<sins_error_info>();
+    sins_last_error_info(place, &info);
+    throw Error(status, last_error(place), info);
 }
 
 /* Whether there is a result; an error is thrown. */

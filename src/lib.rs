@@ -179,7 +179,7 @@ pub mod truth;
 #[forbid(unsafe_code)]
 mod units;
 
-pub use error::{Error, ErrorKind, Rule};
+pub use error::{Error, ErrorKind, Rule, Value};
 pub use simulator::{
     ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
     TrimFigures,

@@ -15,5 +15,5 @@ pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
 }
 
 fn missing(count: usize) -> Error {
-    Error::of(ErrorKind::OutOfMemory, "elements", count as f64, Rule::Words("no memory for them"))
+    Error::of(ErrorKind::OutOfMemory, "elements", count, Rule::Words("no memory for them"))
 }

@@ -15,7 +15,7 @@ use super::sample::sins_flight_sample;
 use crate::budget::{
     BudgetRequest, Effect, ErrorParameters, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
 };
-use crate::error::{Error, check_range};
+use crate::error::{Error, check_integer};
 use crate::recommend::SolutionError;
 
 /// What a budget is asked for. A limit of 0 is none.
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn sins_error_budget(
         options.validate()?;
         request.validate()?;
         parameters.validate()?;
-        check_range("count", count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
+        check_integer("count", count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         let needed = 1 + Effect::set_in(&parameters).count();

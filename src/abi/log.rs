@@ -92,7 +92,7 @@ pub unsafe extern "C" fn sins_log_parse(
                     output.write(&sins_fault::new(&found, 1));
                 }
                 let rule = Rule::Words("the text is no flight log; sins_fault tells why");
-                remember(Error::invalid("line", found.line as f64, rule).into());
+                remember(Error::invalid("line", found.line, rule).into());
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
         }
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn sins_log_get_sample(
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
             let rule =
                 Rule::WordsAnd("must be less than the samples of the log:", log.samples().len() as f64);
-            return Err(Error::invalid("index", index as f64, rule).into());
+            return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_flight_sample::from_sample(found));
         if !line.is_null() {

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::memory::interface_struct;
 use super::options::{check_reserved, one_of};
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, Value, check_integer};
 use crate::flight::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 
 /// Kinds of manoeuvre.
@@ -87,7 +87,7 @@ interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 /// Ramp where the host gives none [s].
 const DEFAULT_RAMP_S: f64 = 5.0;
 
-const NOT_USED: Rule = Rule::Words("must be 0: it is not used here");
+const NOT_USED: Rule = Rule::Zero(": it is not used here");
 
 impl sins_manoeuvre {
     pub(super) fn to_manoeuvre(self) -> Result<Manoeuvre, Failure> {
@@ -112,44 +112,39 @@ impl sins_manoeuvre {
                 (Manoeuvre::STurn { duration_s, heading_amplitude_rad, cycles: turns, ramp_s }, 0b1100_1010)
             }
             SINS_MANOEUVRE_SINUSOIDS => {
-                check_range(
-                    "manoeuvre.sinusoid_count",
-                    f64::from(self.sinusoid_count),
-                    1.0,
-                    MAX_SINUSOIDS as f64,
-                )?;
+                check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as i64)?;
                 let count = self.sinusoid_count as usize;
                 let terms = self.sinusoids(count)?;
                 (Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count }, 0b1100_0001)
             }
             kind => {
-                let rule = Rule::Words("must be a SINS_MANOEUVRE_ constant, 0 to 8");
-                return Err(Error::invalid("manoeuvre.kind", f64::from(kind), rule).into());
+                let rule = Rule::OneOf("sins_manoeuvre_kind", 0, 8);
+                return Err(Error::invalid("manoeuvre.kind", kind, rule).into());
             }
         };
-        let fields = [
-            ("manoeuvre.duration_s", duration_s),
-            ("manoeuvre.ramp_s", self.ramp_s),
-            ("manoeuvre.speed_change_m_s", speed_change_m_s),
-            ("manoeuvre.height_change_m", height_change_m),
-            ("manoeuvre.heading_change_rad", heading_change_rad),
-            ("manoeuvre.bank_rad", bank_rad),
-            ("manoeuvre.turns", turns),
-            ("manoeuvre.sinusoid_count", f64::from(self.sinusoid_count)),
+        let fields: [(_, Value); 8] = [
+            ("manoeuvre.duration_s", duration_s.into()),
+            ("manoeuvre.ramp_s", self.ramp_s.into()),
+            ("manoeuvre.speed_change_m_s", speed_change_m_s.into()),
+            ("manoeuvre.height_change_m", height_change_m.into()),
+            ("manoeuvre.heading_change_rad", heading_change_rad.into()),
+            ("manoeuvre.bank_rad", bank_rad.into()),
+            ("manoeuvre.turns", turns.into()),
+            ("manoeuvre.sinusoid_count", self.sinusoid_count.into()),
         ];
         for (bit, (field, value)) in fields.into_iter().enumerate() {
-            if value != 0.0 && uses & (0b1000_0000 >> bit) == 0 {
+            if value.as_f64() != 0.0 && uses & (0b1000_0000 >> bit) == 0 {
                 return Err(Error::invalid(field, value, NOT_USED).into());
             }
         }
         for i in (self.sinusoid_count as usize)..MAX_SINUSOIDS {
-            let unused = [
-                ("manoeuvre.channel", f64::from(self.channel[i])),
-                ("manoeuvre.amplitude", self.amplitude[i]),
-                ("manoeuvre.frequency_hz", self.frequency_hz[i]),
-                ("manoeuvre.phase_rad", self.phase_rad[i]),
+            let unused: [(_, Value); 4] = [
+                ("manoeuvre.channel", self.channel[i].into()),
+                ("manoeuvre.amplitude", self.amplitude[i].into()),
+                ("manoeuvre.frequency_hz", self.frequency_hz[i].into()),
+                ("manoeuvre.phase_rad", self.phase_rad[i].into()),
             ];
-            if let Some((field, value)) = unused.into_iter().find(|&(_, value)| value != 0.0) {
+            if let Some((field, value)) = unused.into_iter().find(|(_, value)| value.as_f64() != 0.0) {
                 return Err(Error::invalid(field, value, NOT_USED).into());
             }
         }
@@ -169,12 +164,7 @@ impl sins_manoeuvre {
         let mut terms = [none; MAX_SINUSOIDS];
         for (i, term) in terms.iter_mut().enumerate().take(count) {
             *term = Sinusoid {
-                channel: one_of(
-                    "manoeuvre.channel",
-                    self.channel[i],
-                    &CHANNELS,
-                    "must be a SINS_CHANNEL_ constant, 0 to 5",
-                )?,
+                channel: one_of("manoeuvre.channel", self.channel[i], &CHANNELS, "sins_channel")?,
                 amplitude: self.amplitude[i],
                 frequency_hz: self.frequency_hz[i],
                 phase_rad: self.phase_rad[i],

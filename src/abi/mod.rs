@@ -28,6 +28,7 @@ mod fpu;
 mod gravity;
 mod gyro;
 mod initial;
+mod last_error;
 mod lock;
 #[cfg(feature = "scenes")]
 mod log;
@@ -40,6 +41,7 @@ mod preset;
 mod process;
 mod recommend;
 mod record;
+mod refusal;
 mod registry;
 mod run;
 mod sample;
@@ -70,6 +72,7 @@ pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;
 pub use initial::*;
+pub use last_error::*;
 #[cfg(feature = "scenes")]
 pub use log::*;
 pub use manoeuvre::*;

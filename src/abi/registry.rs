@@ -8,6 +8,7 @@ use super::failure::{
     Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
 };
 use super::lock::{Guard, Lock};
+use super::refusal::refuse;
 use crate::math::SPLIT_MIX_STEP;
 use crate::memory::room;
 
@@ -122,11 +123,13 @@ impl<T> Registry<T> {
     pub fn with(&self, key: usize, body: impl FnOnce(&mut T) -> Result<sins_status, Failure>) -> sins_status {
         let mut place = match self.find(key) {
             Ok(place) => place,
-            Err(status) => return status,
+            Err(status) => return self.refused(status),
         };
-        let Some([content]) = place.content.as_deref_mut() else { return SINS_ERROR_BAD_HANDLE };
+        let Some([content]) = place.content.as_deref_mut() else {
+            return self.refused(SINS_ERROR_BAD_HANDLE);
+        };
         if content.broken {
-            return SINS_ERROR_INTERNAL;
+            return self.refused(SINS_ERROR_INTERNAL);
         }
         match catch_unwind(AssertUnwindSafe(|| body(&mut content.value))) {
             Ok(Ok(status)) => status,
@@ -137,7 +140,7 @@ impl<T> Registry<T> {
             Err(_) => {
                 content.broken = true;
                 content.last_failure = Some(Failure::internal());
-                SINS_ERROR_INTERNAL
+                self.refused(SINS_ERROR_INTERNAL)
             }
         }
     }
@@ -163,18 +166,24 @@ impl<T> Registry<T> {
 
     /// Destroys the object of `key`.
     pub fn remove(&self, key: usize) -> sins_status {
-        let Some(slot) = self.slot(key) else { return SINS_ERROR_BAD_HANDLE };
+        let Some(slot) = self.slot(key) else { return self.refused(SINS_ERROR_BAD_HANDLE) };
         let content = match slot.find(key) {
             Ok(mut place) => {
                 slot.key.store(CLAIMED, Ordering::Relaxed);
                 place.used += 1;
                 place.content.take()
             }
-            Err(status) => return status,
+            Err(status) => return self.refused(status),
         };
         drop(content);
         slot.key.store(FREE, Ordering::Release);
         SINS_OK
+    }
+
+    /// The status of a call that found nothing to leave its failure with; this thread keeps it.
+    fn refused(&self, status: sins_status) -> sins_status {
+        refuse(self.kind, status);
+        status
     }
 
     /// The slot that `key` names, if that is of this kind.

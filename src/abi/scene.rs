@@ -131,7 +131,7 @@ pub unsafe extern "C" fn sins_scene_get_fault(
         };
         let Some(found) = faults.get(index) else {
             let rule = Rule::WordsAnd("must be less than the faults of the scene:", faults.len() as f64);
-            return Err(Error::invalid("index", index as f64, rule).into());
+            return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_fault::new(found, faults.len()));
         Ok(SINS_OK)
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn sins_scene_write(
     needed: *mut usize,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    with_scene(scene, |scene| Ok(unsafe { put_text(scene.write().as_bytes(), buffer, capacity, needed) }))
+    with_scene(scene, |scene| unsafe { put_text(scene.write().as_bytes(), buffer, capacity, needed) })
 }
 
 /// Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
@@ -190,7 +190,7 @@ pub unsafe extern "C" fn sins_scene_write_keys(
     needed: *mut usize,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    enter(|| unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) })
+    enter_without_simulator(|| unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) })
 }
 
 /// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in

@@ -4,11 +4,10 @@ use core::ffi::c_char;
 
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, put_text, read, text_of};
-use super::options::one_of;
 use super::scene::{sins_scene, with_scene};
 use super::sensor_failure::{output, sins_failure};
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
-use crate::error::{Error, Rule, check_range, check_temperature};
+use crate::error::{Error, Rule, check_integer, check_range, check_temperature};
 use crate::scene::{Failing, FlightSource, PlannedFailure, Scene, Temperature};
 use crate::sensors::SensorOutput;
 
@@ -135,12 +134,8 @@ pub unsafe extern "C" fn sins_scene_set_setup(
         // SAFETY: the host's promise.
         let setup = unsafe { read(setup, "setup")? };
         super::options::check_reserved("setup.reserved", setup.reserved)?;
-        let has_temperature = one_of(
-            "setup.has_temperature",
-            setup.has_temperature,
-            &[(0, false), (1, true)],
-            "must be 0 or 1",
-        )?;
+        check_integer("setup.has_temperature", setup.has_temperature, 0, 1)?;
+        let has_temperature = setup.has_temperature == 1;
         let optional = |field, value: f64, low, high| match value {
             0.0 => Ok(None),
             _ => check_range(field, value, low, high).map(|()| Some(value)),
@@ -165,6 +160,10 @@ pub unsafe extern "C" fn sins_scene_set_setup(
     })
 }
 
+fn no_such_text(which: i32) -> Failure {
+    Error::invalid("which", which, Rule::OneOf("sins_scene_text", 0, 5)).into()
+}
+
 /// The text of a scene that SINS_SCENE_TEXT_... names.
 fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
     Ok(match which {
@@ -180,7 +179,7 @@ fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
         SINS_SCENE_TEXT_FOLDER => &scene.output.folder,
         SINS_SCENE_TEXT_NAME => &scene.output.name,
         SINS_SCENE_TEXT_IMU => &scene.output.imu,
-        _ => return one_of("which", which, &[], "must be a SINS_SCENE_TEXT_ constant, 0 to 5"),
+        _ => return Err(no_such_text(which)),
     })
 }
 
@@ -195,9 +194,10 @@ pub unsafe extern "C" fn sins_scene_get_text(
     capacity: usize,
     needed: *mut usize,
 ) -> sins_status {
-    // SAFETY: the host's promise.
     with_scene(scene, |scene| {
-        Ok(unsafe { put_text(text(scene, which)?.as_bytes(), buffer, capacity, needed) })
+        let text = text(scene, which)?;
+        // SAFETY: the host's promise.
+        unsafe { put_text(text.as_bytes(), buffer, capacity, needed) }
     })
 }
 
@@ -215,7 +215,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
         let bytes = unsafe { text_of(text, "text")? };
         let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Words(words)) };
         let Ok(text) = core::str::from_utf8(bytes) else { return Err(refused("must be UTF-8").into()) };
-        check_range("bytes of text", text.len() as f64, 0.0, 4096.0)?;
+        check_integer("bytes of text", text.len(), 0, 4096)?;
         if text.chars().any(char::is_control) {
             return Err(refused("must not have control characters").into());
         }
@@ -241,7 +241,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
             }
             SINS_SCENE_TEXT_NAME => scene.output.name = text.to_owned(),
             SINS_SCENE_TEXT_IMU => scene.output.imu = text.to_owned(),
-            _ => return one_of("which", which, &[], "must be a SINS_SCENE_TEXT_ constant, 0 to 5"),
+            _ => return Err(no_such_text(which)),
         }
         Ok(SINS_OK)
     })
@@ -275,7 +275,7 @@ pub unsafe extern "C" fn sins_scene_get_failure(
         let Some(planned) = scene.failures.get(index) else {
             let rule =
                 Rule::WordsAnd("must be less than the failures of the scene:", scene.failures.len() as f64);
-            return Err(Error::invalid("index", index as f64, rule).into());
+            return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_planned_failure::new(planned));
         Ok(SINS_OK)
@@ -351,14 +351,14 @@ impl sins_planned_failure {
         let output = output(self.sensor, self.axis)?;
         let Some(failure) = failure.to_failure()? else {
             let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
-            return Err(Error::invalid("failure.kind", f64::from(kind), rule).into());
+            return Err(Error::invalid("failure.kind", kind, rule).into());
         };
         failure.validate(output)?;
         check_range("failure.from_s", self.from_s, 0.0, 1e9)?;
         check_range("failure.until_s", self.until_s, 0.0, 1e9)?;
         let until_s = if self.until_s == 0.0 { f64::INFINITY } else { self.until_s };
         if until_s <= self.from_s {
-            let rule = Rule::WordsAnd("must be more than failure.from_s =", self.from_s);
+            let rule = Rule::AtLeast("must be more than failure.from_s =", self.from_s);
             return Err(Error::invalid("failure.until_s", self.until_s, rule).into());
         }
         Ok(PlannedFailure { output, failing: Failing { from_s: self.from_s, until_s }, failure })

@@ -24,6 +24,14 @@ AT(sins_options, seed, 48);
 AT(sins_options, closed_loop_time_s, 64);
 AT(sins_options, max_acceleration_m_s2, 88);
 
+SIZE(sins_error_info, SINS_SIZEOF_ERROR_INFO, 152);
+AT(sins_error_info, flags, 4);
+AT(sins_error_info, status, 8);
+AT(sins_error_info, field, 16);
+AT(sins_error_info, index, 112);
+AT(sins_error_info, value, 128);
+AT(sins_error_info, maximum, 144);
+
 SIZE(sins_gyro_params, SINS_SIZEOF_GYRO_PARAMS, 712);
 AT(sins_gyro_params, bias_rad_s, 8);
 AT(sins_gyro_params, markov_time_s, 80);

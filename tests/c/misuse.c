@@ -1,10 +1,11 @@
 /* Null pointers, and stale, made-up and wrong-kind handles, through every function: every answer is the right status, and
- * nothing is changed. */
+ * nothing is changed, and the call has left its own failure. */
 
 #include <stdint.h>
 #include <string.h>
 
 #include "every_call.h"
+#include "failure_is.h"
 
 /* A handle for every way to be wrong. */
 enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
@@ -39,6 +40,18 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_flights[OTHER_KIND] = (sins_flight *)(void *)sim;
 }
 
+/* An answer that must be that of a bad handle. */
+static void is_refused(const char *call, sins_status status, void *unused)
+{
+    (void)unused;
+    if (status != SINS_ERROR_BAD_HANDLE) {
+        fprintf(stderr, "%s gives %d\n", call, (int)status);
+    }
+    CHECK(status == SINS_ERROR_BAD_HANDLE);
+    left(NULL, call, status);
+    plant(NULL);
+}
+
 /* Of all functions this one alone takes NULL for a simulator. */
 static sins_status wrong_configured(const sins_sim *sim)
 {
@@ -55,7 +68,6 @@ static sins_status wrong_configured(const sins_sim *sim)
 
 static void handles(void)
 {
-    sins_status refused = SINS_ERROR_BAD_HANDLE;
     int i;
     for (i = 0; i < WRONG_HANDLES; i++) {
         sins_sim *sim = wrong_sims[i];
@@ -63,11 +75,13 @@ static void handles(void)
         size_t written = 77, needed = 77;
         double duration = -1.0;
         char text[8] = "before";
+        sins_error_info info = {.struct_size = sizeof info};
 
-        every_call(sim, every_answer_is, &refused);
-        every_flight_call(wrong_flights[i], every_answer_is, &refused);
-        CHECK(sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
-        CHECK(sins_flight_destroy(wrong_flights[i]) == SINS_ERROR_BAD_HANDLE);
+        plant(NULL);
+        every_call(sim, is_refused, NULL);
+        every_flight_call(wrong_flights[i], is_refused, NULL);
+        is_refused("sins_destroy", sins_destroy(sim), NULL);
+        is_refused("sins_flight_destroy", sins_flight_destroy(wrong_flights[i]), NULL);
 
         /* Nothing is written. */
         CHECK(i == NULL_HANDLE || wrong_configured(sim) == SINS_ERROR_BAD_HANDLE);
@@ -76,9 +90,18 @@ static void handles(void)
         if (i != NULL_HANDLE) {
             CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_ERROR_BAD_HANDLE);
             CHECK(needed == 77 && strcmp(text, "before") == 0);
+            CHECK(sins_last_error_info(sim, &info) == SINS_ERROR_BAD_HANDLE && info.index == 0);
         }
     }
 }
+
+/* The two that read failures leave none. */
+#define NULL_POINTER(call)                              \
+    do {                                                \
+        plant(sim);                                     \
+        CHECK((call) == SINS_ERROR_NULL_POINTER);       \
+        left(sim, #call, SINS_ERROR_NULL_POINTER);      \
+    } while (0)
 
 static void null_pointers(sins_sim *sim, sins_flight *flight)
 {
@@ -94,52 +117,53 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     rest.duration_s = 1.0;
     piece[1].time_s = 0.01;
 
-    CHECK(sins_create(NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_create(NULL, NULL));
     CHECK(sins_last_error(sim, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_run(sim, NULL, 1, 0, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_run(sim, &next, 1, 1, NULL, 1, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_truth(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_accuracy(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_record(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_options(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_start_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_push_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_reposition(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_snapshot_size(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_snapshot_save(sim, NULL, 10000, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_snapshot_load(sim, NULL, 0) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_create(NULL, &rest, 1, &made) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_create(&start, NULL, 1, &made) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_create(&start, &rest, 1, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_duration(flight, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_sample_at(flight, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_last_error_info(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_set_gyro(sim, NULL));
+    NULL_POINTER(sins_set_accel(sim, NULL));
+    NULL_POINTER(sins_set_altimeter(sim, NULL));
+    NULL_POINTER(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, NULL));
+    NULL_POINTER(sins_set_mounting(sim, NULL));
+    NULL_POINTER(sins_set_gravity_disturbance(sim, NULL));
+    NULL_POINTER(sins_set_initial_errors(sim, NULL));
+    NULL_POINTER(sins_get_gyro(sim, NULL));
+    NULL_POINTER(sins_get_accel(sim, NULL));
+    NULL_POINTER(sins_get_altimeter(sim, NULL));
+    NULL_POINTER(sins_get_failure(sim, SINS_SENSOR_GYRO, 0, NULL));
+    NULL_POINTER(sins_get_mounting(sim, NULL));
+    NULL_POINTER(sins_get_gravity_disturbance(sim, NULL));
+    NULL_POINTER(sins_get_initial_errors(sim, NULL));
+    NULL_POINTER(sins_push_sample(sim, NULL));
+    NULL_POINTER(sins_run(sim, NULL, 1, 0, NULL, 0, NULL));
+    NULL_POINTER(sins_run(sim, &next, 1, 1, NULL, 1, NULL));
+    NULL_POINTER(sins_get_truth(sim, NULL));
+    NULL_POINTER(sins_get_navigation(sim, NULL));
+    NULL_POINTER(sins_get_imu(sim, NULL));
+    NULL_POINTER(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, NULL));
+    NULL_POINTER(sins_get_accuracy(sim, NULL));
+    NULL_POINTER(sins_get_record(sim, NULL));
+    NULL_POINTER(sins_get_options(sim, NULL));
+    NULL_POINTER(sins_start_navigation(sim, NULL));
+    NULL_POINTER(sins_push_imu(sim, NULL));
+    NULL_POINTER(sins_reposition(sim, NULL));
+    NULL_POINTER(sins_snapshot_size(sim, NULL));
+    NULL_POINTER(sins_snapshot_save(sim, NULL, 10000, NULL));
+    NULL_POINTER(sins_snapshot_load(sim, NULL, 0));
+    NULL_POINTER(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, NULL));
+    NULL_POINTER(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, NULL));
+    NULL_POINTER(sins_flight_create(NULL, &rest, 1, &made));
+    NULL_POINTER(sins_flight_create(&start, NULL, 1, &made));
+    NULL_POINTER(sins_flight_create(&start, &rest, 1, NULL));
+    NULL_POINTER(sins_flight_duration(flight, NULL));
+    NULL_POINTER(sins_flight_sample_at(flight, 0.0, NULL));
     CHECK(made == NULL);
-    CHECK(sins_recommend(sim, NULL, 2, &requirement, &options, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(sim, piece, 2, NULL, &options, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(sim, piece, 2, &requirement, NULL, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(sim, piece, 2, &requirement, &options, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_error_budget(NULL, 2, 0, 0, 0, 0, 0, 0, 0, 0, row, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_error_budget(piece, 2, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_recommend(sim, NULL, 2, &requirement, &options, &cost));
+    NULL_POINTER(sins_recommend(sim, piece, 2, NULL, &options, &cost));
+    NULL_POINTER(sins_recommend(sim, piece, 2, &requirement, NULL, &cost));
+    NULL_POINTER(sins_recommend(sim, piece, 2, &requirement, &options, NULL));
+    NULL_POINTER(sins_error_budget(NULL, 2, 0, 0, 0, 0, 0, 0, 0, 0, row, 1, NULL, NULL));
+    NULL_POINTER(sins_error_budget(piece, 2, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 1, NULL, NULL));
 }
 
 int main(void)

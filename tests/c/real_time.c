@@ -93,6 +93,7 @@ static void read_everything(sins_sim *sim, int flown)
     sins_gravity_params gravity = {.struct_size = sizeof gravity};
     char text[200];
     size_t needed;
+    sins_error_info info = {.struct_size = sizeof info};
     FRAME_CHECK(is_answer(sins_get_truth(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_navigation(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_imu(sim, &imu), flown));
@@ -109,6 +110,7 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(sins_get_mounting(sim, &mounting) == SINS_OK);
     FRAME_CHECK(sins_get_gravity_disturbance(sim, &gravity) == SINS_OK);
     FRAME_CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_OK);
+    FRAME_CHECK(sins_last_error_info(sim, &info) == SINS_OK);
 }
 
 /* What may be set and saved in flight. */

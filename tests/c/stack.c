@@ -129,6 +129,7 @@ static void fly(const sins_options *options)
     sins_imu_increment increment = {.struct_size = sizeof increment, .interval_s = 0.01, .count = 5};
     sins_gyro_params ideal = {.struct_size = sizeof ideal};
     char text[200];
+    sins_error_info info = {.struct_size = sizeof info};
     sins_sim *sim = NULL;
     int k;
     MEASURE(sins_create(options, &sim));
@@ -139,6 +140,7 @@ static void fly(const sins_options *options)
             read_all(sim);
             TRY(sins_push_sample(sim, &samples[k])); /* refused */
             MEASURE(sins_last_error(sim, text, sizeof text, NULL));
+            MEASURE(sins_last_error_info(sim, &info));
         }
         TRY(sins_step(sim));
     }

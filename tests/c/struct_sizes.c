@@ -229,6 +229,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
+    OUTPUT_SIZES(sins_error_info, sins_last_error_info(sim, pointer));
     OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_get_gyro(sim, pointer));
     OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_get_accel(sim, pointer));
     OUTPUT_SIZES(sins_altimeter_params, sins_get_altimeter(sim, pointer));

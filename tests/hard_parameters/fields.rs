@@ -116,7 +116,11 @@ fn each_field_of_a_triad_at_its_ends() {
                         let error = outcome.unwrap_err();
                         assert_eq!(error.kind, ErrorKind::InvalidArgument, "{name}");
                         assert_eq!((error.field, error.index), (name.as_str(), index), "{error}");
-                        assert_eq!(error.value.map(f64::to_bits), Some(value.to_bits()), "{error}");
+                        assert_eq!(
+                            error.value.map(|value| value.as_f64().to_bits()),
+                            Some(value.to_bits()),
+                            "{error}"
+                        );
                     }
                     assert_eq!(before, format!("{simulator:?}"), "{names:?} {value}");
                     continue;
