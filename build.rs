@@ -1,12 +1,23 @@
-//! Writes the C header from the sources of `src/abi`, and names the shared library.
+//! Writes the structs of the table of sensor parameters and the C header from the sources of `src/abi`, and names the shared
+//! library.
 //!
 //! The header goes to the build's own folder, where a test compares it with the committed `include/sins.h`;
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed one.
 
 #[path = "build/enumerations.rs"]
 mod enumerations;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/sensors/parameter.rs"]
+mod parameter;
+#[path = "build/sensor_structs.rs"]
+mod sensor_structs;
 #[path = "build/sizes.rs"]
 mod sizes;
+#[path = "src/sensors/table.rs"]
+mod table;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/units.rs"]
+mod units;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -18,7 +29,7 @@ const WIDTH: usize = 118;
 
 /// Effects of the sensors that the library can be built without, to show what their being off costs: benches/effects.sh.
 const EFFECTS: [&str; 18] = [
-    "lever_arms",
+    "size_effect",
     "bandwidth",
     "linear",
     "asymmetry",
@@ -39,7 +50,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 25] = [
+const SOURCES: [&str; 30] = [
     "version",
     "failure",
     "options",
@@ -62,6 +73,11 @@ const SOURCES: [&str; 25] = [
     "preset",
     "manoeuvre",
     "flight",
+    "scene",
+    "fault_report",
+    "scene_settings",
+    "scene_flight",
+    "log",
     "recommend",
     "budget",
     "budget_answer",
@@ -69,8 +85,9 @@ const SOURCES: [&str; 25] = [
 
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
-    println!("cargo:rerun-if-changed=build.rs");
-    println!("cargo:rerun-if-changed=build");
+    for source in ["build.rs", "build", "src/sensors/parameter.rs", "src/sensors/table.rs", "src/units.rs"] {
+        println!("cargo:rerun-if-changed={source}");
+    }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
     let names = format!("{EFFECTS:?}");
@@ -83,11 +100,15 @@ fn main() {
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let out = PathBuf::from(variable("OUT_DIR"));
-    let header = header(&root, &out.join("sizes.rs"));
+    let interface = out.join("sensor_params.rs");
+    write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
+    write(&interface, &sensor_structs::interface());
+
+    let header = header(&root, &interface, &out.join("sizes.rs"));
     let generated = out.join("sins.h");
-    fs::write(&generated, &header).expect("the build folder is writable");
+    write(&generated, &header);
     if env::var_os("SINS_WRITE_HEADER").is_some() {
-        fs::write(root.join("include/sins.h"), &header).expect("include/sins.h is writable");
+        write(&root.join("include/sins.h"), &header);
     }
     println!("cargo:rustc-env=SINS_GENERATED_HEADER={}", generated.display());
 
@@ -101,8 +122,13 @@ fn variable(name: &str) -> String {
     env::var(name).unwrap_or_else(|_| panic!("cargo sets {name}"))
 }
 
-/// The header; checks of the sizes in it go to the file `size_checks`.
-fn header(root: &Path, size_checks: &Path) -> String {
+fn write(path: &Path, text: &str) {
+    fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
+
+/// The header, of the sources of `src/abi` and of the structs in `sensor_params`; checks of the sizes in it go to the file
+/// `size_checks`.
+fn header(root: &Path, sensor_params: &Path, size_checks: &Path) -> String {
     let abi = root.join("src/abi");
     let preamble = fs::read_to_string(abi.join("preamble.h")).expect("src/abi/preamble.h is readable");
     let sources = SOURCES.map(|name| abi.join(name).with_extension("rs"));
@@ -134,9 +160,8 @@ fn header(root: &Path, size_checks: &Path) -> String {
         },
         ..Default::default()
     };
-    let builder = sources
-        .iter()
-        .fold(cbindgen::Builder::new().with_config(config), |builder, source| builder.with_src(source));
+    let builder = cbindgen::Builder::new().with_config(config).with_src(sensor_params);
+    let builder = sources.iter().fold(builder, |builder, source| builder.with_src(source));
     let mut declarations = Vec::new();
     builder.generate().expect("src/abi parses").write(&mut declarations);
     let declarations = String::from_utf8(declarations).expect("the sources are UTF-8");
@@ -144,7 +169,7 @@ fn header(root: &Path, size_checks: &Path) -> String {
     let declarations = tidy(declarations.trim());
     let enumerations = enumerations::declare(&found);
     let sizes = sizes::of_structs(&declarations);
-    fs::write(size_checks, sizes::check(&sizes)).expect("the build folder is writable");
+    write(size_checks, &sizes::check(&sizes));
     let (structs, functions) = declarations.split_at(first_function(&declarations));
     let sizes = sizes::declare(&sizes);
     format!(

@@ -21,7 +21,7 @@ table() {
 }
 
 paper="bias random_walk"
-catalogue="lever_arms bandwidth linear asymmetry quadratic g_sensitivity temperature failures gauss_markov flicker
+catalogue="size_effect bandwidth linear asymmetry quadratic g_sensitivity temperature failures gauss_markov flicker
     rate_random_walk ramp dead_zone range quantization altimeter"
 limit=0.5
 

@@ -31,7 +31,8 @@
  *   SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
- *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
+ *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
+ *   SINS_SCENE_HAS_FAULTS made a handle.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
  *   sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
@@ -74,6 +75,23 @@
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
+ *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
+ *
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() tells each and its place
+ *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
+ *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
+ *     while (...) {
+ *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures in their time
+ *         sins_push_sample(sim, &sample);
+ *         sins_step(sim);
+ *     }
+ *
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_...: a program that is
+ *   linked with them does not link or does not start. A program that loads the library by itself looks up sins_scene_create,
+ *   by dlsym() or GetProcAddress(): not there, no scenes. All else is the same.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -127,11 +145,13 @@ extern "C" {
 #endif
 
 /*
- * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up, destroyed or
  * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
+typedef struct sins_scene sins_scene;
+typedef struct sins_log sins_log;
 
 /* Values of a sins_status: 0, positive an answer of another kind, negative an error. */
 enum sins_status_code {
@@ -141,6 +161,8 @@ enum sins_status_code {
     SINS_NEED_SAMPLE = 1,
     /* No options meet the requirement; the outputs tell the best there are. */
     SINS_REQUIREMENT_NOT_MET = 2,
+    /* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
+    SINS_SCENE_HAS_FAULTS = 3,
     /* A pointer that must not be null is. */
     SINS_ERROR_NULL_POINTER = -1,
     /* The handle is null, made up, destroyed, or of the other kind. */
@@ -448,6 +470,32 @@ enum sins_channel {
     SINS_CHANNEL_HEADING = 5
 };
 
+/* Where the flight of a scene comes from: sins_scene_setup.flight. */
+enum sins_scene_flight {
+    /* It is composed of manoeuvres. */
+    SINS_SCENE_FLIGHT_MANOEUVRES = 0,
+    /* That of a built-in scene, SINS_SCENE_TEXT_BUILTIN. */
+    SINS_SCENE_FLIGHT_BUILTIN = 1,
+    /* A flight log, SINS_SCENE_TEXT_LOG. */
+    SINS_SCENE_FLIGHT_LOG = 2
+};
+
+/* The texts of a scene: sins_scene_get_text(), sins_scene_set_text(). */
+enum sins_scene_text {
+    /* The scene in words. */
+    SINS_SCENE_TEXT_TITLE = 0,
+    /* Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log. */
+    SINS_SCENE_TEXT_LOG = 1,
+    /* Name of the built-in scene whose flight is flown; setting it makes the flight that. */
+    SINS_SCENE_TEXT_BUILTIN = 2,
+    /* Folder of the files that a program writes. */
+    SINS_SCENE_TEXT_FOLDER = 3,
+    /* Base name of those files. */
+    SINS_SCENE_TEXT_NAME = 4,
+    /* File of the measured increments. */
+    SINS_SCENE_TEXT_IMU = 5
+};
+
 /* Flags of a sins_budget_row. */
 enum sins_budget_flags {
     /* The row's figures are standard deviations (1 sigma) over the runs. */
@@ -600,13 +648,12 @@ typedef struct sins_error_info {
 } sins_error_info;
 
 /*
- * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 100 in their units.
- * Densities do not depend on the sample rate.
+ * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
+ * triad. Signal: the angular rate. Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
  * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
- * range, quantization. A range, a bandwidth or a quantization of 0 is none.
+ * range, quantization.
  *
  * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
  * sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
@@ -618,143 +665,177 @@ typedef struct sins_gyro_params {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [rad/s], measured less true; up to 100 rad/s. */
+    /* Constant bias, measured less true [rad/s], -100 to 100. */
     double bias_rad_s[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [rad/s]. */
+    /* Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
     double bias_sigma_rad_s[3];
-    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [rad/s]. */
+    /*
+     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from the
+     * first sample on.
+     */
     double markov_sigma_rad_s[3];
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_rad_s is not 0. */
+    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
     double markov_time_s[3];
-    /* Angle random walk N, white noise of rate [rad/sqrt(s)] = [(rad/s)/sqrt(Hz)]. */
+    /*
+     * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
+     * density of the noise [unit of the signal / sqrt(Hz)].
+     */
     double random_walk_rad_sqrt_s[3];
-    /* Rate random walk K, from 0 at the start of a run [(rad/s)/sqrt(s)]. */
+    /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
-    /* Rate ramp R, from 0 when it is set [rad/s2]. */
+    /* Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
     /*
-     * Flicker noise, bias instability B [rad/s], stationary from the first sample on: the Allan
-     * deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_rad_s[3];
-    /* Pulse of the angle increments, 1e-15 to 1 [rad]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
-    double quantization_rad[3];
-    /* Scale factor error, -1 to 1. */
+    /* Scale factor error [1], -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative rates, -1 to 1. */
-    double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the rate, -1 to 1 [s/rad]. */
-    double scale_factor_nonlinearity_s_rad[3];
-    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
-    double misalignment_rad[9];
-    /* g-sensitivity, -1 to 1 [(rad/s)/(m/s2)]: row-major, row = gyro, column = axis of the specific force. */
-    double g_sensitivity_rad_s_per_m_s2[9];
-    /* Range, where the rate saturates, 1e-9 to 1e6 [rad/s]; flagged in sins_imu. */
-    double range_rad_s[3];
-    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
-    double bandwidth_hz[3];
-    /* Half the dead zone: rates up to this size give 0 [rad/s]. */
-    double dead_zone_rad_s[3];
     /*
-     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
-     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
      */
-    double reference_temperature_c;
-    /* Bias of this times T [(rad/s)/K]. */
-    double bias_temperature_rad_s_per_k[3];
-    /* Bias of this times T2 [(rad/s)/K2]. */
-    double bias_temperature2_rad_s_per_k2[3];
-    /* Scale factor error of this times T, -1 to 1 [1/K]. */
-    double scale_factor_temperature_per_k[3];
-    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
-    double scale_factor_temperature2_per_k2[3];
-    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
     double scale_factor_sigma[3];
+    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the size of the signal [s/rad], -1 to 1. */
+    double scale_factor_nonlinearity_s_rad[3];
+    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    double misalignment_rad[9];
     /*
-     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
-     * diagonal is 0.
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
+    /*
+     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1. The
+     * error of a gyro is the sum over the three axes of its row times the true specific force along them.
+     */
+    double g_sensitivity_rad_s_per_m_s2[9];
+    /*
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+     * temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T. */
+    double bias_temperature_rad_s_per_k[3];
+    /* Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2. */
+    double bias_temperature2_rad_s_per_k2[3];
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    double scale_factor_temperature2_per_k2[3];
+    /*
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
+     * first interval.
+     */
+    double bandwidth_hz[3];
+    /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
+    double dead_zone_rad_s[3];
+    /* Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_rad_s[3];
+    /*
+     * Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+     * pulse/sqrt(12).
+     */
+    double quantization_rad[3];
 } sins_gyro_params;
 
 /*
- * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes). All zero is an ideal triad.
- * Biases, standard deviations, random walks, ramps, flicker, dead zones and temperature biases up to 1e4 in their units.
- * Densities do not depend on the sample rate.
+ * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
+ * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
  *
  * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
  * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
- * zone, range, quantization. A range, a bandwidth or a quantization of 0 is none. What acts on the mean of a sub-increment:
- * see sins_gyro_params.
+ * zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias [m/s2], measured less true; up to 10000 m/s2. */
+    /* Constant bias, measured less true [m/s2], -10000 to 10000. */
     double bias_m_s2[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [m/s2]. */
+    /* Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
     double bias_sigma_m_s2[3];
-    /* Standard deviation of the first-order Gauss-Markov bias, stationary from the first sample on [m/s2]. */
+    /*
+     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from the
+     * first sample on.
+     */
     double markov_sigma_m_s2[3];
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m_s2 is not 0. */
+    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
     double markov_time_s[3];
-    /* Velocity random walk N, white noise of force [(m/s)/sqrt(s)] = [(m/s2)/sqrt(Hz)]. */
+    /*
+     * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
+     * spectral density of the noise [unit of the signal / sqrt(Hz)].
+     */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Acceleration random walk K, from 0 at the start of a run [(m/s2)/sqrt(s)]. */
+    /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
-    /* Ramp R, from 0 when it is set [m/s3]. */
+    /* Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
     /*
-     * Flicker noise, bias instability B [m/s2], stationary from the first sample on: the Allan
-     * deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_m_s2[3];
-    /* Pulse of the velocity increments, 1e-15 to 1 [m/s]; the rest is carried. The quantization noise Q is pulse/sqrt(12). */
-    double quantization_m_s[3];
-    /* Scale factor error, -1 to 1. */
+    /* Scale factor error [1], -1 to 1. */
     double scale_factor[3];
-    /* Scale factor error of positive less that of negative forces, -1 to 1. */
-    double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the force, -1 to 1 [s2/m]. */
-    double scale_factor_nonlinearity_s2_m[3];
-    /* Misalignment, -1 to 1 [rad]: row-major, row = sensor, column = axis it should not feel; the diagonal is 0. */
-    double misalignment_rad[9];
-    /* Range, where the force saturates, 1e-9 to 1e6 [m/s2]; flagged in sins_imu. */
-    double range_m_s2[3];
-    /* Bandwidth, -3 dB of a second-order Butterworth filter, 1e-3 to 1e6 [Hz]; settled at the first interval. */
-    double bandwidth_hz[3];
-    /* Half the dead zone: forces up to this size give 0 [m/s2]. */
-    double dead_zone_m_s2[3];
     /*
-     * Place of each sensor against the point that the block's lever arm leads to, sensor axes, -100 to 100 [m]: row-major,
-     * row = sensor (size effect). At the start of a flight in motion see sins_mounting; the velocity lacks the change of rate in the
-     * first interval for good. With sins_push_imu() the angular acceleration follows from the increments before.
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
      */
-    double lever_arm_m[9];
-    /* Vibration rectification, the g2 term, -1 to 1 [s2/m]: a vibration of RMS r makes a bias of this times r2. */
-    double vibration_rectification_s2_m[3];
-    /*
-     * Temperature at which the next four terms are 0, -273.15 to 1000 [deg C]; T below is sins_flight_sample.temperature_c less
-     * this. Where one of the four is not 0, every sample needs a temperature, and sins_push_imu() is not available.
-     */
-    double reference_temperature_c;
-    /* Bias of this times T [(m/s2)/K]. */
-    double bias_temperature_m_s2_per_k[3];
-    /* Bias of this times T2 [(m/s2)/K2]. */
-    double bias_temperature2_m_s2_per_k2[3];
-    /* Scale factor error of this times T, -1 to 1 [1/K]. */
-    double scale_factor_temperature_per_k[3];
-    /* Scale factor error of this times T2, -1 to 1 [1/K2]. */
-    double scale_factor_temperature2_per_k2[3];
-    /* Standard deviation of the scale factor error, drawn once a run and added to scale_factor, 0 to 1. */
     double scale_factor_sigma[3];
+    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    double scale_factor_asymmetry[3];
+    /* Scale factor error that grows with the size of the signal [s2/m], -1 to 1. */
+    double scale_factor_nonlinearity_s2_m[3];
+    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    double misalignment_rad[9];
     /*
-     * Standard deviation of each misalignment, drawn once a run and added to misalignment_rad, 0 to 1 [rad]: row-major, the
-     * diagonal is 0.
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
+    /* Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2. */
+    double vibration_rectification_s2_m[3];
+    /*
+     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m], -100
+     * to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in motion
+     * see sins_mounting; the velocity lacks the change of rate in the first interval for good. With sins_push_imu()
+     * the angular acceleration follows from the increments before.
+     */
+    double lever_arm_m[9];
+    /*
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+     * temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /* Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T. */
+    double bias_temperature_m_s2_per_k[3];
+    /* Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2. */
+    double bias_temperature2_m_s2_per_k2[3];
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    double scale_factor_temperature_per_k[3];
+    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    double scale_factor_temperature2_per_k2[3];
+    /*
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
+     * first interval.
+     */
+    double bandwidth_hz[3];
+    /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
+    double dead_zone_m_s2[3];
+    /* Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_m_s2[3];
+    /*
+     * Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+     * pulse/sqrt(12).
+     */
+    double quantization_m_s[3];
 } sins_accel_params;
 
 /* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
@@ -1216,6 +1297,90 @@ typedef struct sins_manoeuvre {
     double phase_rad[6];
 } sins_manoeuvre;
 
+/* A fault of the text of a scene or of a flight log. */
+typedef struct sins_fault {
+    /* sizeof(sins_fault) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Faults of the text, 200 at the most. */
+    uint64_t count;
+    /* Line of this one, from 1. */
+    uint64_t line;
+    /* Column, in characters from 1; of a flight log the column of the table. */
+    uint64_t column;
+    /* Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer. */
+    char sentence[256];
+} sins_fault;
+
+/* What a scene says of its flight and of its output. */
+typedef struct sins_scene_setup {
+    /* sizeof(sins_scene_setup) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Of enum sins_scene_flight; read only: a set call passes over it. */
+    int32_t flight;
+    /* 1: samples get the temperature below; 0: none. */
+    int32_t has_temperature;
+    /* How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s]. */
+    double duration_s;
+    /* How long that is; 0 of a log, whose length the log tells; read only [s]. */
+    double flown_s;
+    /* Sample rate, 1e-3 to 2e4; of a log none [Hz]. */
+    double rate_hz;
+    /* Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C]. */
+    double temperature_c;
+    /* Its change, -300 to 300 [deg C/s]. */
+    double temperature_change_c_s;
+    /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
+    double every_s;
+} sins_scene_setup;
+
+/* A failure that a scene plans. */
+typedef struct sins_planned_failure {
+    /* sizeof(sins_planned_failure) */
+    uint32_t struct_size;
+    /* Must be 0. */
+    uint32_t reserved;
+    /* Of enum sins_sensor. */
+    int32_t sensor;
+    /* 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0. */
+    int32_t axis;
+    /* When it begins, 0 to 1e9 since the start of the flight [s]. */
+    double from_s;
+    /* When it ends, likewise; 0: at the end of the flight [s]. */
+    double until_s;
+    /* Of enum sins_failure_kind, but not SINS_FAILURE_NONE. */
+    int32_t kind;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* This and the following as in sins_failure. */
+    double size;
+    /* See sins_failure. */
+    double density;
+    /* See sins_failure [s]. */
+    double interval_s;
+    /* See sins_failure [s]. */
+    double duration_s;
+    /* See sins_failure. */
+    double probability;
+} sins_planned_failure;
+
+/* What a flight log holds. */
+typedef struct sins_log_info {
+    /* sizeof(sins_log_info) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Samples. */
+    uint64_t samples;
+    /* From the first to the last of them [s]. */
+    double duration_s;
+    /* The comment in the first line of the log, UTF-8, terminated; empty: none. */
+    char title[192];
+} sins_log_info;
+
 /*
  * Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
  * of 0 is none; at least one is needed.
@@ -1377,6 +1542,10 @@ enum sins_sizeof {
     SINS_SIZEOF_IMU_INCREMENT = 264,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
+    SINS_SIZEOF_FAULT = 288,
+    SINS_SIZEOF_SCENE_SETUP = 64,
+    SINS_SIZEOF_PLANNED_FAILURE = 80,
+    SINS_SIZEOF_LOG_INFO = 216,
     SINS_SIZEOF_REQUIREMENT = 48,
     SINS_SIZEOF_COST = 96,
     SINS_SIZEOF_BUDGET_REQUEST = 40,
@@ -1459,7 +1628,7 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
  * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
- * (create, presets, flights, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
+ * (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
  * Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
@@ -1732,6 +1901,254 @@ SINS_API sins_status SINS_CALL sins_flight_sample_at(
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
+
+/*
+ * Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
+ * height 0, sampled at 100 Hz.
+ *
+ * On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
+ * SINS_ERROR_OUT_OF_MEMORY: 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for a real-time
+ * frame. Where there is no memory for a few kilobytes of text, those that read, copy or write a scene end the process.
+ */
+SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
+
+/*
+ * Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+ *
+ * SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
+ * that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
+ * sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
+
+/*
+ * Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, size_t index, struct sins_fault *fault);
+
+/*
+ * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
+ * "over_the_pole", "coning", "commuter".
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
+
+/*
+ * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
+ *
+ * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
+ * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_write(
+    const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+ * needed as in sins_scene_write().
+ */
+SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
+ * their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *scene, sins_sim **sim);
+
+/*
+ * Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
+ * up to sins_scene_setup.flown_s.
+ *
+ * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
+ * sins_flight_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
+
+/*
+ * Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+ * next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
+ * interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+ * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+ *
+ * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges. SINS_ERROR_BAD_STATE: as
+ * sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_prepare(
+    const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
+
+/*
+ * Destroys a scene. Simulators and flights that were made of it live on.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
+
+/*
+ * Reads the options of the scene.
+ *
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
+
+/*
+ * Sets the options of the scene; on an error, as for every part, the scene is as it was.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_options(sins_scene *scene, const struct sins_options *options);
+
+/* Reads the gyro errors of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_gyro(const sins_scene *scene, struct sins_gyro_params *params);
+
+/*
+ * Sets the gyro errors of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_gyro(sins_scene *scene, const struct sins_gyro_params *params);
+
+/* Reads the accelerometer errors of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_accel(const sins_scene *scene, struct sins_accel_params *params);
+
+/*
+ * Sets the accelerometer errors of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_accel(sins_scene *scene, const struct sins_accel_params *params);
+
+/* Reads the errors of the scene's altimeter. */
+SINS_API sins_status SINS_CALL sins_scene_get_altimeter(
+    const sins_scene *scene, struct sins_altimeter_params *params);
+
+/*
+ * Sets the errors of the scene's altimeter.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_altimeter(
+    sins_scene *scene, const struct sins_altimeter_params *params);
+
+/* Reads the errors with which the navigation of the scene starts. */
+SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(
+    const sins_scene *scene, struct sins_initial_errors *errors);
+
+/*
+ * Sets the errors with which the navigation of the scene starts.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(
+    sins_scene *scene, const struct sins_initial_errors *errors);
+
+/* Reads where the sensor block of the scene sits. */
+SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, struct sins_mounting *mounting);
+
+/*
+ * Sets where the sensor block of the scene sits.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const struct sins_mounting *mounting);
+
+/* Reads true gravity less normal gravity of the scene. */
+SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(
+    const sins_scene *scene, struct sins_gravity_params *params);
+
+/*
+ * Sets true gravity less normal gravity of the scene.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(
+    sins_scene *scene, const struct sins_gravity_params *params);
+
+/* Reads what a scene says of its flight and of its output. */
+SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, struct sins_scene_setup *setup);
+
+/*
+ * Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
+
+/*
+ * Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such text.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_text(
+    const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_text(sins_scene *scene, int32_t which, const char *text);
+
+/* How many failures the scene plans. */
+SINS_API sins_status SINS_CALL sins_scene_get_failure_count(const sins_scene *scene, size_t *count);
+
+/*
+ * Planned failure `index`, from 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such failure.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_failure(
+    const sins_scene *scene, size_t index, struct sins_planned_failure *failure);
+
+/*
+ * Plans one failure more.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+ */
+SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const struct sins_planned_failure *failure);
+
+/* Plans no failure any more. */
+SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
+
+/*
+ * Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
+ * order; columns of other names are passed over:
+ *
+ * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
+ * heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+ * rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+ *
+ * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
+ * ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
+ * *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+ */
+SINS_API sins_status SINS_CALL sins_log_parse(
+    const char *text, size_t size, sins_log **log, struct sins_fault *fault);
+
+/* Tells how many samples a log has, how long it is, and its title. */
+SINS_API sins_status SINS_CALL sins_log_get_info(const sins_log *log, struct sins_log_info *info);
+
+/*
+ * The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the text
+ * on which it stands, from 1. No allocation.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such sample.
+ */
+SINS_API sins_status SINS_CALL sins_log_get_sample(
+    const sins_log *log, size_t index, struct sins_flight_sample *sample, uint64_t *line);
+
+/*
+ * Destroys a flight log.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that

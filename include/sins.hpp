@@ -13,8 +13,8 @@
  *
  * Every function of sins.h has its namesake here, without handle and status; sins.h tells what it does. A negative
  * status is thrown as sins::Error with the library's sentence. SINS_NEED_SAMPLE is no error: functions that can answer
- * it return false, and leave their output as it was; so is SINS_REQUIREMENT_NOT_MET, whose output is written. Structs
- * and constants are those of sins.h. Header only; each function is the call and a look at its status.
+ * it return false, and leave their output as it was; so are SINS_REQUIREMENT_NOT_MET, whose output is
+ * written, and SINS_SCENE_HAS_FAULTS. Structs and constants are those of sins.h. Header only; each function is the call and a look at its status.
  */
 
 #ifndef SINS_HPP
@@ -86,6 +86,16 @@ inline bool done(sins_status status, const sins_sim *sim)
         fail(status, sim);
     }
     return status == SINS_OK;
+}
+
+/* The text that `write` writes into a buffer of as many bytes as it asks for. */
+template <class Write> std::string text(Write write)
+{
+    std::size_t needed = 0;
+    done(write(nullptr, 0, &needed), nullptr);
+    std::vector<char> buffer(needed);
+    done(write(buffer.data(), needed, &needed), nullptr);
+    return std::string(buffer.data(), needed - 1);
 }
 
 } // namespace detail
@@ -181,6 +191,9 @@ public:
         }
     }
 
+    /* Owned from here on: one that a function of sins.h made. */
+    explicit Flight(sins_flight *flight) noexcept : flight_(flight) {}
+
     /* For the functions of sins.h; still owned here. */
     sins_flight *handle() const noexcept { return flight_; }
 
@@ -214,6 +227,9 @@ public:
     Simulator() { detail::done(sins_create(nullptr, &sim_), nullptr); }
 
     explicit Simulator(const sins_options &options) { detail::done(sins_create(&options, &sim_), nullptr); }
+
+    /* Owned from here on: one that a function of sins.h made. */
+    explicit Simulator(sins_sim *sim) noexcept : sim_(sim) {}
 
     Simulator(Simulator &&other) noexcept : sim_(other.sim_) { other.sim_ = nullptr; }
 
@@ -357,6 +373,208 @@ private:
     }
 
     sins_sim *sim_ = nullptr;
+};
+
+/* A scene. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+class Scene {
+public:
+    /* The default scene. */
+    Scene() { detail::done(sins_scene_create(&scene_), nullptr); }
+
+    /* The scene of a text; with faults it is good for faults() alone. */
+    explicit Scene(const std::string &text) { detail::done(sins_scene_parse(text.data(), text.size(), &scene_), nullptr); }
+
+    /* A built-in scene by its name. */
+    static Scene builtin(const std::string &name)
+    {
+        sins_scene *scene = nullptr;
+        detail::done(sins_scene_create_builtin(name.c_str(), &scene), nullptr);
+        return Scene(scene);
+    }
+
+    Scene(Scene &&other) noexcept : scene_(other.scene_) { other.scene_ = nullptr; }
+
+    Scene &operator=(Scene &&other) noexcept
+    {
+        Scene taken(std::move(other));
+        std::swap(scene_, taken.scene_);
+        return *this;
+    }
+
+    Scene(const Scene &) = delete;
+    Scene &operator=(const Scene &) = delete;
+
+    ~Scene()
+    {
+        if (scene_ != nullptr) {
+            sins_scene_destroy(scene_);
+        }
+    }
+
+    /* For the functions of sins.h; still owned here. */
+    sins_scene *handle() const noexcept { return scene_; }
+
+    /* The faults of its text; none: a scene. */
+    std::vector<sins_fault> faults() const
+    {
+        std::vector<sins_fault> faults;
+        sins_fault fault = make<sins_fault>();
+        while (sins_scene_get_fault(scene_, faults.size(), &fault) == SINS_OK) {
+            faults.push_back(fault);
+        }
+        return faults;
+    }
+
+    /* As TOML. */
+    std::string write() const
+    {
+        return detail::text([this](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_scene_write(scene_, buffer, capacity, needed);
+        });
+    }
+
+    /* Every section and key, a line each. */
+    static std::string write_keys()
+    {
+        return detail::text([](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_scene_write_keys(buffer, capacity, needed);
+        });
+    }
+
+    Simulator create_simulator() const
+    {
+        sins_sim *sim = nullptr;
+        done(sins_scene_create_simulator(scene_, &sim));
+        return Simulator(sim);
+    }
+
+    Flight create_flight() const
+    {
+        sins_flight *flight = nullptr;
+        done(sins_scene_create_flight(scene_, &flight));
+        return Flight(flight);
+    }
+
+    void prepare(Simulator &sim, double flight_start_s, sins_flight_sample &sample) const
+    {
+        done(sins_scene_prepare(scene_, sim.handle(), flight_start_s, &sample));
+    }
+
+    sins_options options() const { return read_back<sins_options>(sins_scene_get_options); }
+    sins_gyro_params gyro() const { return read_back<sins_gyro_params>(sins_scene_get_gyro); }
+    sins_accel_params accel() const { return read_back<sins_accel_params>(sins_scene_get_accel); }
+    sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_scene_get_altimeter); }
+    sins_initial_errors initial_errors() const { return read_back<sins_initial_errors>(sins_scene_get_initial_errors); }
+    sins_mounting mounting() const { return read_back<sins_mounting>(sins_scene_get_mounting); }
+    sins_gravity_params gravity_disturbance() const
+    {
+        return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
+    }
+    sins_scene_setup setup() const { return read_back<sins_scene_setup>(sins_scene_get_setup); }
+
+    void set_options(const sins_options &options) { done(sins_scene_set_options(scene_, &options)); }
+    void set_gyro(const sins_gyro_params &params) { done(sins_scene_set_gyro(scene_, &params)); }
+    void set_accel(const sins_accel_params &params) { done(sins_scene_set_accel(scene_, &params)); }
+    void set_altimeter(const sins_altimeter_params &params) { done(sins_scene_set_altimeter(scene_, &params)); }
+    void set_initial_errors(const sins_initial_errors &errors) { done(sins_scene_set_initial_errors(scene_, &errors)); }
+    void set_mounting(const sins_mounting &mounting) { done(sins_scene_set_mounting(scene_, &mounting)); }
+    void set_gravity_disturbance(const sins_gravity_params &params)
+    {
+        done(sins_scene_set_gravity_disturbance(scene_, &params));
+    }
+    void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(scene_, &setup)); }
+
+    /* SINS_SCENE_TEXT_... */
+    std::string text(int32_t which) const
+    {
+        return detail::text([this, which](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_scene_get_text(scene_, which, buffer, capacity, needed);
+        });
+    }
+    void set_text(int32_t which, const std::string &text) { done(sins_scene_set_text(scene_, which, text.c_str())); }
+
+    std::vector<sins_planned_failure> failures() const
+    {
+        std::size_t count = 0;
+        done(sins_scene_get_failure_count(scene_, &count));
+        std::vector<sins_planned_failure> failures(count, make<sins_planned_failure>());
+        for (std::size_t index = 0; index < count; index++) {
+            done(sins_scene_get_failure(scene_, index, &failures[index]));
+        }
+        return failures;
+    }
+    void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(scene_, &failure)); }
+    void clear_failures() { done(sins_scene_clear_failures(scene_)); }
+
+private:
+    explicit Scene(sins_scene *scene) noexcept : scene_(scene) {}
+
+    static void done(sins_status status) { detail::done(status, nullptr); }
+
+    template <class Params>
+    Params read_back(sins_status(SINS_CALL *get)(const sins_scene *, Params *)) const
+    {
+        Params params = make<Params>();
+        done(get(scene_, &params));
+        return params;
+    }
+
+    sins_scene *scene_ = nullptr;
+};
+
+/* A flight log in memory. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+class Log {
+public:
+    /* The log of a text; what() of the error has the first fault and its place. */
+    explicit Log(const std::string &text)
+    {
+        sins_fault fault = make<sins_fault>();
+        const sins_status status = sins_log_parse(text.data(), text.size(), &log_, &fault);
+        if (status == SINS_ERROR_INVALID_ARGUMENT) {
+            throw Error(status, std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.sentence);
+        }
+        detail::done(status, nullptr);
+    }
+
+    Log(Log &&other) noexcept : log_(other.log_) { other.log_ = nullptr; }
+
+    Log &operator=(Log &&other) noexcept
+    {
+        Log taken(std::move(other));
+        std::swap(log_, taken.log_);
+        return *this;
+    }
+
+    Log(const Log &) = delete;
+    Log &operator=(const Log &) = delete;
+
+    ~Log()
+    {
+        if (log_ != nullptr) {
+            sins_log_destroy(log_);
+        }
+    }
+
+    /* For the functions of sins.h; still owned here. */
+    sins_log *handle() const noexcept { return log_; }
+
+    sins_log_info info() const
+    {
+        sins_log_info info = make<sins_log_info>();
+        detail::done(sins_log_get_info(log_, &info), nullptr);
+        return info;
+    }
+
+    /* line, if not NULL, gets the line of the text on which the sample stands. */
+    sins_flight_sample sample(std::size_t index, uint64_t *line = nullptr) const
+    {
+        sins_flight_sample sample = make<sins_flight_sample>();
+        detail::done(sins_log_get_sample(log_, index, &sample, line), nullptr);
+        return sample;
+    }
+
+private:
+    sins_log *log_ = nullptr;
 };
 
 } // namespace sins

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::units::TEMPERATURE_RANGE_C;
+
 /// What kind of refusal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorKind {
@@ -34,6 +36,10 @@ pub enum Rule {
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
+    /// 0, which is none, or `low` ≤ value ≤ `high`.
+    OffOr(f64, f64),
+    /// `low` ≤ value ≤ `high`, because the named field is not 0.
+    NeededBy(f64, f64, &'static str),
     /// value < limit.
     Below(f64),
     /// value ≥ limit: words that the limit ends.
@@ -57,7 +63,9 @@ impl Rule {
     pub fn limits(&self) -> (Option<f64>, Option<f64>) {
         match *self {
             Self::Finite | Self::Words(_) | Self::WordsAnd(..) => (None, None),
-            Self::Between(low, high) => (Some(low), Some(high)),
+            Self::Between(low, high) | Self::OffOr(low, high) | Self::NeededBy(low, high, _) => {
+                (Some(low), Some(high))
+            }
             Self::OneOf(_, low, high) => (Some(low.into()), Some(high.into())),
             Self::AtLeast(_, low) => (Some(low), None),
             Self::Below(high) | Self::AtMost(_, high) => (None, Some(high)),
@@ -167,6 +175,12 @@ impl fmt::Display for Error {
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
             Rule::Between(low, high) => write!(f, "must be from {} to {}", limit(low), limit(high)),
+            Rule::OffOr(low, high) => {
+                write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
+            }
+            Rule::NeededBy(low, high, field) => {
+                write!(f, "must be from {} to {} where {field} is not 0", limit(low), limit(high))
+            }
             Rule::Below(high) => write!(f, "must be less than {}", limit(high)),
             Rule::OneOf(name, first, last) => write!(f, "must be of enum {name}, {first} to {last}"),
             Rule::Zero(why) => write!(f, "must be 0{why}"),
@@ -240,9 +254,6 @@ pub(crate) fn check_ranges(field: &'static str, values: &[f64], low: f64, high: 
     }
     Ok(())
 }
-
-/// Temperatures that a host may give [°C]: from the absolute zero to beyond any electronics.
-pub(crate) const TEMPERATURE_RANGE_C: (f64, f64) = (-273.15, 1000.0);
 
 /// Checks a temperature [°C].
 pub(crate) fn check_temperature(field: &'static str, temperature_c: f64) -> Result<(), Error> {

@@ -175,9 +175,8 @@ pub mod snapshot;
 pub mod state;
 #[forbid(unsafe_code)]
 pub mod truth;
-#[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
-mod units;
+pub mod units;
 
 pub use error::{Error, ErrorKind, Rule, Value};
 pub use simulator::{

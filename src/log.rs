@@ -2,7 +2,7 @@
 //!
 //! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are passed over. Angles
 //! are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with three
-//! columns each or not at all, temperature with one.
+//! columns each or not at all, temperature with one. A row with more fields than there are columns is refused: decimal commas make them.
 
 use core::ops::Range;
 
@@ -97,8 +97,14 @@ impl FlightLog {
             return Err(fault(1, 1, format!("no header: expected the names of the columns, {names}")));
         };
         let columns = columns(&row, line)?;
+        let width = row.len();
         let mut log = Self { title: title(text), samples: Vec::new(), lines: Vec::new() };
         while let Some(line) = next_row(&mut reader, text, &mut row)? {
+            if row.len() > width {
+                // Decimal commas do this: each value is cut in two, and what stands behind it moves to the next column.
+                let sentence = format!("{} fields, and the header names {width} columns", row.len());
+                return Err(fault(line, width + 1, sentence));
+            }
             let sample = sample(&row, line, &columns)?;
             if let Some(last) = log.samples.last()
                 && sample.time_s <= last.time_s

@@ -10,11 +10,12 @@ mod support;
 use nalgebra::{Matrix3, Vector3};
 use sins::mechanization::VerticalMode;
 use sins::sensors::{
-    Altimeter, AltimeterParameters, InitialErrorParameters, Sensor, StreamKey, Triad, TriadParameters,
+    Altimeter, AltimeterParameters, InitialErrorParameters, PARAMETERS, Parameter, Sensor, StreamKey, Triad,
+    TriadParameters,
 };
 use sins::signal::Increment;
 use sins::{Options, Simulator};
-use support::{options_at, patrol};
+use support::{one_unit_of_each, options_at, patrol};
 
 const KEY: StreamKey = StreamKey { seed: 20140601, run: 3 };
 
@@ -27,38 +28,40 @@ enum Group {
 }
 const ADDITIVE_GROUPS: usize = 6;
 
-/// Copies the parameters of one effect.
-type Take = fn(&TriadParameters, &mut TriadParameters);
-
 use Group::{Additive, OfTheOutput, OfTheSignal};
 
-const EFFECTS: [(&str, Group, Take); 20] = [
-    ("size effect", OfTheSignal, |from, to| to.lever_arm_m = from.lever_arm_m),
-    ("bandwidth", OfTheSignal, |from, to| to.bandwidth_hz = from.bandwidth_hz),
-    ("scale factor", OfTheSignal, |from, to| to.scale_factor = from.scale_factor),
-    ("misalignment", OfTheSignal, |from, to| to.misalignment = from.misalignment),
-    ("drawn scale factor", OfTheSignal, |from, to| to.scale_factor_sigma = from.scale_factor_sigma),
-    ("drawn misalignment", OfTheSignal, |from, to| to.misalignment_sigma = from.misalignment_sigma),
-    ("asymmetry", OfTheSignal, |from, to| to.scale_factor_asymmetry = from.scale_factor_asymmetry),
-    ("nonlinearity", OfTheSignal, |from, to| to.scale_factor_nonlinearity = from.scale_factor_nonlinearity),
-    ("vibration rectification", OfTheSignal, |from, to| {
-        to.vibration_rectification_s2_m = from.vibration_rectification_s2_m
-    }),
-    ("g-sensitivity", OfTheSignal, |from, to| to.g_sensitivity = from.g_sensitivity),
-    // Both are one constant.
-    ("bias", Additive(0), |from, to| to.bias = from.bias),
-    ("turn-on bias", Additive(0), |from, to| to.bias_sigma = from.bias_sigma),
-    ("Gauss-Markov bias", Additive(1), |from, to| {
-        (to.markov_sigma, to.markov_time_s) = (from.markov_sigma, from.markov_time_s)
-    }),
-    ("flicker", Additive(2), |from, to| to.flicker = from.flicker),
-    ("rate random walk", Additive(3), |from, to| to.rate_random_walk = from.rate_random_walk),
-    ("ramp", Additive(4), |from, to| to.ramp = from.ramp),
-    ("random walk", Additive(5), |from, to| to.random_walk = from.random_walk),
-    ("dead zone", OfTheOutput, |from, to| to.dead_zone = from.dead_zone),
-    ("range", OfTheOutput, |from, to| to.range = from.range),
-    ("quantization", OfTheOutput, |from, to| to.quantization = from.quantization),
-];
+/// The parameters that stand for an effect each, as rows of the table; not those of temperature: `temperature.rs` has them.
+fn effects() -> impl Iterator<Item = usize> {
+    let has_effect = |row: &usize| {
+        let Parameter { name, gyro, accel, .. } = &PARAMETERS[*row];
+        !name.contains("temperature") && gyro.or(*accel).is_some_and(|field| !field.effect.is_empty())
+    };
+    (0..PARAMETERS.len()).filter(has_effect)
+}
+
+/// Where an effect acts, of which the table says nothing.
+fn group(effect: usize) -> Group {
+    match PARAMETERS[effect].name {
+        // Both are one constant.
+        "bias" | "bias_sigma" => Additive(0),
+        "markov_sigma" => Additive(1),
+        "flicker" => Additive(2),
+        "rate_random_walk" => Additive(3),
+        "ramp" => Additive(4),
+        "random_walk" => Additive(5),
+        "dead_zone" | "range" | "quantization" => OfTheOutput,
+        _ => OfTheSignal,
+    }
+}
+
+/// Copies the parameters of one effect.
+fn take(effect: usize, from: &TriadParameters, to: &mut TriadParameters) {
+    for ((parameter, from), to) in PARAMETERS.iter().zip(from.numbers()).zip(to.numbers_mut()) {
+        if parameter.name == PARAMETERS[effect].name || parameter.is_time_of(PARAMETERS[effect].name) {
+            to.copy_from_slice(from);
+        }
+    }
+}
 
 /// All effects of a sensor times `scale`, but those of temperature and failures: `temperature.rs` and `failures.rs` have them.
 fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
@@ -85,7 +88,7 @@ fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
         dead_zone: each(1e-2, 2e-2, 1e-2),
         scale_factor_sigma: each(1e-3, 2e-3, 1e-3),
         misalignment_sigma: misalignment.abs(),
-        ..Default::default()
+        ..one_unit_of_each(sensor, scale)
     };
     let parameters = match sensor {
         Sensor::Gyro => TriadParameters { g_sensitivity: matrix * 1e-5, ..parameters },
@@ -102,14 +105,15 @@ fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
 /// The parameters of the effects of `group` alone.
 fn of_group(parameters: &TriadParameters, group: Group) -> TriadParameters {
     let mut part = TriadParameters::default();
-    let of_it = EFFECTS.iter().filter(|(_, its_group, _)| *its_group == group);
-    of_it.for_each(|(_, _, take)| take(parameters, &mut part));
+    effects()
+        .filter(|effect| self::group(*effect) == group)
+        .for_each(|effect| take(effect, parameters, &mut part));
     part
 }
 
 fn without(parameters: &TriadParameters, effect: usize) -> TriadParameters {
     let mut rest = *parameters;
-    EFFECTS[effect].2(&TriadParameters::default(), &mut rest);
+    take(effect, &TriadParameters::default(), &mut rest);
     rest
 }
 
@@ -178,11 +182,9 @@ fn compare(name: &str, sensor: Sensor, sequence: &[(TriadParameters, usize)]) {
 
 fn each_effect(test: impl Fn(&str, Sensor, usize)) {
     for sensor in [Sensor::Gyro, Sensor::Accelerometer] {
-        for (index, (name, ..)) in EFFECTS.iter().enumerate() {
-            // What this kind of sensor does not have is missing already.
-            if without(&everything(sensor, 1.0), index) != everything(sensor, 1.0) {
-                test(name, sensor, index);
-            }
+        for effect in effects().filter(|effect| PARAMETERS[*effect].of(sensor).is_some()) {
+            assert_ne!(without(&everything(sensor, 1.0), effect), everything(sensor, 1.0));
+            test(PARAMETERS[effect].name, sensor, effect);
         }
     }
 }
@@ -200,7 +202,7 @@ fn an_effect_switched_off_on_and_over_in_flight_leaves_all_others() {
         let on = everything(sensor, 1.0);
         let off = without(&on, effect);
         let mut other = on;
-        EFFECTS[effect].2(&everything(sensor, 0.7), &mut other);
+        take(effect, &everything(sensor, 0.7), &mut other);
         compare(name, sensor, &[(on, 50), (off, 60), (on, 70), (other, 50), (off, 1), (other, 50)]);
     });
 }

@@ -133,7 +133,7 @@ fn a_text_with_faults_makes_a_handle_for_these_alone() {
         assert_eq!(sins_scene_get_fault(scene, 1, &mut fault), SINS_OK);
         assert_eq!((fault.count, fault.line, fault.column), (2, 5, 1));
         let sentence = CStr::from_ptr(fault.sentence.as_ptr()).to_str().unwrap();
-        assert!(sentence.starts_with("gyro.range_deg_s[0] = -1: must be from"), "{sentence}");
+        assert!(sentence.starts_with("gyro.range_deg_s[0] = -1: must be 0 for none, or from"), "{sentence}");
         assert_eq!(sins_scene_get_fault(scene, 2, &mut fault), SINS_ERROR_INVALID_ARGUMENT);
         assert_eq!(sins_scene_create_simulator(scene, &mut sim), SINS_ERROR_BAD_STATE);
         assert_eq!(sins_scene_get_gyro(scene, &mut init()), SINS_ERROR_BAD_STATE);

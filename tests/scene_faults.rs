@@ -116,7 +116,7 @@ fn every_fault_is_told_with_its_line() {
         ),
         (
             "#\n[gyro]\nmarkov_sigma_deg_h = 1",
-            ":2: gyro.markov_time_s: gyro.markov_time_s[0] = 0: must be from 1e-9 to 1e15",
+            ":2: gyro.markov_time_s: gyro.markov_time_s[0] = 0: must be from 1e-9 to 1e15 where gyro.markov_sigma_rad_s is not 0",
         ),
         (
             "[options]\nvertical = 'damped'\n[altimeter]\nlag_s = 1e7",

@@ -140,7 +140,7 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
         told(text),
         [
             (5, "no such key: bias_deg_hour; bias_deg_h?".to_owned()),
-            (6, "gyro.range_deg_s[0] = -1: must be from 5.72958e-8 to 5.72958e7".to_owned()),
+            (6, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72958e7".to_owned()),
             (
                 7,
                 "gyro.markov_sigma_deg_h = an array of 2: expected one number for all axes, or three [deg/h]"

@@ -1,17 +1,16 @@
 //! `sins_error_budget`: which effects matter.
 
-use super::accel::sins_accel_params;
 use super::altimeter::sins_altimeter_params;
 use super::boundary::enter_without_simulator;
 use super::budget_answer::{sins_budget, sins_budget_row};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::gravity::sins_gravity_params;
-use super::gyro::sins_gyro_params;
 use super::initial::sins_initial_errors;
 use super::memory::{Array, Output, interface_struct, put, read_or_default};
 use super::mounting::sins_mounting;
 use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
+use super::sensor_params::{sins_accel_params, sins_gyro_params};
 use crate::budget::{
     BudgetRequest, Effect, ErrorParameters, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
 };

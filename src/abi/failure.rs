@@ -16,6 +16,8 @@ pub const SINS_OK: sins_status_code = 0;
 pub const SINS_NEED_SAMPLE: sins_status_code = 1;
 /// No options meet the requirement; the outputs tell the best there are.
 pub const SINS_REQUIREMENT_NOT_MET: sins_status_code = 2;
+/// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+pub const SINS_SCENE_HAS_FAULTS: sins_status_code = 3;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: sins_status_code = -1;
 /// The handle is null, made up, destroyed, or of the other kind.

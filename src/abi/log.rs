@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
 use super::fault_report::sins_fault;
 use super::memory::{Output, bytes_of, interface_struct, put};
 use super::registry::Registry;
@@ -35,21 +35,13 @@ pub struct sins_log_info {
 
 interface_struct!(sins_log_info, "info", 216);
 
-static LOGS: Registry<FlightLog> = Registry::new(4);
+pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
 
 fn with_log(
     log: *const sins_log,
     body: impl FnOnce(&FlightLog) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| told(LOGS.with(log.addr(), |log| body(log).inspect_err(|&failure| remember(failure)))))
-}
-
-/// Leaves a sentence of a bad handle, which has no failure of its own.
-fn told(status: sins_status) -> sins_status {
-    if status == SINS_ERROR_BAD_HANDLE {
-        remember(Failure::bad_handle("log"));
-    }
-    status
+    enter(|| LOGS.with(log.addr(), |log| body(log).inspect_err(|&failure| remember(failure))))
 }
 
 /// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
@@ -157,5 +149,5 @@ pub unsafe extern "C" fn sins_log_get_sample(
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_destroy(log: *mut sins_log) -> sins_status {
-    enter(|| told(LOGS.remove(log.addr())))
+    enter(|| LOGS.remove(log.addr()))
 }

@@ -21,7 +21,7 @@ pub(super) unsafe trait Struct: Copy {
 
 /// Declares a struct of the interface with its name in messages and its size in its first release.
 macro_rules! interface_struct {
-    ($type:ty, $name:literal, $first_size:literal) => {
+    ($type:ty, $name:literal, $first_size:expr) => {
         const _: () = assert!(size_of::<$type>() >= $first_size && size_of::<$type>() % 8 == 0);
         // SAFETY: repr(C) of numbers, and 32-bit integers come in pairs: no padding.
         unsafe impl $crate::abi::memory::Struct for $type {

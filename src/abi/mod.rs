@@ -1,7 +1,8 @@
 //! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory`, the handles in
 //! `registry`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
 //!
-//! The doc comments of the public items are the documentation in the header.
+//! The doc comments of the public items are the documentation in the header, and those of `src/sensors/table.rs` for
+//! `sins_gyro_params` and `sins_accel_params`.
 //!
 //! # Safety
 //!
@@ -52,6 +53,7 @@ mod scene_flight;
 #[cfg(feature = "scenes")]
 mod scene_settings;
 mod sensor_failure;
+mod sensor_params;
 mod simulator;
 mod snapshot;
 mod solution;
@@ -91,10 +93,12 @@ pub use scene_flight::*;
 #[cfg(feature = "scenes")]
 pub use scene_settings::*;
 pub use sensor_failure::*;
+pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
 pub use version::*;
 
-// That the sizes which the header states are those of the structs.
+// That the sizes which the header states are those of the structs; a library without scenes lacks some of these.
+#[cfg(feature = "scenes")]
 include!(concat!(env!("OUT_DIR"), "/sizes.rs"));

@@ -31,7 +31,8 @@
  *   SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
  *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
  *   under Threads and Unloading.
- *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it.
+ *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
+ *   SINS_SCENE_HAS_FAULTS made a handle.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
  *   sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
@@ -74,6 +75,23 @@
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
+ *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
+ *
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() tells each and its place
+ *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
+ *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
+ *     while (...) {
+ *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures in their time
+ *         sins_push_sample(sim, &sample);
+ *         sins_step(sim);
+ *     }
+ *
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_...: a program that is
+ *   linked with them does not link or does not start. A program that loads the library by itself looks up sins_scene_create,
+ *   by dlsym() or GetProcAddress(): not there, no scenes. All else is the same.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -127,8 +145,10 @@ extern "C" {
 #endif
 
 /*
- * A simulator, and an embedded flight. A handle is a checked key, never an address: a null, made-up, destroyed or
+ * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up, destroyed or
  * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
+typedef struct sins_scene sins_scene;
+typedef struct sins_log sins_log;

@@ -1,11 +1,10 @@
 //! Presets of sensor errors.
 
-use super::accel::sins_accel_params;
 use super::boundary::enter_without_simulator;
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::gyro::sins_gyro_params;
 use super::memory::Output;
 use super::options::one_of;
+use super::sensor_params::{sins_accel_params, sins_gyro_params};
 use crate::sensors::{Grade, TriadParameters};
 
 /// Grades of sensors.

@@ -4,10 +4,18 @@
 use core::sync::atomic::{AtomicBool, Ordering};
 
 use super::flight::FLIGHTS;
+#[cfg(feature = "scenes")]
+use super::log::LOGS;
+#[cfg(feature = "scenes")]
+use super::scene::SCENES;
 use super::simulator::SIMULATORS;
 
 /// Whether this thread is inside a call on a handle.
 pub(super) fn is_inside_a_handle() -> bool {
+    #[cfg(feature = "scenes")]
+    if SCENES.is_in_use_here() || LOGS.is_in_use_here() {
+        return true;
+    }
     SIMULATORS.is_in_use_here() || FLIGHTS.is_in_use_here()
 }
 
@@ -26,6 +34,8 @@ pub(super) fn is_prepared() -> bool {
 #[cfg(unix)]
 mod system {
     use super::{FLIGHTS, SIMULATORS};
+    #[cfg(feature = "scenes")]
+    use super::{LOGS, SCENES};
 
     type Handler = Option<extern "C" fn()>;
 
@@ -36,6 +46,11 @@ mod system {
     extern "C" fn in_child() {
         SIMULATORS.lose_what_others_use();
         FLIGHTS.lose_what_others_use();
+        #[cfg(feature = "scenes")]
+        {
+            SCENES.lose_what_others_use();
+            LOGS.lose_what_others_use();
+        }
     }
 
     /// The handler goes with the library when that is unloaded.

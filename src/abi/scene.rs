@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
 use super::fault_report::sins_fault;
 use super::flight::{self, sins_flight};
 use super::memory::{Output, bytes_of, put, put_text, read, text_of};
@@ -19,24 +19,19 @@ pub struct sins_scene {
     _opaque: [u8; 0],
 }
 
-/// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
-pub const SINS_SCENE_HAS_FAULTS: i32 = 3;
-
 /// What a text was: a scene, or what is wrong with it.
-enum Content {
+pub(super) enum Content {
     Scene(Box<Scene>),
     Faults(Vec<Fault>),
 }
 
-static SCENES: Registry<Content> = Registry::new(3);
+pub(super) static SCENES: Registry<Content> = Registry::new(3);
 
 fn with_content(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Content) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| {
-        told(SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
-    })
+    enter(|| SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
 }
 
 /// Runs `body` on the scene of a handle, as the inside of an exported function.
@@ -50,14 +45,6 @@ pub(super) fn with_scene(
             Err(Error::bad_state("the text of the scene has faults: sins_scene_get_fault()").into())
         }
     })
-}
-
-/// Leaves a sentence of a bad handle, which has no failure of its own.
-fn told(status: sins_status) -> sins_status {
-    if status == SINS_ERROR_BAD_HANDLE {
-        remember(Failure::bad_handle("scene"));
-    }
-    status
 }
 
 /// # Safety
@@ -271,5 +258,5 @@ pub unsafe extern "C" fn sins_scene_prepare(
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_destroy(scene: *mut sins_scene) -> sins_status {
-    enter(|| told(SCENES.remove(scene.addr())))
+    enter(|| SCENES.remove(scene.addr()))
 }

@@ -11,25 +11,31 @@ use crate::error::{Error, Rule, check_integer, check_range, check_temperature};
 use crate::scene::{Failing, FlightSource, PlannedFailure, Scene, Temperature};
 use crate::sensors::SensorOutput;
 
-/// The flight of the scene is composed of manoeuvres.
-pub const SINS_SCENE_FLIGHT_MANOEUVRES: i32 = 0;
+/// Where the flight of a scene comes from: sins_scene_setup.flight.
+pub type sins_scene_flight = i32;
+
+/// It is composed of manoeuvres.
+pub const SINS_SCENE_FLIGHT_MANOEUVRES: sins_scene_flight = 0;
 /// That of a built-in scene, SINS_SCENE_TEXT_BUILTIN.
-pub const SINS_SCENE_FLIGHT_BUILTIN: i32 = 1;
+pub const SINS_SCENE_FLIGHT_BUILTIN: sins_scene_flight = 1;
 /// A flight log, SINS_SCENE_TEXT_LOG.
-pub const SINS_SCENE_FLIGHT_LOG: i32 = 2;
+pub const SINS_SCENE_FLIGHT_LOG: sins_scene_flight = 2;
+
+/// The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
+pub type sins_scene_text = i32;
 
 /// The scene in words.
-pub const SINS_SCENE_TEXT_TITLE: i32 = 0;
+pub const SINS_SCENE_TEXT_TITLE: sins_scene_text = 0;
 /// Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
-pub const SINS_SCENE_TEXT_LOG: i32 = 1;
+pub const SINS_SCENE_TEXT_LOG: sins_scene_text = 1;
 /// Name of the built-in scene whose flight is flown; setting it makes the flight that.
-pub const SINS_SCENE_TEXT_BUILTIN: i32 = 2;
+pub const SINS_SCENE_TEXT_BUILTIN: sins_scene_text = 2;
 /// Folder of the files that a program writes.
-pub const SINS_SCENE_TEXT_FOLDER: i32 = 3;
+pub const SINS_SCENE_TEXT_FOLDER: sins_scene_text = 3;
 /// Base name of those files.
-pub const SINS_SCENE_TEXT_NAME: i32 = 4;
+pub const SINS_SCENE_TEXT_NAME: sins_scene_text = 4;
 /// File of the measured increments.
-pub const SINS_SCENE_TEXT_IMU: i32 = 5;
+pub const SINS_SCENE_TEXT_IMU: sins_scene_text = 5;
 
 /// What a scene says of its flight and of its output.
 #[repr(C)]
@@ -39,7 +45,7 @@ pub struct sins_scene_setup {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// SINS_SCENE_FLIGHT_...; read only: a set call passes over it.
+    /// Of enum sins_scene_flight; read only: a set call passes over it.
     pub flight: i32,
     /// 1: samples get the temperature below; 0: none.
     pub has_temperature: i32,
@@ -67,7 +73,7 @@ pub struct sins_planned_failure {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// SINS_SENSOR_...
+    /// Of enum sins_sensor.
     pub sensor: i32,
     /// 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
     pub axis: i32,
@@ -75,7 +81,7 @@ pub struct sins_planned_failure {
     pub from_s: f64,
     /// When it ends, likewise; 0: at the end of the flight [s].
     pub until_s: f64,
-    /// SINS_FAILURE_..., but not SINS_FAILURE_NONE.
+    /// Of enum sins_failure_kind, but not SINS_FAILURE_NONE.
     pub kind: i32,
     /// Must be 0.
     pub reserved2: u32,
@@ -164,7 +170,7 @@ fn no_such_text(which: i32) -> Failure {
     Error::invalid("which", which, Rule::OneOf("sins_scene_text", 0, 5)).into()
 }
 
-/// The text of a scene that SINS_SCENE_TEXT_... names.
+/// The text `which` of a scene.
 fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
     Ok(match which {
         SINS_SCENE_TEXT_TITLE => &scene.title,
@@ -183,7 +189,7 @@ fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
     })
 }
 
-/// Reads a text of the scene, SINS_SCENE_TEXT_...; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+/// Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in sins_scene_write().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text.
 #[unsafe(no_mangle)]
@@ -201,7 +207,7 @@ pub unsafe extern "C" fn sins_scene_get_text(
     })
 }
 
-/// Sets a text of the scene: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+/// Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
 #[unsafe(no_mangle)]

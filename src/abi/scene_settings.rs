@@ -1,15 +1,14 @@
 //! What a scene sets of the simulator: the same structs as those of the simulator's own functions.
 
-use super::accel::sins_accel_params;
 use super::altimeter::sins_altimeter_params;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::gravity::sins_gravity_params;
-use super::gyro::sins_gyro_params;
 use super::initial::sins_initial_errors;
 use super::memory::{Output, Struct, read};
 use super::mounting::sins_mounting;
 use super::options::sins_options;
 use super::scene::{sins_scene, with_scene};
+use super::sensor_params::{sins_accel_params, sins_gyro_params};
 use crate::scene::Scene;
 use crate::sensors::Sensor;
 

@@ -1,6 +1,7 @@
 //! The effects of a budget: one line each.
 
 use super::ErrorParameters;
+use crate::sensors::{PARAMETERS, Sensor};
 
 /// An effect that can be set, and left out, by itself.
 #[derive(Debug, Clone, Copy)]
@@ -11,8 +12,16 @@ pub struct Effect {
     pub field: &'static str,
     /// Whether it is drawn anew each run.
     pub is_random: bool,
-    is_set: fn(&ErrorParameters) -> bool,
-    copy: fn(&ErrorParameters, &mut ErrorParameters),
+    place: Place,
+}
+
+/// Where an effect is set.
+#[derive(Debug, Clone, Copy)]
+enum Place {
+    /// A row of the table of sensor parameters, with these sensors.
+    Parameter(Sensor, usize),
+    /// Whether it is set, and what copies it with what else belongs to it.
+    At { is_set: fn(&ErrorParameters) -> bool, copy: fn(&ErrorParameters, &mut ErrorParameters) },
 }
 
 const DETERMINISTIC: bool = false;
@@ -25,68 +34,46 @@ macro_rules! effects {
             name: $name,
             field: $field,
             is_random: $kind,
-            is_set: |from| from.$($path).+ != ErrorParameters::default().$($path).+,
-            copy: |from, to| {
-                to.$($path).+ = from.$($path).+;
-                $(to.$($too).+ = from.$($too).+;)*
+            place: Place::At {
+                is_set: |from| from.$($path).+ != ErrorParameters::default().$($path).+,
+                copy: |from, to| {
+                    to.$($path).+ = from.$($path).+;
+                    $(to.$($too).+ = from.$($too).+;)*
+                },
             },
         }),*]
     };
 }
 
-/// All of them, along the path of the signal.
-pub static EFFECTS: &[Effect] = effects! {
+/// All of them: of gravity, of the sensors as their table has them, of the altimeter, of the start and of the mounting.
+pub static EFFECTS: &[Effect] = &{
+    let mut effects = [GRAVITY[0]; GRAVITY.len() + GYRO.len() + ACCEL.len() + OTHERS.len()];
+    let parts = [GRAVITY, GYRO, ACCEL, OTHERS];
+    let (mut part, mut place) = (0, 0);
+    while part < parts.len() {
+        let mut index = 0;
+        while index < parts[part].len() {
+            effects[place] = parts[part][index];
+            (place, index) = (place + 1, index + 1);
+        }
+        part += 1;
+    }
+    effects
+};
+
+const GRAVITY: &[Effect] = effects! {
     "deflection north", "gravity.deflection_north_rad", DETERMINISTIC: gravity.deflection_north.mean;
     "random deflection north", "gravity.deflection_north_sigma_rad", RANDOM: gravity.deflection_north.sigma, gravity.deflection_north.distance_m;
     "deflection east", "gravity.deflection_east_rad", DETERMINISTIC: gravity.deflection_east.mean;
     "random deflection east", "gravity.deflection_east_sigma_rad", RANDOM: gravity.deflection_east.sigma, gravity.deflection_east.distance_m;
     "gravity anomaly", "gravity.anomaly_m_s2", DETERMINISTIC: gravity.anomaly.mean;
     "random gravity anomaly", "gravity.anomaly_sigma_m_s2", RANDOM: gravity.anomaly.sigma, gravity.anomaly.distance_m;
-    "gyro bandwidth", "gyro.bandwidth_hz", DETERMINISTIC: gyro.bandwidth_hz;
-    "gyro scale factor", "gyro.scale_factor", DETERMINISTIC: gyro.scale_factor;
-    "gyro misalignment", "gyro.misalignment_rad", DETERMINISTIC: gyro.misalignment;
-    "gyro drawn scale factor", "gyro.scale_factor_sigma", RANDOM: gyro.scale_factor_sigma;
-    "gyro drawn misalignment", "gyro.misalignment_sigma_rad", RANDOM: gyro.misalignment_sigma;
-    "gyro asymmetry", "gyro.scale_factor_asymmetry", DETERMINISTIC: gyro.scale_factor_asymmetry;
-    "gyro nonlinearity", "gyro.scale_factor_nonlinearity_s_rad", DETERMINISTIC: gyro.scale_factor_nonlinearity;
-    "gyro g-sensitivity", "gyro.g_sensitivity_rad_s_per_m_s2", DETERMINISTIC: gyro.g_sensitivity;
-    "gyro bias/temperature", "gyro.bias_temperature_rad_s_per_k", DETERMINISTIC: gyro.bias_temperature;
-    "gyro bias/temperature squared", "gyro.bias_temperature2_rad_s_per_k2", DETERMINISTIC: gyro.bias_temperature2;
-    "gyro scale/temperature", "gyro.scale_factor_temperature_per_k", DETERMINISTIC: gyro.scale_factor_temperature;
-    "gyro scale/temperature squared", "gyro.scale_factor_temperature2_per_k2", DETERMINISTIC: gyro.scale_factor_temperature2;
-    "gyro bias", "gyro.bias_rad_s", DETERMINISTIC: gyro.bias;
-    "gyro turn-on bias", "gyro.bias_sigma_rad_s", RANDOM: gyro.bias_sigma;
-    "gyro Gauss-Markov bias", "gyro.markov_sigma_rad_s", RANDOM: gyro.markov_sigma, gyro.markov_time_s;
-    "gyro flicker", "gyro.flicker_rad_s", RANDOM: gyro.flicker;
-    "gyro rate random walk", "gyro.rate_random_walk_rad_s_sqrt_s", RANDOM: gyro.rate_random_walk;
-    "gyro ramp", "gyro.rate_ramp_rad_s2", DETERMINISTIC: gyro.ramp;
-    "gyro angle random walk", "gyro.random_walk_rad_sqrt_s", RANDOM: gyro.random_walk;
-    "gyro dead zone", "gyro.dead_zone_rad_s", DETERMINISTIC: gyro.dead_zone;
-    "gyro range", "gyro.range_rad_s", DETERMINISTIC: gyro.range;
-    "gyro quantization", "gyro.quantization_rad", DETERMINISTIC: gyro.quantization;
-    "accel lever arms", "accel.lever_arm_m", DETERMINISTIC: accel.lever_arm_m;
-    "accel bandwidth", "accel.bandwidth_hz", DETERMINISTIC: accel.bandwidth_hz;
-    "accel scale factor", "accel.scale_factor", DETERMINISTIC: accel.scale_factor;
-    "accel misalignment", "accel.misalignment_rad", DETERMINISTIC: accel.misalignment;
-    "accel drawn scale factor", "accel.scale_factor_sigma", RANDOM: accel.scale_factor_sigma;
-    "accel drawn misalignment", "accel.misalignment_sigma_rad", RANDOM: accel.misalignment_sigma;
-    "accel asymmetry", "accel.scale_factor_asymmetry", DETERMINISTIC: accel.scale_factor_asymmetry;
-    "accel nonlinearity", "accel.scale_factor_nonlinearity_s2_m", DETERMINISTIC: accel.scale_factor_nonlinearity;
-    "accel vibration rectification", "accel.vibration_rectification_s2_m", DETERMINISTIC: accel.vibration_rectification_s2_m;
-    "accel bias/temperature", "accel.bias_temperature_m_s2_per_k", DETERMINISTIC: accel.bias_temperature;
-    "accel bias/temperature squared", "accel.bias_temperature2_m_s2_per_k2", DETERMINISTIC: accel.bias_temperature2;
-    "accel scale/temperature", "accel.scale_factor_temperature_per_k", DETERMINISTIC: accel.scale_factor_temperature;
-    "accel scale/temperature squared", "accel.scale_factor_temperature2_per_k2", DETERMINISTIC: accel.scale_factor_temperature2;
-    "accel bias", "accel.bias_m_s2", DETERMINISTIC: accel.bias;
-    "accel turn-on bias", "accel.bias_sigma_m_s2", RANDOM: accel.bias_sigma;
-    "accel Gauss-Markov bias", "accel.markov_sigma_m_s2", RANDOM: accel.markov_sigma, accel.markov_time_s;
-    "accel flicker", "accel.flicker_m_s2", RANDOM: accel.flicker;
-    "acceleration random walk", "accel.acceleration_random_walk_m_s2_sqrt_s", RANDOM: accel.rate_random_walk;
-    "accel ramp", "accel.ramp_m_s3", DETERMINISTIC: accel.ramp;
-    "accel velocity random walk", "accel.velocity_random_walk_m_s_sqrt_s", RANDOM: accel.random_walk;
-    "accel dead zone", "accel.dead_zone_m_s2", DETERMINISTIC: accel.dead_zone;
-    "accel range", "accel.range_m_s2", DETERMINISTIC: accel.range;
-    "accel quantization", "accel.quantization_m_s", DETERMINISTIC: accel.quantization;
+};
+
+const GYRO: &[Effect] = &of_sensor::<{ count(Sensor::Gyro) }>(Sensor::Gyro);
+const ACCEL: &[Effect] = &of_sensor::<{ count(Sensor::Accelerometer) }>(Sensor::Accelerometer);
+
+const OTHERS: &[Effect] = effects! {
     "altimeter lag", "altimeter.lag_s", DETERMINISTIC: altimeter.lag_s;
     "altimeter scale factor", "altimeter.scale_factor", DETERMINISTIC: altimeter.scale_factor;
     "altimeter bias", "altimeter.bias_m", DETERMINISTIC: altimeter.bias_m;
@@ -102,22 +89,83 @@ pub static EFFECTS: &[Effect] = effects! {
     "believed boresight", "mounting.boresight_error_rad", DETERMINISTIC: mounting.boresight_error;
 };
 
+/// The name of the effect of a row of the table, with the field that sets it.
+const fn named(row: usize, sensor: Sensor) -> Option<(&'static str, &'static str)> {
+    match PARAMETERS[row].of(sensor) {
+        Some(field) if !field.effect.is_empty() => Some((field.effect, field.path)),
+        _ => None,
+    }
+}
+
+/// Number of effects of a triad.
+const fn count(sensor: Sensor) -> usize {
+    let (mut row, mut count) = (0, 0);
+    while row < PARAMETERS.len() {
+        if named(row, sensor).is_some() {
+            count += 1;
+        }
+        row += 1;
+    }
+    count
+}
+
+/// The effects of a triad.
+const fn of_sensor<const N: usize>(sensor: Sensor) -> [Effect; N] {
+    let mut effects = [GRAVITY[0]; N];
+    let (mut row, mut count) = (0, 0);
+    while row < PARAMETERS.len() {
+        if let Some((name, field)) = named(row, sensor) {
+            let is_random = PARAMETERS[row].is_random;
+            effects[count] = Effect { name, field, is_random, place: Place::Parameter(sensor, row) };
+            count += 1;
+        }
+        row += 1;
+    }
+    effects
+}
+
+impl Place {
+    fn is_set(&self, from: &ErrorParameters) -> bool {
+        match *self {
+            Self::Parameter(sensor, row) => {
+                from.triad(sensor).numbers()[row].iter().any(|number| *number != 0.0)
+            }
+            Self::At { is_set, .. } => is_set(from),
+        }
+    }
+
+    fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
+        match *self {
+            Self::Parameter(sensor, row) => {
+                let numbers =
+                    from.triad(sensor).numbers().into_iter().zip(to.triad_mut(sensor).numbers_mut());
+                for ((from, to), parameter) in numbers.zip(PARAMETERS) {
+                    if parameter.name == PARAMETERS[row].name || parameter.is_time_of(PARAMETERS[row].name) {
+                        to.copy_from_slice(from);
+                    }
+                }
+            }
+            Self::At { copy, .. } => copy(from, to),
+        }
+    }
+}
+
 impl Effect {
     /// Those that `parameters` set, in order.
     pub fn set_in(parameters: &ErrorParameters) -> impl Iterator<Item = &'static Self> {
-        EFFECTS.iter().filter(|effect| (effect.is_set)(parameters))
+        EFFECTS.iter().filter(|effect| effect.place.is_set(parameters))
     }
 
     /// `parameters` with nothing but this effect.
     pub(super) fn alone(&self, parameters: &ErrorParameters) -> ErrorParameters {
         let mut alone = parameters.ideal();
-        (self.copy)(parameters, &mut alone);
+        self.place.copy(parameters, &mut alone);
         alone
     }
 
     /// Takes this effect out of `parameters`.
     pub(super) fn leave_out(&self, parameters: &mut ErrorParameters) {
-        (self.copy)(&ErrorParameters::default(), parameters);
+        self.place.copy(&ErrorParameters::default(), parameters);
     }
 }
 
@@ -129,7 +177,7 @@ impl PartialEq for Effect {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix3, Vector3};
+    use nalgebra::Vector3;
 
     use super::*;
     use crate::math::Euler;
@@ -139,49 +187,21 @@ mod tests {
         TriadParameters,
     };
 
-    /// Every field, spelled out: a new one does not compile until it stands here, and fails until it has its line.
+    /// Every field: one of the sensors is in their table; another one does not compile until it stands here, and fails until it has
+    /// its line.
     fn everything() -> ErrorParameters {
-        let (ones, matrix) = (Vector3::repeat(1.0), Matrix3::repeat(1.0));
+        let ones = Vector3::repeat(1.0);
         let angles = Euler { roll: 1.0, pitch: 1.0, heading: 1.0 };
         let field = GravityField { mean: 1.0, sigma: 1.0, distance_m: 1.0 };
-        let triad = TriadParameters {
-            bias: ones,
-            bias_sigma: ones,
-            markov_sigma: ones,
-            markov_time_s: ones,
-            random_walk: ones,
-            rate_random_walk: ones,
-            ramp: ones,
-            flicker: ones,
-            quantization: ones,
-            scale_factor: ones,
-            scale_factor_asymmetry: ones,
-            scale_factor_nonlinearity: ones,
-            misalignment: matrix,
-            g_sensitivity: matrix,
-            range: ones,
-            bandwidth_hz: ones,
-            dead_zone: ones,
-            lever_arm_m: matrix,
-            vibration_rectification_s2_m: ones,
-            reference_temperature_c: 20.0,
-            bias_temperature: ones,
-            bias_temperature2: ones,
-            scale_factor_temperature: ones,
-            scale_factor_temperature2: ones,
-            scale_factor_sigma: ones,
-            misalignment_sigma: matrix,
+        let triad = |sensor| {
+            let mut triad = TriadParameters::default();
+            let rows = triad.numbers_mut().into_iter().zip(PARAMETERS);
+            rows.filter(|(_, row)| row.of(sensor).is_some()).for_each(|(numbers, _)| numbers.fill(1.0));
+            triad
         };
-        let nothing = TriadParameters::default();
-        let of_gyros = TriadParameters {
-            lever_arm_m: nothing.lever_arm_m,
-            vibration_rectification_s2_m: nothing.vibration_rectification_s2_m,
-            ..triad
-        };
-        let of_accelerometers = TriadParameters { g_sensitivity: nothing.g_sensitivity, ..triad };
         ErrorParameters {
-            gyro: of_gyros,
-            accel: of_accelerometers,
+            gyro: triad(Sensor::Gyro),
+            accel: triad(Sensor::Accelerometer),
             altimeter: AltimeterParameters {
                 bias_m: 1.0,
                 markov_sigma_m: 1.0,
@@ -222,7 +242,7 @@ mod tests {
         for effect in EFFECTS {
             let set: Vec<&Effect> = Effect::set_in(&effect.alone(&all)).collect();
             assert_eq!(set, [effect]);
-            (effect.copy)(&all, &mut together);
+            effect.place.copy(&all, &mut together);
             effect.leave_out(&mut left);
         }
         assert_eq!(together, all);

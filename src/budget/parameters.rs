@@ -35,6 +35,20 @@ impl ErrorParameters {
         self.gravity.validate()
     }
 
+    pub(super) fn triad(&self, sensor: Sensor) -> &TriadParameters {
+        match sensor {
+            Sensor::Gyro => &self.gyro,
+            Sensor::Accelerometer => &self.accel,
+        }
+    }
+
+    pub(super) fn triad_mut(&mut self, sensor: Sensor) -> &mut TriadParameters {
+        match sensor {
+            Sensor::Gyro => &mut self.gyro,
+            Sensor::Accelerometer => &mut self.accel,
+        }
+    }
+
     /// The same with nothing that errs; where the misalignment of the start comes from, which temperature is that of reference
     /// and where the sensor block sits are no effects and stay.
     pub(super) fn ideal(&self) -> Self {

@@ -8,9 +8,10 @@ use super::manoeuvre::{Channel, Manoeuvre, Sinusoid};
 use super::smooth::{Window, step};
 use crate::error::Error;
 use crate::math::{Euler, asin, atan, attitude_from_euler, sin_cos, tan};
+use crate::units::STANDARD_GRAVITY;
 
 /// Gravity by which the bank of a coordinated turn is reckoned [m/s²].
-const G: f64 = 9.80665;
+const G: f64 = STANDARD_GRAVITY;
 
 /// Motion along the path at an instant, in the carried axes x, y, z up; course 0 along y.
 #[derive(Debug, Clone, Copy, PartialEq)]

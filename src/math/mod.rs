@@ -23,4 +23,4 @@ pub use rotation::{
 };
 pub use sine::sin_cos_each;
 pub use stencil::end_derivative_weights;
-pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, sin_cos, tan, tanh, wrap_angle};
+pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, ln, sin_cos, tan, tanh, wrap_angle};

@@ -49,6 +49,12 @@ pub fn exp_m1(x: f64) -> f64 {
     libm::expm1(x)
 }
 
+/// Natural logarithm.
+#[inline]
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
+
 /// Hyperbolic tangent.
 #[inline]
 pub fn tanh(x: f64) -> f64 {

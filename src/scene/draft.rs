@@ -261,7 +261,7 @@ impl FailureDraft {
         let Some(failure) = self.to_failure() else { return Ok(None) };
         failure.validate(self.output())?;
         if self.until_s <= self.from_s {
-            let rule = Rule::WordsAnd("must be more than from_s =", self.from_s);
+            let rule = Rule::AtLeast("must be more than from_s =", self.from_s);
             return Err(Error::invalid("failure.until_s", self.until_s, rule));
         }
         let until_s = if self.until_s.is_nan() { f64::INFINITY } else { self.until_s };

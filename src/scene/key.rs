@@ -1,9 +1,10 @@
 //! What a key of a scene file is: name, unit, place in the scene, meaning. The keys themselves are in [`super::table`].
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::draft::Draft;
 use crate::math::Euler;
+use crate::sensors::Sensor;
 
 /// The sections of a scene file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -140,18 +141,37 @@ impl Shape {
 /// Up to nine numbers of a draft, row by row.
 pub type Places<'d> = Vec<&'d mut f64>;
 
+/// Where the numbers of a key are in a draft.
+#[derive(Debug, Clone, Copy)]
+pub enum Place {
+    /// There.
+    At(fn(&mut Draft) -> Places<'_>),
+    /// A row of the table of sensor parameters, with these sensors.
+    Parameter(Sensor, usize),
+}
+
+impl Place {
+    /// The numbers, row by row.
+    pub fn of(self, draft: &mut Draft) -> Places<'_> {
+        match self {
+            Self::At(places) => places(draft),
+            Self::Parameter(sensor, row) => {
+                let triad = match sensor {
+                    Sensor::Gyro => &mut draft.scene.gyro,
+                    Sensor::Accelerometer => &mut draft.scene.accel,
+                };
+                triad.numbers_mut().into_iter().nth(row).map_or_else(Vec::new, row_by_row)
+            }
+        }
+    }
+}
+
 /// Where the value of a key goes.
 #[derive(Debug, Clone, Copy)]
 pub enum Target {
     /// Numbers in a unit; `field` is how the library names their place in SI, `low` and `high` [the key's unit] are limits of
     /// the scene itself where the library has none.
-    Numbers {
-        field: &'static str,
-        unit: Unit,
-        shape: Shape,
-        limits: Option<(f64, f64)>,
-        places: fn(&mut Draft) -> Places<'_>,
-    },
+    Numbers { field: &'static str, unit: Unit, shape: Shape, limits: Option<(f64, f64)>, place: Place },
     /// One of several words.
     Choice {
         field: &'static str,
@@ -212,8 +232,10 @@ pub fn angles(euler: &mut Euler) -> Places<'_> {
     vec![&mut euler.roll, &mut euler.pitch, &mut euler.heading]
 }
 
-/// Row by row; the matrix is stored column by column.
-pub fn matrix(matrix: &mut Matrix3<f64>) -> Places<'_> {
-    let [[a, b, c], [d, e, f], [g, h, i]] = &mut matrix.data.0;
-    vec![a, d, g, b, e, h, c, f, i]
+/// Row by row; a matrix is stored column by column.
+fn row_by_row(numbers: &mut [f64]) -> Places<'_> {
+    match numbers {
+        [a, d, g, b, e, h, c, f, i] => vec![a, b, c, d, e, f, g, h, i],
+        _ => numbers.iter_mut().collect(),
+    }
 }

@@ -350,11 +350,11 @@ impl Reader<'_> {
     fn put_back(&mut self, key: &Key) -> bool {
         let mut default = Draft::from(&Scene::default());
         match key.target {
-            Target::Numbers { places, .. } => {
+            Target::Numbers { place, .. } => {
                 let mut has_changed = false;
-                for (place, default) in places(&mut self.draft).into_iter().zip(places(&mut default)) {
-                    has_changed |= place.to_bits() != default.to_bits();
-                    *place = *default;
+                for (number, default) in place.of(&mut self.draft).into_iter().zip(place.of(&mut default)) {
+                    has_changed |= number.to_bits() != default.to_bits();
+                    *number = *default;
                 }
                 has_changed
             }
@@ -411,6 +411,8 @@ fn sentence(error: &Error, key: &Key) -> String {
     let in_unit = |number: f64| if unit.si == 1.0 { number } else { rounded(number / unit.si) };
     let rule = match error.rule {
         Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
+        Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
+        Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
         Rule::Below(limit) => Rule::Below(in_unit(limit)),
         Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),
         Rule::AtMost(words, number) => Rule::AtMost(words, in_unit(number)),

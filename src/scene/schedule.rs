@@ -3,6 +3,7 @@
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
 use crate::error::{Error, Rule, check_range};
+use crate::sensors::SensorOutput;
 use crate::truth::FlightSample;
 
 impl Failing {
@@ -46,13 +47,12 @@ impl Scene {
         // A flight's first sample ends no interval; its failures begin with the interval behind it.
         let Some(begin_s) = simulator.last_sample_time_s() else { return Ok(()) };
         let time_s = begin_s - start_s + ROUNDING * (sample.time_s - begin_s);
-        for (index, planned) in self.failures.iter().enumerate() {
-            let output = planned.output;
-            if self.failures[..index].iter().any(|other| other.output == output) {
+        for output in SensorOutput::ALL {
+            let mut planned = self.failures.iter().filter(|planned| planned.output == output).peekable();
+            if planned.peek().is_none() {
                 continue;
             }
-            let due = self.failures.iter().find(|other| other.output == output && other.failing.has(time_s));
-            let due = due.map(|planned| planned.failure);
+            let due = planned.find(|planned| planned.failing.has(time_s)).map(|planned| planned.failure);
             if simulator.failure(output) != due {
                 simulator.set_failure(output, due)?;
             }

@@ -87,7 +87,7 @@ fn finite(number: f64) -> Option<f64> {
 pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(), String> {
     let refused = |expected: String| format!("{} = {}: expected {expected}", key.path(), value.shown());
     match key.target {
-        Target::Numbers { shape, unit, limits, places, .. } => {
+        Target::Numbers { shape, unit, limits, place, .. } => {
             let expected = || {
                 let range = limits.map_or(String::new(), |(low, high)| format!(", from {low} to {high}"));
                 let unit = if unit.text.is_empty() { String::new() } else { format!(" [{}]", unit.text) };
@@ -102,8 +102,8 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
                     return Err(refused(expected()));
                 }
             }
-            for (place, number) in places(draft).into_iter().zip(numbers) {
-                *place = number * unit_si;
+            for (to, number) in place.of(draft).into_iter().zip(numbers) {
+                *to = number * unit_si;
             }
         }
         Target::Choice { words, set, .. } => {
@@ -143,8 +143,8 @@ fn elements(shape: Shape, value: &Value, numbers: &[f64]) -> Option<Vec<f64>> {
 /// The value of `key` in TOML, and whether it is in SI: as short as it can be, and such that it reads back to the bit.
 pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
     match key.target {
-        Target::Numbers { shape, unit, places, .. } => {
-            let numbers: Vec<f64> = places(draft).into_iter().map(|place| *place).collect();
+        Target::Numbers { shape, unit, place, .. } => {
+            let numbers: Vec<f64> = place.of(draft).into_iter().map(|number| *number).collect();
             let in_unit: Option<Vec<f64>> = numbers.iter().map(|&number| divided(number, unit.si)).collect();
             match in_unit {
                 Some(in_unit) => (numbers_text(shape, &in_unit), false),

@@ -91,8 +91,9 @@ impl Writer {
 
     fn is_default(&mut self, key: &Key) -> bool {
         match key.target {
-            Target::Numbers { places, .. } => {
-                let bits = |draft| places(draft).into_iter().map(|place| place.to_bits()).collect::<Vec<_>>();
+            Target::Numbers { place, .. } => {
+                let bits =
+                    |draft| place.of(draft).into_iter().map(|number| number.to_bits()).collect::<Vec<_>>();
                 bits(&mut self.draft) == bits(&mut self.default)
             }
             Target::Choice { get, .. } => get(&self.draft) == get(&self.default),

@@ -5,7 +5,7 @@ use super::failure::{Failure, SensorOutput};
 use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
 use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
-use super::validation::check_markov_time;
+use super::validation::check_correlation_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
 use crate::snapshot::{ANY, SIGNALS, stored};
@@ -41,7 +41,8 @@ impl AltimeterParameters {
     pub fn validate(&self) -> Result<(), Error> {
         check_range("altimeter.bias_m", self.bias_m, -1e5, 1e5)?;
         check_range("altimeter.markov_sigma_m", self.markov_sigma_m, 0.0, 1e5)?;
-        check_markov_time("altimeter.markov_time_s", self.markov_time_s, self.markov_sigma_m)?;
+        let (time_s, sigma_m) = (self.markov_time_s, self.markov_sigma_m);
+        check_correlation_time("altimeter.markov_time_s", time_s, "altimeter.markov_sigma_m", sigma_m)?;
         check_range("altimeter.noise_m", self.noise_m, 0.0, 1e5)?;
         check_range("altimeter.scale_factor", self.scale_factor, -1.0, 1.0)?;
         check_range("altimeter.lag_s", self.lag_s, 0.0, 1e6)

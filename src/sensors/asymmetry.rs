@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::input::Input;
 use super::parameters::TriadParameters;
 
 /// δ = a/2 |s|: the scale factor of positive signals s is greater by a than that of negative ones, its mean is
@@ -23,9 +24,9 @@ impl Asymmetry {
         self.half != Vector3::zeros()
     }
 
-    /// Error of a signal [u] or of an increment [u s].
+    /// Error [u s].
     #[inline]
-    pub fn error(&self, felt: &Vector3<f64>) -> Vector3<f64> {
-        self.half.component_mul(&felt.abs())
+    pub fn error(&self, input: &Input) -> Vector3<f64> {
+        self.half.component_mul(&input.signal.abs())
     }
 }

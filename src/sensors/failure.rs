@@ -25,6 +25,19 @@ pub enum SensorOutput {
     Altimeter,
 }
 
+impl SensorOutput {
+    /// Each output there is.
+    pub const ALL: [Self; 7] = [
+        Self::Gyro(Axis::X),
+        Self::Gyro(Axis::Y),
+        Self::Gyro(Axis::Z),
+        Self::Accelerometer(Axis::X),
+        Self::Accelerometer(Axis::Y),
+        Self::Accelerometer(Axis::Z),
+        Self::Altimeter,
+    ];
+}
+
 /// A failure of one output, from the interval after it is set until it is cleared or another takes its place.
 ///
 /// Biases, spikes and noise are added to what the sensor feels, before dead zone, range and quantization: what they make of it

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::input::Input;
 use super::parameters::TriadParameters;
 
 /// δω = G f: row = gyro, column = axis of the force (mass unbalance and its cross terms, IEEE Std 528); of increments, exactly.
@@ -23,9 +24,9 @@ impl GSensitivity {
         self.matrix != Matrix3::zeros()
     }
 
-    /// Error of a force [m/s²] or of an increment [m/s].
+    /// Error [rad].
     #[inline]
-    pub fn error(&self, force: &Vector3<f64>) -> Vector3<f64> {
-        self.matrix * force
+    pub fn error(&self, input: &Input) -> Vector3<f64> {
+        self.matrix * input.force
     }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::input::Input;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{Purpose, Stream, StreamKey};
 
@@ -28,13 +29,14 @@ impl Linear {
     /// Takes parameters; whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
-        self.matrix = given + parameters.linear_sigma().component_mul(&self.turn_on);
+        let sigma = parameters.misalignment_sigma + Matrix3::from_diagonal(&parameters.scale_factor_sigma);
+        self.matrix = given + sigma.component_mul(&self.turn_on);
         self.matrix != Matrix3::zeros()
     }
 
-    /// Error [u] for the ideal signal [u].
+    /// Error [u s].
     #[inline]
-    pub fn error(&self, ideal: &Vector3<f64>) -> Vector3<f64> {
-        self.matrix * ideal
+    pub fn error(&self, input: &Input) -> Vector3<f64> {
+        self.matrix * input.signal
     }
 }

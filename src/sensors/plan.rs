@@ -2,12 +2,12 @@
 
 use core::ops::Range;
 
-/// The effects along the path of the signal. The first two change what the proof mass feels; the next four are errors of
-/// that, temperature's too, then come additive biases and noise, with those of failures, and last what the output electronics
+/// The effects along the path of the signal. The first two change the input; the next four are errors that
+/// follow it, temperature's too, then come additive biases and noise, with those of failures, and last what the output electronics
 /// do, and failures of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    LeverArms,
+    Size,
     Bandwidth,
     Linear,
     Asymmetry,
@@ -31,14 +31,14 @@ impl Effect {
     /// Number of effects.
     pub const COUNT: usize = 18;
 
-    /// Whether it changes what is felt.
-    fn is_before_felt(self) -> bool {
-        matches!(self, Self::LeverArms | Self::Bandwidth)
+    /// Whether it changes the input of the sensors.
+    fn is_before_input(self) -> bool {
+        matches!(self, Self::Size | Self::Bandwidth)
     }
 
-    /// Whether it is an error of what is felt, or changes that.
+    /// Whether it changes the input, or is an error that follows it.
     fn is_on_signal(self) -> bool {
-        self.is_before_felt()
+        self.is_before_input()
             || matches!(
                 self,
                 Self::Linear | Self::Asymmetry | Self::Quadratic | Self::GSensitivity | Self::Temperature
@@ -49,7 +49,7 @@ impl Effect {
     #[inline(always)]
     const fn is_left_out(self) -> bool {
         match self {
-            Self::LeverArms => cfg!(sins_without = "lever_arms"),
+            Self::Size => cfg!(sins_without = "size_effect"),
             Self::Bandwidth => cfg!(sins_without = "bandwidth"),
             Self::Linear => cfg!(sins_without = "linear"),
             Self::Asymmetry => cfg!(sins_without = "asymmetry"),
@@ -74,8 +74,8 @@ impl Effect {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plan {
     effects: [Effect; Effect::COUNT],
-    /// Of these the first so many change what is felt, and so many more are errors of that.
-    before_felt: u8,
+    /// The first `before_input` of them change the input, all up to `on_signal` change it or follow it.
+    before_input: u8,
     on_signal: u8,
     count: u8,
 }
@@ -83,7 +83,7 @@ pub(super) struct Plan {
 impl Plan {
     /// Nothing.
     pub const IDEAL: Self =
-        Self { effects: [Effect::Bias; Effect::COUNT], before_felt: 0, on_signal: 0, count: 0 };
+        Self { effects: [Effect::Bias; Effect::COUNT], before_input: 0, on_signal: 0, count: 0 };
 
     /// The effects, in order, that are called for.
     pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
@@ -92,7 +92,7 @@ impl Plan {
         for &(effect, _) in calls.iter().filter(active) {
             plan.effects[usize::from(plan.count)] = effect;
             plan.count += 1;
-            plan.before_felt += u8::from(effect.is_before_felt());
+            plan.before_input += u8::from(effect.is_before_input());
             plan.on_signal += u8::from(effect.is_on_signal());
         }
         plan
@@ -103,22 +103,22 @@ impl Plan {
         self.count == 0
     }
 
-    /// Whether an effect asks what is felt.
+    /// Whether an effect changes or follows the input.
     #[inline]
     pub fn acts_on_signal(&self) -> bool {
         self.on_signal > 0
     }
 
-    /// The steps that change what is felt.
+    /// The steps that change the input.
     #[inline]
-    pub fn before_felt(&self) -> Range<usize> {
-        0..usize::from(self.before_felt)
+    pub fn before_input(&self) -> Range<usize> {
+        0..usize::from(self.before_input)
     }
 
-    /// The steps that make errors of it.
+    /// The steps whose errors follow it.
     #[inline]
-    pub fn of_felt(&self) -> Range<usize> {
-        usize::from(self.before_felt)..usize::from(self.on_signal)
+    pub fn of_input(&self) -> Range<usize> {
+        usize::from(self.before_input)..usize::from(self.on_signal)
     }
 
     /// The steps after those.
@@ -149,7 +149,7 @@ mod tests {
     #[test]
     fn a_plan_is_the_effects_called_for_in_order() {
         let all = [
-            Effect::LeverArms,
+            Effect::Size,
             Effect::Bandwidth,
             Effect::Linear,
             Effect::Asymmetry,
@@ -169,12 +169,12 @@ mod tests {
             Effect::Outage,
         ];
         let plan = Plan::new(&all.map(|effect| (effect, true)));
-        let steps = plan.before_felt().chain(plan.of_felt()).chain(plan.after_signal());
+        let steps = plan.before_input().chain(plan.of_input()).chain(plan.after_signal());
         assert_eq!(steps.map(|i| plan.effect(i)).collect::<Vec<_>>(), all);
-        assert_eq!((plan.before_felt(), plan.of_felt()), (0..2, 2..7));
+        assert_eq!((plan.before_input(), plan.of_input()), (0..2, 2..7));
         let some = [Effect::Bandwidth, Effect::RandomWalk, Effect::Bias];
         let plan = Plan::new(&all.map(|effect| (effect, some.contains(&effect))));
-        assert_eq!((plan.before_felt(), plan.of_felt(), plan.after_signal()), (0..1, 1..1, 1..3));
+        assert_eq!((plan.before_input(), plan.of_input(), plan.after_signal()), (0..1, 1..1, 1..3));
         assert_eq!([0, 1, 2].map(|i| plan.effect(i)), [Effect::Bandwidth, Effect::Bias, Effect::RandomWalk]);
         assert!(Plan::new(&all.map(|effect| (effect, false))).is_ideal() && !plan.is_ideal());
     }

@@ -3,11 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::parameters::TriadParameters;
+use crate::units::{DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, STANDARD_GRAVITY as G};
 
-const DEG: f64 = core::f64::consts::PI / 180.0;
-const DEG_PER_HOUR: f64 = DEG / 3600.0;
-const DEG_PER_SQRT_HOUR: f64 = DEG / 60.0;
-const G: f64 = 9.80665;
 const FOOT_M: f64 = 0.3048;
 /// The flat part of the Allan deviation of flicker noise of B = 1.
 const FLAT: f64 = 0.664;

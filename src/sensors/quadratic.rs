@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::input::Input;
 use super::parameters::TriadParameters;
 
 /// δ = c s|s| + k s²: odd for the nonlinearity c, a scale factor that grows with the size of the signal s; even for the
@@ -27,10 +28,11 @@ impl Quadratic {
         self.odd != Vector3::zeros() || self.even != Vector3::zeros()
     }
 
-    /// Error [u s] of an increment `felt` [u s] over `dt` [s]; of a signal, with 1.
+    /// Error [u s].
     #[inline]
-    pub fn error(&self, felt: &Vector3<f64>, dt: f64) -> Vector3<f64> {
-        let sizes = self.odd.component_mul(&felt.abs()) + self.even.component_mul(felt);
-        sizes.component_mul(felt) / dt
+    pub fn error(&self, input: &Input) -> Vector3<f64> {
+        let signal = &input.signal;
+        let sizes = self.odd.component_mul(&signal.abs()) + self.even.component_mul(signal);
+        sizes.component_mul(signal) / input.dt
     }
 }

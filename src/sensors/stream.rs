@@ -1,8 +1,6 @@
 //! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect moves another one's draws.
 
-use rand::Rng;
-use rand_distr::{Distribution, StandardNormal};
-
+use super::draw::{even, normal};
 use super::xoshiro::Xoshiro256PlusPlus;
 use crate::math::mix;
 use crate::snapshot::{ANY, stored};
@@ -70,13 +68,13 @@ impl Stream {
 
     /// The next number, evenly from 0 up to but not 1, in steps of 2^-53.
     pub fn uniform(&mut self) -> f64 {
-        (self.generator.next_u64() >> 11) as f64 * (0.5 * f64::EPSILON)
+        even(self.generator.next_u64())
     }
 
     /// The next number, normal with mean 0 and variance 1.
     #[inline]
     pub fn normal(&mut self) -> f64 {
-        StandardNormal.sample(&mut self.generator)
+        normal(&mut self.generator)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::input::Input;
 use super::parameters::TriadParameters;
 
 /// With θ = T - T_ref, bias b1 θ + b2 θ² and scale factor error s1 θ + s2 θ² (thermal coefficients, IEEE Std 952 and 1293).
@@ -30,9 +31,20 @@ struct Errors {
 impl Errors {
     const NONE: Self = Self { bias: Vector3::new(0.0, 0.0, 0.0), scale_factor: Vector3::new(0.0, 0.0, 0.0) };
 
-    /// Integral over `dt` [s], with the increment `felt` [u s]; of a signal [u], with 1.
-    fn integral(&self, felt: &Vector3<f64>, dt: f64) -> Vector3<f64> {
-        self.bias * dt + self.scale_factor.component_mul(felt)
+    /// Their integral [u s].
+    fn integral(&self, input: &Input) -> Vector3<f64> {
+        self.bias * input.dt + self.scale_factor.component_mul(&input.signal)
+    }
+}
+
+impl TriadParameters {
+    /// Whether a temperature has to be known.
+    pub fn depend_on_temperature(&self) -> bool {
+        let zero = Vector3::zeros();
+        self.bias_temperature != zero
+            || self.bias_temperature2 != zero
+            || self.scale_factor_temperature != zero
+            || self.scale_factor_temperature2 != zero
     }
 }
 
@@ -56,14 +68,15 @@ impl Temperature {
         self.mean = self.errors(ends_c[0] + 0.5 * change, change * change / 12.0);
     }
 
-    /// Error [u] at the temperature `temperature_c` [°C] of the signal `felt` [u].
-    pub fn steady_error(&self, temperature_c: f64, felt: &Vector3<f64>) -> Vector3<f64> {
-        self.errors(temperature_c, 0.0).integral(felt, 1.0)
+    /// Error [u s] at the temperature `temperature_c` [°C].
+    pub fn steady_error(&self, temperature_c: f64, input: &Input) -> Vector3<f64> {
+        self.errors(temperature_c, 0.0).integral(input)
     }
 
-    /// Adds the error of the increment `felt` over `dt` [s].
-    pub fn apply(&self, felt: &Vector3<f64>, dt: f64, measured: &mut Vector3<f64>) {
-        *measured += self.mean.integral(felt, dt);
+    /// Error [u s] in the interval that began last.
+    #[inline]
+    pub fn error(&self, input: &Input) -> Vector3<f64> {
+        self.mean.integral(input)
     }
 
     /// At the mean temperature `mean_c` [°C] with the variance `variance` [K²] about it.

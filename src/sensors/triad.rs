@@ -1,8 +1,7 @@
 //! Three sensors and the effects that are active in them.
 
-use core::slice::{from_mut, from_ref};
-
-use nalgebra::Vector3;
+mod sense;
+mod steady;
 
 use super::asymmetry::Asymmetry;
 use super::bandwidth::Bandwidth;
@@ -15,7 +14,6 @@ use super::g_sensitivity::GSensitivity;
 use super::gauss_markov::GaussMarkov;
 use super::kept::Kept;
 use super::linear::Linear;
-use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::plan::{Effect, Plan};
 use super::quadratic::Quadratic;
@@ -28,7 +26,7 @@ use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
 use super::temperature::Temperature;
 use crate::error::Error;
-use crate::signal::{Increment, MAX_INCREMENTS, Turning};
+use crate::signal::{MAX_INCREMENTS, Turning};
 use crate::snapshot::{Reader, Stored, stored};
 use crate::truth::INTERVALS_S;
 
@@ -111,7 +109,7 @@ impl Triad {
     /// active go on from where they are.
     pub fn set(&mut self, parameters: &TriadParameters) {
         self.plan = Plan::new(&[
-            (Effect::LeverArms, self.size_effect.set(parameters)),
+            (Effect::Size, self.size_effect.set(parameters)),
             (Effect::Bandwidth, self.bandwidth.set(parameters)),
             (Effect::Linear, self.linear.set(parameters)),
             (Effect::Asymmetry, self.asymmetry.set(parameters)),
@@ -199,188 +197,5 @@ impl Triad {
     /// The signals jump: filters settle at once where they are next. Noise goes on.
     pub fn reposition(&mut self) {
         self.bandwidth.reposition();
-    }
-
-    /// What the triad makes of one ideal increment over `dt` [s].
-    pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
-        let mut measured = *ideal;
-        self.sense_each(from_ref(ideal), dt, from_mut(&mut measured));
-        match self.sensor {
-            Sensor::Gyro => measured.angle,
-            Sensor::Accelerometer => measured.velocity,
-        }
-    }
-
-    /// Makes of its part of `measured`, which is that of the increments `ideal`, each over `dt` [s], what the triad gives: the
-    /// active effects act one after the other, each on all increments. [`Self::undo`] takes an interval back.
-    #[inline]
-    pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
-        // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
-        self.dt.keep();
-        if (dt - *self.dt).abs() > 1e-7 * dt {
-            self.set_interval(dt);
-        }
-        if self.plan.acts_on_signal() {
-            self.act_on_signal(ideal, dt, measured);
-        }
-        for step in self.plan.after_signal() {
-            let outputs = Outputs::new(self.sensor, measured);
-            match self.plan.effect(step) {
-                Effect::Bias => self.bias.apply(dt, outputs),
-                Effect::GaussMarkov => self.gauss_markov.apply(outputs),
-                Effect::RandomWalk => self.random_walk.apply(outputs),
-                _ => self.act(step, dt, outputs),
-            }
-        }
-    }
-
-    /// What the sensors feel of the increments, and its errors that grow with it.
-    #[inline(never)]
-    fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
-        for step in self.plan.before_felt() {
-            if self.plan.effect(step) == Effect::Bandwidth {
-                self.bandwidth.keep();
-            }
-        }
-        for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
-            for step in self.plan.before_felt() {
-                match self.plan.effect(step) {
-                    Effect::LeverArms => self.size_effect.apply(&ideal.angle, dt, output),
-                    Effect::Bandwidth => self.bandwidth.apply(dt, output),
-                    _ => {}
-                }
-            }
-            let felt = *output;
-            for step in self.plan.of_felt() {
-                match self.plan.effect(step) {
-                    Effect::Linear => *output += self.linear.error(&felt),
-                    Effect::Asymmetry => *output += self.asymmetry.error(&felt),
-                    Effect::Quadratic => *output += self.quadratic.error(&felt, dt),
-                    Effect::GSensitivity => *output += self.g_sensitivity.error(&ideal.velocity),
-                    Effect::Temperature => self.temperature.apply(&felt, dt, output),
-                    _ => {}
-                }
-            }
-        }
-    }
-
-    /// Lets the effect of a step act on all increments, one that few triads have: out of the way of the others.
-    #[inline(never)]
-    fn act(&mut self, step: usize, dt: f64, mut outputs: Outputs<'_>) {
-        let outputs = outputs.iter_mut();
-        match self.plan.effect(step) {
-            Effect::Flicker => {
-                self.flicker.keep();
-                outputs.for_each(|output| self.flicker.apply(output));
-            }
-            Effect::RateRandomWalk => {
-                self.rate_random_walk.keep();
-                outputs.for_each(|output| self.rate_random_walk.apply(dt, output));
-            }
-            Effect::Ramp => {
-                self.ramp.keep();
-                outputs.for_each(|output| self.ramp.apply(dt, output));
-            }
-            Effect::AddedFailure => outputs.for_each(|output| self.failing.add(dt, output)),
-            Effect::DeadZone => outputs.for_each(|output| self.dead_zone.apply(dt, output)),
-            Effect::Range => outputs.for_each(|output| self.saturated |= self.range.apply(dt, output)),
-            Effect::Quantization => {
-                self.quantization.keep();
-                outputs.for_each(|output| self.quantization.apply(output));
-            }
-            Effect::Outage => outputs.for_each(|output| self.failing.replace(dt, output)),
-            // Of `act_on_signal` and `sense_each`.
-            _ => {}
-        }
-    }
-
-    /// Whether an output has been beyond the range since this was asked last.
-    #[inline]
-    pub fn take_saturated(&mut self) -> bool {
-        core::mem::take(&mut self.saturated)
-    }
-
-    /// Takes the last interval back: what [`Self::begin_interval`] and [`Self::sense_each`] changed is as it was before.
-    #[cold]
-    pub fn undo(&mut self) {
-        for step in self.plan.steps() {
-            match self.plan.effect(step) {
-                Effect::LeverArms => self.size_effect.undo(),
-                Effect::Bandwidth => self.bandwidth.undo(),
-                Effect::GaussMarkov => self.gauss_markov.undo(),
-                Effect::Flicker => self.flicker.undo(),
-                Effect::RateRandomWalk => self.rate_random_walk.undo(),
-                Effect::Ramp => self.ramp.undo(),
-                Effect::RandomWalk => self.random_walk.undo(),
-                Effect::AddedFailure | Effect::Outage => self.failing.undo(),
-                Effect::Quantization => self.quantization.undo(),
-                // They keep nothing from one interval to the next.
-                Effect::Linear
-                | Effect::Asymmetry
-                | Effect::Quadratic
-                | Effect::GSensitivity
-                | Effect::Temperature
-                | Effect::Bias
-                | Effect::DeadZone
-                | Effect::Range => {}
-            }
-        }
-        self.dt.undo();
-        self.set_interval(*self.dt);
-    }
-
-    /// Takes the length of the increments to come [s]; 0: of none yet.
-    #[cold]
-    fn set_interval(&mut self, dt: f64) {
-        *self.dt = dt;
-        if dt == 0.0 {
-            return;
-        }
-        self.bandwidth.set_interval(dt);
-        self.gauss_markov.set_interval(dt);
-        self.flicker.set_interval(dt);
-        self.rate_random_walk.set_interval(dt);
-        self.random_walk.set_interval(dt);
-    }
-
-    /// The error [u] that an alignment at this moment would see at the angular rate `rate` [rad/s], the specific force
-    /// `force` [m/s²] and the temperature `temperature_c` [°C], without which that of reference: all but the white noise and the
-    /// quantization, which an alignment averages out, and failures, which come after it.
-    pub fn steady_error(
-        &self,
-        rate: &Vector3<f64>,
-        force: &Vector3<f64>,
-        temperature_c: Option<f64>,
-    ) -> Vector3<f64> {
-        let ideal = match self.sensor {
-            Sensor::Gyro => rate,
-            Sensor::Accelerometer => force,
-        };
-        let size_error = self.size_effect.steady_error(rate);
-        let felt = ideal + size_error;
-        let error = self.linear.error(&felt)
-            + self.bias.value()
-            + self.gauss_markov.value()
-            + size_error
-            + self.asymmetry.error(&felt)
-            + self.quadratic.error(&felt, 1.0)
-            + self.g_sensitivity.error(force)
-            + self.flicker.value()
-            + self.rate_random_walk.value()
-            + self.ramp.value();
-        let thermal = temperature_c.map(|c| self.temperature.steady_error(c, &felt));
-        let error = error + thermal.unwrap_or_default();
-        // Adding and taking away the signal rounds: only where the limits change something.
-        let unlimited = ideal + error;
-        let mut shown = unlimited;
-        self.dead_zone.apply(1.0, &mut shown);
-        self.range.apply(1.0, &mut shown);
-        shown.zip_zip_map(
-            &unlimited,
-            &ideal.zip_map(&error, |i, e| (i, e)),
-            |shown, unlimited, (ideal, error)| {
-                if shown == unlimited { error } else { shown - ideal }
-            },
-        )
     }
 }

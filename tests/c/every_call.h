@@ -83,6 +83,72 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, &sample));
 }
 
+/* Likewise of a scene, all but sins_scene_destroy(), with the sim that sins_scene_prepare() takes. */
+static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_gyro_params gyro = scene_gyro();
+    sins_accel_params accel = scene_accel();
+    sins_altimeter_params altimeter = scene_altimeter();
+    sins_initial_errors initial = scene_initial_errors();
+    sins_mounting mounting = {.struct_size = sizeof mounting};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity};
+    sins_scene_setup setup = {.struct_size = sizeof setup};
+    sins_planned_failure failure = {.struct_size = sizeof failure};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_sim *made = NULL;
+    sins_flight *flight = NULL;
+    char text[8192];
+    size_t count;
+    setup.rate_hz = 100.0;
+    failure.kind = SINS_FAILURE_DEAD;
+    EVERY_CALL(sins_scene_set_options(scene, &options));
+    EVERY_CALL(sins_scene_set_gyro(scene, &gyro));
+    EVERY_CALL(sins_scene_set_accel(scene, &accel));
+    EVERY_CALL(sins_scene_set_altimeter(scene, &altimeter));
+    EVERY_CALL(sins_scene_set_initial_errors(scene, &initial));
+    EVERY_CALL(sins_scene_set_mounting(scene, &mounting));
+    EVERY_CALL(sins_scene_set_gravity_disturbance(scene, &gravity));
+    EVERY_CALL(sins_scene_set_setup(scene, &setup));
+    EVERY_CALL(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another"));
+    EVERY_CALL(sins_scene_clear_failures(scene));
+    EVERY_CALL(sins_scene_add_failure(scene, &failure));
+    EVERY_CALL(sins_scene_get_options(scene, &options));
+    EVERY_CALL(sins_scene_get_gyro(scene, &gyro));
+    EVERY_CALL(sins_scene_get_accel(scene, &accel));
+    EVERY_CALL(sins_scene_get_altimeter(scene, &altimeter));
+    EVERY_CALL(sins_scene_get_initial_errors(scene, &initial));
+    EVERY_CALL(sins_scene_get_mounting(scene, &mounting));
+    EVERY_CALL(sins_scene_get_gravity_disturbance(scene, &gravity));
+    EVERY_CALL(sins_scene_get_setup(scene, &setup));
+    EVERY_CALL(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, text, sizeof text, NULL));
+    EVERY_CALL(sins_scene_get_failure_count(scene, &count));
+    EVERY_CALL(sins_scene_get_failure(scene, 0, &failure));
+    EVERY_CALL(sins_scene_write(scene, text, sizeof text, NULL));
+    EVERY_CALL(sins_scene_create_simulator(scene, &made));
+    EVERY_CALL(sins_scene_create_flight(scene, &flight));
+    EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, &sample));
+    CHECK(made == NULL || sins_destroy(made) == SINS_OK);
+    CHECK(flight == NULL || sins_flight_destroy(flight) == SINS_OK);
+}
+
+/* Of a scene whose text has faults. */
+static inline void every_fault_call(sins_scene *scene, every_call_answer *answer, void *context)
+{
+    sins_fault fault = {.struct_size = sizeof fault};
+    EVERY_CALL(sins_scene_get_fault(scene, 0, &fault));
+}
+
+/* Of a log, all but sins_log_destroy(). */
+static inline void every_log_call(sins_log *log, every_call_answer *answer, void *context)
+{
+    sins_log_info info = {.struct_size = sizeof info};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    uint64_t line;
+    EVERY_CALL(sins_log_get_info(log, &info));
+    EVERY_CALL(sins_log_get_sample(log, 1, &sample, &line));
+}
+
 /* An answer that must be the status at `context`. */
 static inline void every_answer_is(const char *call, sins_status status, void *context)
 {

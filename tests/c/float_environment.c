@@ -130,7 +130,10 @@ typedef struct {
     double duration_s;
     sins_flight_sample piece[COUNT];
     sins_error_info info;
-    char sentence[200];
+    char sentence[200], written[8192], keys[32768];
+    sins_fault fault;
+    sins_flight_sample of_log;
+    sins_record of_scene;
 } results;
 
 static void ignore(const char *call, sins_status status, void *context)
@@ -138,6 +141,40 @@ static void ignore(const char *call, sins_status status, void *context)
     (void)call;
     (void)status;
     (void)context;
+}
+
+/* A scene and a log, read, flown and written. */
+static void fly_scene(results *found)
+{
+    sins_scene *scene = scene_of_text(), *other = NULL;
+    sins_log *log = scene_log();
+    sins_sim *sim = NULL;
+    sins_flight *flight = NULL;
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    int k;
+    SINS_INIT(found->fault);
+    SINS_INIT(found->of_log);
+    SINS_INIT(found->of_scene);
+    CHECK(sins_scene_parse("[gyro]\nbias_deg_h = 1e999\n", 26, &other) == SINS_SCENE_HAS_FAULTS);
+    every_fault_call(other, ignore, NULL);
+    CHECK(sins_scene_get_fault(other, 0, &found->fault) == SINS_OK && sins_scene_destroy(other) == SINS_OK);
+    CHECK(sins_scene_create(&other) == SINS_OK && sins_scene_destroy(other) == SINS_OK);
+    CHECK(sins_scene_create_builtin("patrol", &other) == SINS_OK && sins_scene_destroy(other) == SINS_OK);
+    CHECK(sins_scene_write(scene, found->written, sizeof found->written, NULL) == SINS_OK);
+    CHECK(sins_scene_write_keys(found->keys, sizeof found->keys, NULL) == SINS_OK);
+    CHECK(sins_scene_create_simulator(scene, &sim) == SINS_OK);
+    CHECK(sins_scene_create_flight(scene, &flight) == SINS_OK);
+    for (k = 0; k < COUNT; k++) {
+        CHECK(sins_flight_sample_at(flight, scene_time(k), &sample) == SINS_OK);
+        CHECK(sins_scene_prepare(scene, sim, 0.0, &sample) == SINS_OK);
+        CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) >= SINS_OK);
+    }
+    CHECK(sins_get_record(sim, &found->of_scene) == SINS_OK);
+    CHECK(sins_log_get_sample(log, 2, &found->of_log, NULL) == SINS_OK);
+    every_log_call(log, ignore, NULL);
+    every_scene_call(scene, sim, ignore, NULL);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }
 
 /* One second of a flight with every effect; every function is called under the state. */
@@ -209,6 +246,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_navigation(other, &found->alone) == SINS_OK);
     every_call(other, ignore, NULL);
     every_flight_call(flight, ignore, NULL);
+    fly_scene(found);
     CHECK(sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(other) == SINS_OK);
     after = get_state();

@@ -6,9 +6,7 @@
 #ifdef __cplusplus
 #define CHECK(condition) static_assert(condition, #condition)
 #else
-#define CHECK_JOIN(a, b) a##b
-#define CHECK_NAME(line) CHECK_JOIN(check_, line)
-#define CHECK(condition) typedef char CHECK_NAME(__LINE__)[(condition) ? 1 : -1]
+#define CHECK(condition) extern const char checked[(condition) ? 1 : -1]
 #endif
 
 /* And the size that the header states for other languages. */
@@ -32,31 +30,15 @@ AT(sins_error_info, index, 112);
 AT(sins_error_info, value, 128);
 AT(sins_error_info, maximum, 144);
 
-SIZE(sins_gyro_params, SINS_SIZEOF_GYRO_PARAMS, 712);
-AT(sins_gyro_params, bias_rad_s, 8);
-AT(sins_gyro_params, markov_time_s, 80);
-AT(sins_gyro_params, random_walk_rad_sqrt_s, 104);
-AT(sins_gyro_params, scale_factor, 224);
-AT(sins_gyro_params, misalignment_rad, 296);
-AT(sins_gyro_params, dead_zone_rad_s, 488);
-AT(sins_gyro_params, reference_temperature_c, 512);
-AT(sins_gyro_params, bias_temperature_rad_s_per_k, 520);
-AT(sins_gyro_params, scale_factor_temperature2_per_k2, 592);
-AT(sins_gyro_params, scale_factor_sigma, 616);
-AT(sins_gyro_params, misalignment_sigma_rad, 640);
+/* sins_gyro_params and sins_accel_params, as the library has them: written by the test from the table of sensor parameters. */
+#include "sensor_layout.h"
 
-SIZE(sins_accel_params, SINS_SIZEOF_ACCEL_PARAMS, 736);
+AT(sins_gyro_params, struct_size, 0);
+AT(sins_gyro_params, reserved, 4);
+AT(sins_gyro_params, bias_rad_s, 8);
+AT(sins_accel_params, struct_size, 0);
+AT(sins_accel_params, reserved, 4);
 AT(sins_accel_params, bias_m_s2, 8);
-AT(sins_accel_params, velocity_random_walk_m_s_sqrt_s, 104);
-AT(sins_accel_params, scale_factor, 224);
-AT(sins_accel_params, misalignment_rad, 296);
-AT(sins_accel_params, lever_arm_m, 440);
-AT(sins_accel_params, vibration_rectification_s2_m, 512);
-AT(sins_accel_params, reference_temperature_c, 536);
-AT(sins_accel_params, bias_temperature_m_s2_per_k, 544);
-AT(sins_accel_params, scale_factor_temperature2_per_k2, 616);
-AT(sins_accel_params, scale_factor_sigma, 640);
-AT(sins_accel_params, misalignment_sigma_rad, 664);
 
 SIZE(sins_altimeter_params, SINS_SIZEOF_ALTIMETER_PARAMS, 56);
 AT(sins_altimeter_params, lag_s, 48);
@@ -183,3 +165,25 @@ AT(sins_manoeuvre, duration_s, 16);
 AT(sins_manoeuvre, channel, 72);
 AT(sins_manoeuvre, amplitude, 96);
 AT(sins_manoeuvre, phase_rad, 192);
+
+SIZE(sins_fault, SINS_SIZEOF_FAULT, 288);
+AT(sins_fault, count, 8);
+AT(sins_fault, column, 24);
+AT(sins_fault, sentence, 32);
+
+SIZE(sins_scene_setup, SINS_SIZEOF_SCENE_SETUP, 64);
+AT(sins_scene_setup, flight, 8);
+AT(sins_scene_setup, duration_s, 16);
+AT(sins_scene_setup, every_s, 56);
+
+SIZE(sins_planned_failure, SINS_SIZEOF_PLANNED_FAILURE, 80);
+AT(sins_planned_failure, sensor, 8);
+AT(sins_planned_failure, from_s, 16);
+AT(sins_planned_failure, kind, 32);
+AT(sins_planned_failure, size, 40);
+AT(sins_planned_failure, probability, 72);
+
+SIZE(sins_log_info, SINS_SIZEOF_LOG_INFO, 216);
+AT(sins_log_info, samples, 8);
+AT(sins_log_info, duration_s, 16);
+AT(sins_log_info, title, 24);

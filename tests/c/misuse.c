@@ -12,6 +12,8 @@ enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
 
 static sins_sim *wrong_sims[WRONG_HANDLES];
 static sins_flight *wrong_flights[WRONG_HANDLES];
+static sins_scene *wrong_scenes[WRONG_HANDLES];
+static sins_log *wrong_logs[WRONG_HANDLES];
 
 static sins_flight *make_flight(void)
 {
@@ -38,7 +40,23 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_flights[STALE] = stale_flight;
     wrong_flights[MADE_UP] = (sins_flight *)(uintptr_t)4;
     wrong_flights[OTHER_KIND] = (sins_flight *)(void *)sim;
+    wrong_scenes[STALE] = scene_of_text();
+    wrong_scenes[MADE_UP] = (sins_scene *)(uintptr_t)3;
+    wrong_scenes[OTHER_KIND] = (sins_scene *)(void *)sim;
+    wrong_logs[STALE] = scene_log();
+    wrong_logs[MADE_UP] = (sins_log *)(uintptr_t)0xfffffff4;
+    wrong_logs[OTHER_KIND] = (sins_log *)(void *)flight;
+    CHECK(sins_scene_destroy(wrong_scenes[STALE]) == SINS_OK);
+    CHECK(sins_log_destroy(wrong_logs[STALE]) == SINS_OK);
 }
+
+/* The two that read failures leave none. */
+#define NULL_POINTER(call)                              \
+    do {                                                \
+        plant(sim);                                     \
+        CHECK((call) == SINS_ERROR_NULL_POINTER);       \
+        left(sim, #call, SINS_ERROR_NULL_POINTER);      \
+    } while (0)
 
 /* An answer that must be that of a bad handle. */
 static void is_refused(const char *call, sins_status status, void *unused)
@@ -66,8 +84,9 @@ static sins_status wrong_configured(const sins_sim *sim)
     return status;
 }
 
-static void handles(void)
+static void handles(sins_sim *living)
 {
+    sins_scene *scene = scene_of_text();
     int i;
     for (i = 0; i < WRONG_HANDLES; i++) {
         sins_sim *sim = wrong_sims[i];
@@ -80,6 +99,12 @@ static void handles(void)
         plant(NULL);
         every_call(sim, is_refused, NULL);
         every_flight_call(wrong_flights[i], is_refused, NULL);
+        every_scene_call(wrong_scenes[i], living, is_refused, NULL);
+        every_fault_call(wrong_scenes[i], is_refused, NULL);
+        every_log_call(wrong_logs[i], is_refused, NULL);
+        is_refused("sins_scene_prepare", sins_scene_prepare(scene, sim, 0.0, &sample), NULL);
+        is_refused("sins_scene_destroy", sins_scene_destroy(wrong_scenes[i]), NULL);
+        is_refused("sins_log_destroy", sins_log_destroy(wrong_logs[i]), NULL);
         is_refused("sins_destroy", sins_destroy(sim), NULL);
         is_refused("sins_flight_destroy", sins_flight_destroy(wrong_flights[i]), NULL);
 
@@ -93,15 +118,52 @@ static void handles(void)
             CHECK(sins_last_error_info(sim, &info) == SINS_ERROR_BAD_HANDLE && info.index == 0);
         }
     }
+    CHECK(sins_scene_destroy(scene) == SINS_OK);
 }
 
-/* The two that read failures leave none. */
-#define NULL_POINTER(call)                              \
-    do {                                                \
-        plant(sim);                                     \
-        CHECK((call) == SINS_ERROR_NULL_POINTER);       \
-        left(sim, #call, SINS_ERROR_NULL_POINTER);      \
-    } while (0)
+static void null_pointers_of_scenes(sins_sim *sim)
+{
+    sins_scene *scene = scene_of_text(), *made = NULL;
+    sins_log *log = scene_log(), *made_log = NULL;
+    NULL_POINTER(sins_scene_create(NULL));
+    NULL_POINTER(sins_scene_create_builtin(NULL, &made));
+    NULL_POINTER(sins_scene_create_builtin("patrol", NULL));
+    NULL_POINTER(sins_scene_parse(NULL, 1, &made));
+    NULL_POINTER(sins_scene_parse(scene_text, 1, NULL));
+    NULL_POINTER(sins_scene_get_fault(scene, 0, NULL));
+    NULL_POINTER(sins_scene_write(scene, NULL, 100, NULL));
+    NULL_POINTER(sins_scene_write_keys(NULL, 100, NULL));
+    NULL_POINTER(sins_scene_create_simulator(scene, NULL));
+    NULL_POINTER(sins_scene_create_flight(scene, NULL));
+    NULL_POINTER(sins_scene_prepare(scene, sim, 0.0, NULL));
+    NULL_POINTER(sins_scene_get_options(scene, NULL));
+    NULL_POINTER(sins_scene_set_options(scene, NULL));
+    NULL_POINTER(sins_scene_get_gyro(scene, NULL));
+    NULL_POINTER(sins_scene_set_gyro(scene, NULL));
+    NULL_POINTER(sins_scene_get_accel(scene, NULL));
+    NULL_POINTER(sins_scene_set_accel(scene, NULL));
+    NULL_POINTER(sins_scene_get_altimeter(scene, NULL));
+    NULL_POINTER(sins_scene_set_altimeter(scene, NULL));
+    NULL_POINTER(sins_scene_get_initial_errors(scene, NULL));
+    NULL_POINTER(sins_scene_set_initial_errors(scene, NULL));
+    NULL_POINTER(sins_scene_get_mounting(scene, NULL));
+    NULL_POINTER(sins_scene_set_mounting(scene, NULL));
+    NULL_POINTER(sins_scene_get_gravity_disturbance(scene, NULL));
+    NULL_POINTER(sins_scene_set_gravity_disturbance(scene, NULL));
+    NULL_POINTER(sins_scene_get_setup(scene, NULL));
+    NULL_POINTER(sins_scene_set_setup(scene, NULL));
+    NULL_POINTER(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, NULL, 100, NULL));
+    NULL_POINTER(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, NULL));
+    NULL_POINTER(sins_scene_get_failure_count(scene, NULL));
+    NULL_POINTER(sins_scene_get_failure(scene, 0, NULL));
+    NULL_POINTER(sins_scene_add_failure(scene, NULL));
+    NULL_POINTER(sins_log_parse(NULL, 1, &made_log, NULL));
+    NULL_POINTER(sins_log_parse(scene_log_text, 1, NULL, NULL));
+    NULL_POINTER(sins_log_get_info(log, NULL));
+    NULL_POINTER(sins_log_get_sample(log, 0, NULL, NULL));
+    CHECK(made == NULL && made_log == NULL);
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
+}
 
 static void null_pointers(sins_sim *sim, sins_flight *flight)
 {
@@ -183,8 +245,9 @@ int main(void)
     CHECK(sins_get_navigation(sim, &before) == SINS_OK);
 
     make_wrong_handles(sim, flight);
-    handles();
+    handles(sim);
     null_pointers(sim, flight);
+    null_pointers_of_scenes(sim);
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

@@ -195,15 +195,38 @@ static void navigate_frames(sins_sim *sim)
     FRAME_CHECK(status == SINS_ERROR_DIVERGED && k > 1);
 }
 
+/* A scene with a failure and a temperature, and a log. */
+static void fly_scene_frames(sins_scene *scene, sins_sim *sim, sins_flight *flight, sins_log *log)
+{
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    int k;
+    for (k = 0; k < 129; k++) {
+        FRAME_CHECK(sins_flight_sample_at(flight, scene_time(k), &sample) == SINS_OK);
+        FRAME_CHECK(sins_scene_prepare(scene, sim, 0.0, &sample) == SINS_OK);
+        FRAME_CHECK(sample.flags & SINS_SAMPLE_TEMPERATURE);
+        FRAME_CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+        FRAME_CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+    }
+    for (k = 0; k < 3; k++) {
+        FRAME_CHECK(sins_log_get_sample(log, (size_t)k, &sample, NULL) == SINS_OK);
+    }
+}
+
 int main(void)
 {
     enum { FRAMES = 2, SCHEMES = 3, VERTICALS = 3, SIGNALS = 2, ALL = FRAMES * SCHEMES * VERTICALS * SIGNALS };
     sins_sim *sims[ALL], *navigators[FRAMES * SCHEMES], *stale = NULL;
+    sins_scene *scene = scene_of_text();
+    sins_log *log = scene_log();
+    sins_sim *of_scene = NULL;
+    sins_flight *flight = NULL;
     sins_navigation start = {.struct_size = sizeof start};
     pthread_t others[2];
     long allocations;
     int i, navigator_count = 0;
 
+    CHECK(sins_scene_create_simulator(scene, &of_scene) == SINS_OK);
+    CHECK(sins_scene_create_flight(scene, &flight) == SINS_OK);
     scene_samples(samples);
     for (i = 0; i < ALL; i++) {
         sins_options options = {.struct_size = sizeof options};
@@ -242,6 +265,7 @@ int main(void)
     for (i = 0; i < ALL; i++) {
         fly_frames(sims[i], stale);
     }
+    fly_scene_frames(scene, of_scene, flight, log);
     for (i = 0; i < navigator_count; i++) {
         navigate_frames(navigators[i]);
     }

@@ -156,6 +156,32 @@ static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, s
     CHECK(written == SCENE_COUNT - 1);
 }
 
+/* A scene with manoeuvres, errors and a failure, and a flight log. */
+static const char scene_text[] =
+    "[flight]\ntitle = \"a turn\"\nlatitude_deg = 40\nheight_m = 3000\nspeed_m_s = 150\nrate_hz = 128\ntemperature_c = 20\n"
+    "[[manoeuvre]]\nkind = \"turn\"\nheading_change_deg = 90\nbank_deg = 30\n"
+    "[[manoeuvre]]\nkind = \"sinusoids\"\nduration_s = 60\n[[manoeuvre.sinusoid]]\nchannel = \"course\"\n"
+    "amplitude_deg = 5\nfrequency_hz = 0.1\n"
+    "[options]\nscheme = \"polynomial\"\n[gyro]\npreset = \"tactical\"\nbias_deg_h = [0.1, -0.2, 0.3]\n"
+    "[[failure]]\nsensor = \"gyro\"\naxis = \"z\"\nkind = \"stuck\"\nfrom_s = 0.25\nuntil_s = 0.5\n";
+static const char scene_log_text[] =
+    "# at rest\ntime_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg,temperature_c\n"
+    "0,40,10,100,0,1,90,20\n0.01,40,10,100,0,1,90,20\n0.02,40,10,100,0,1,90,20\n";
+
+static inline sins_scene *scene_of_text(void)
+{
+    sins_scene *scene = NULL;
+    CHECK(sins_scene_parse(scene_text, sizeof scene_text - 1, &scene) == SINS_OK);
+    return scene;
+}
+
+static inline sins_log *scene_log(void)
+{
+    sins_log *log = NULL;
+    CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL) == SINS_OK);
+    return log;
+}
+
 enum { SCENE_BUDGET_ROWS = 3 };
 
 /* What a bias, and a noise, which is drawn, contribute to a flight of these samples. */

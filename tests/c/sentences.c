@@ -216,7 +216,7 @@ static void sentences(sins_sim *sim)
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, flicker_rad_s), 2, -1e-9), NULL,
                  "gyro.flicker_rad_s[2] = -1e-9: must be from 0 to 100");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, quantization_rad), 2, 1e-16), NULL,
-                 "gyro.quantization_rad[2] = 1e-16: must be from 1e-15 to 1");
+                 "gyro.quantization_rad[2] = 1e-16: must be 0 for none, or from 1e-15 to 1");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, scale_factor_asymmetry), 0, 2.0), NULL,
                  "gyro.scale_factor_asymmetry[0] = 2: must be from -1 to 1");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, scale_factor_nonlinearity_s_rad), 1, -2.0), NULL,
@@ -224,9 +224,9 @@ static void sentences(sins_sim *sim)
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, g_sensitivity_rad_s_per_m_s2), 5, 2.0), NULL,
                  "gyro.g_sensitivity_rad_s_per_m_s2[5] = 2: must be from -1 to 1");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, range_rad_s), 0, -1.0), NULL,
-                 "gyro.range_rad_s[0] = -1: must be from 1e-9 to 1000000");
+                 "gyro.range_rad_s[0] = -1: must be 0 for none, or from 1e-9 to 1000000");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, bandwidth_hz), 1, 1e-4), NULL,
-                 "gyro.bandwidth_hz[1] = 0.0001: must be from 0.001 to 1000000");
+                 "gyro.bandwidth_hz[1] = 0.0001: must be 0 for none, or from 0.001 to 1000000");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, dead_zone_rad_s), 2, -1.0), NULL,
                  "gyro.dead_zone_rad_s[2] = -1: must be from 0 to 100");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, acceleration_random_walk_m_s2_sqrt_s), 0, -1.0),
@@ -236,15 +236,15 @@ static void sentences(sins_sim *sim)
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, flicker_m_s2), 0, -1.0),
                  "accel.flicker_m_s2[0] = -1: must be from 0 to 10000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, quantization_m_s), 0, 2.0),
-                 "accel.quantization_m_s[0] = 2: must be from 1e-15 to 1");
+                 "accel.quantization_m_s[0] = 2: must be 0 for none, or from 1e-15 to 1");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, scale_factor_asymmetry), 2, 2.0),
                  "accel.scale_factor_asymmetry[2] = 2: must be from -1 to 1");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, scale_factor_nonlinearity_s2_m), 0, 2.0),
                  "accel.scale_factor_nonlinearity_s2_m[0] = 2: must be from -1 to 1");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, range_m_s2), 0, 1e7),
-                 "accel.range_m_s2[0] = 1e7: must be from 1e-9 to 1000000");
+                 "accel.range_m_s2[0] = 1e7: must be 0 for none, or from 1e-9 to 1000000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, bandwidth_hz), 0, 1e7),
-                 "accel.bandwidth_hz[0] = 1e7: must be from 0.001 to 1000000");
+                 "accel.bandwidth_hz[0] = 1e7: must be 0 for none, or from 0.001 to 1000000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, dead_zone_m_s2), 0, -1.0),
                  "accel.dead_zone_m_s2[0] = -1: must be from 0 to 10000");
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, lever_arm_m), 7, 101.0),

@@ -8,7 +8,7 @@
 #include "scene.h"
 #include "small_stack.h"
 
-enum { DEEPEST = 48 * 1024, FUNCTIONS = 64, PAINT = 0x5a, SAMPLES = 8 };
+enum { DEEPEST = 48 * 1024, FUNCTIONS = 128, PAINT = 0x5a, SAMPLES = 8 };
 
 static struct {
     char name[40];
@@ -19,6 +19,7 @@ static sins_flight_sample samples[SCENE_COUNT];
 static sins_record records[SAMPLES];
 static sins_budget_row rows[64];
 static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
+static char text[65536];
 static char *bottom;
 
 static void find_bottom(void)
@@ -201,11 +202,77 @@ static void call_without_a_simulator(void)
     MEASURE(sins_flight_destroy(flight));
 }
 
+static void call_with_scenes(void)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_gyro_params gyro = scene_gyro();
+    sins_accel_params accel = scene_accel();
+    sins_altimeter_params altimeter = scene_altimeter();
+    sins_initial_errors initial = scene_initial_errors();
+    sins_mounting mounting = {.struct_size = sizeof mounting};
+    sins_gravity_params gravity = {.struct_size = sizeof gravity};
+    sins_scene_setup setup = {.struct_size = sizeof setup};
+    sins_planned_failure failure = {.struct_size = sizeof failure};
+    sins_fault fault = {.struct_size = sizeof fault};
+    sins_log_info info = {.struct_size = sizeof info};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_scene *scene = NULL, *other = NULL;
+    sins_log *log = NULL;
+    sins_sim *sim = NULL;
+    sins_flight *flight = NULL;
+    size_t count;
+    MEASURE(sins_scene_create(&other));
+    MEASURE(sins_scene_destroy(other));
+    MEASURE(sins_scene_create_builtin("aerobatics", &other));
+    MEASURE(sins_scene_create_flight(other, &flight));
+    CHECK(sins_flight_destroy(flight) == SINS_OK);
+    MEASURE(sins_scene_destroy(other));
+    CHECK(TRY(sins_scene_parse("[gyro]\nbais = 1\n[a.b]\nc = [1, 'x']\n", 31, &other)) == SINS_SCENE_HAS_FAULTS);
+    MEASURE(sins_scene_get_fault(other, 0, &fault));
+    MEASURE(sins_scene_destroy(other));
+    MEASURE(sins_scene_parse(scene_text, sizeof scene_text - 1, &scene));
+    MEASURE(sins_scene_write(scene, text, sizeof text, NULL));
+    MEASURE(sins_scene_write_keys(text, sizeof text, NULL));
+    MEASURE(sins_scene_create_simulator(scene, &sim));
+    MEASURE(sins_scene_create_flight(scene, &flight));
+    MEASURE(sins_flight_sample_at(flight, 0.0, &sample));
+    MEASURE(sins_scene_prepare(scene, sim, 0.0, &sample));
+    MEASURE(sins_scene_get_options(scene, &options));
+    MEASURE(sins_scene_set_options(scene, &options));
+    MEASURE(sins_scene_set_gyro(scene, &gyro));
+    MEASURE(sins_scene_get_gyro(scene, &gyro));
+    MEASURE(sins_scene_set_accel(scene, &accel));
+    MEASURE(sins_scene_get_accel(scene, &accel));
+    MEASURE(sins_scene_set_altimeter(scene, &altimeter));
+    MEASURE(sins_scene_get_altimeter(scene, &altimeter));
+    MEASURE(sins_scene_set_initial_errors(scene, &initial));
+    MEASURE(sins_scene_get_initial_errors(scene, &initial));
+    MEASURE(sins_scene_set_mounting(scene, &mounting));
+    MEASURE(sins_scene_get_mounting(scene, &mounting));
+    MEASURE(sins_scene_set_gravity_disturbance(scene, &gravity));
+    MEASURE(sins_scene_get_gravity_disturbance(scene, &gravity));
+    MEASURE(sins_scene_get_setup(scene, &setup));
+    MEASURE(sins_scene_set_setup(scene, &setup));
+    MEASURE(sins_scene_set_text(scene, SINS_SCENE_TEXT_BUILTIN, "patrol"));
+    MEASURE(sins_scene_get_text(scene, SINS_SCENE_TEXT_BUILTIN, text, sizeof text, NULL));
+    MEASURE(sins_scene_get_failure_count(scene, &count));
+    MEASURE(sins_scene_get_failure(scene, 0, &failure));
+    MEASURE(sins_scene_clear_failures(scene));
+    MEASURE(sins_scene_add_failure(scene, &failure));
+    MEASURE(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL));
+    MEASURE(sins_log_get_info(log, &info));
+    MEASURE(sins_log_get_sample(log, 0, &sample, NULL));
+    MEASURE(sins_log_destroy(log));
+    TRY(sins_log_parse(scene_text, sizeof scene_text - 1, &log, &fault));
+    CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
+}
+
 static void call_all(void)
 {
     sins_options options = {.struct_size = sizeof options, .subsamples = 5, .updates_per_sample = 16};
     find_bottom();
     call_without_a_simulator();
+    call_with_scenes();
     options.error_model = SINS_ERROR_MODEL_RK4;
     for (options.frame = SINS_FRAME_EARTH_FIXED; options.frame <= SINS_FRAME_GEOGRAPHIC; options.frame++) {
         for (options.scheme = SINS_SCHEME_EXACT; options.scheme <= SINS_SCHEME_POLYNOMIAL; options.scheme++) {

@@ -62,7 +62,7 @@ static void *stating(size_t size, int filling)
 #define OUTPUT_SIZES(type, call) OUTPUT_SIZES_SINCE(sizeof(struct type), type, call)
 
 /* Of structs that have grown: their sizes in the first release. */
-enum { FIRST_GYRO_PARAMS = 512, FIRST_ACCEL_PARAMS = 536, FIRST_FLIGHT_SAMPLE = 136 };
+enum { FIRST_FLIGHT_SAMPLE = 136 };
 
 static sins_status create_and_destroy(const sins_options *options)
 {
@@ -185,13 +185,62 @@ static void strides(sins_sim *sim)
     }
 }
 
+static sins_status add_failure(sins_scene *scene, const sins_planned_failure *failure)
+{
+    CHECK(sins_scene_clear_failures(scene) == SINS_OK);
+    return sins_scene_add_failure(scene, failure);
+}
+
+/* A log that is none, whose fault is told; SINS_OK in place of the status that says so. */
+static sins_status fault_of_log(sins_fault *fault)
+{
+    sins_log *log = NULL;
+    sins_status status = sins_log_parse("time_s", 6, &log, fault);
+    CHECK(log == NULL);
+    return status == SINS_ERROR_INVALID_ARGUMENT ? SINS_OK : status;
+}
+
+static void struct_sizes_of_scenes(sins_sim *sim)
+{
+    sins_scene *scene = NULL, *faulty = NULL;
+    sins_log *log = scene_log();
+    CHECK(sins_scene_create(&scene) == SINS_OK);
+    CHECK(sins_scene_parse("[", 1, &faulty) == SINS_SCENE_HAS_FAULTS);
+    INPUT_SIZES(sins_options, sins_scene_set_options(scene, pointer));
+    INPUT_SIZES(sins_gyro_params, sins_scene_set_gyro(scene, pointer));
+    INPUT_SIZES(sins_accel_params, sins_scene_set_accel(scene, pointer));
+    INPUT_SIZES(sins_altimeter_params, sins_scene_set_altimeter(scene, pointer));
+    INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
+    INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
+    INPUT_SIZES(sins_gravity_params, sins_scene_set_gravity_disturbance(scene, pointer));
+    INPUT_SIZES(sins_scene_setup, sins_scene_set_setup(scene, pointer));
+    INPUT_SIZES(sins_planned_failure, add_failure(scene, pointer));
+    OUTPUT_SIZES(sins_options, sins_scene_get_options(scene, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_scene_get_gyro(scene, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_scene_get_accel(scene, pointer));
+    OUTPUT_SIZES(sins_altimeter_params, sins_scene_get_altimeter(scene, pointer));
+    OUTPUT_SIZES(sins_initial_errors, sins_scene_get_initial_errors(scene, pointer));
+    OUTPUT_SIZES(sins_mounting, sins_scene_get_mounting(scene, pointer));
+    OUTPUT_SIZES(sins_gravity_params, sins_scene_get_gravity_disturbance(scene, pointer));
+    OUTPUT_SIZES(sins_scene_setup, sins_scene_get_setup(scene, pointer));
+    OUTPUT_SIZES(sins_fault, sins_scene_get_fault(faulty, 0, pointer));
+    OUTPUT_SIZES(sins_fault, fault_of_log(pointer));
+    OUTPUT_SIZES(sins_log_info, sins_log_get_info(log, pointer));
+    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_scene_destroy(faulty) == SINS_OK);
+    scene = scene_of_text();
+    OUTPUT_SIZES(sins_planned_failure, sins_scene_get_failure(scene, 0, pointer));
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
+}
+
 static void struct_sizes(sins_sim *sim, sins_flight *flight)
 {
     sins_sim *fresh = NULL;
     CHECK(sins_create(NULL, &fresh) == SINS_OK);
     INPUT_SIZES(sins_options, create_and_destroy(pointer));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_set_gyro(fresh, pointer));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_set_accel(fresh, pointer));
+    INPUT_SIZES(sins_gyro_params, sins_set_gyro(fresh, pointer));
+    INPUT_SIZES(sins_accel_params, sins_set_accel(fresh, pointer));
     INPUT_SIZES(sins_altimeter_params, sins_set_altimeter(fresh, pointer));
     INPUT_SIZES(sins_failure, sins_set_failure(fresh, SINS_SENSOR_ACCEL, 2, pointer));
     INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
@@ -208,8 +257,8 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
 
     INPUT_SIZES(sins_options, BUDGET_OF(options));
-    INPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, BUDGET_OF(gyro));
-    INPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, BUDGET_OF(accel));
+    INPUT_SIZES(sins_gyro_params, BUDGET_OF(gyro));
+    INPUT_SIZES(sins_accel_params, BUDGET_OF(accel));
     INPUT_SIZES(sins_altimeter_params, BUDGET_OF(altimeter));
     INPUT_SIZES(sins_initial_errors, BUDGET_OF(initial));
     INPUT_SIZES(sins_mounting, BUDGET_OF(mounting));
@@ -230,15 +279,15 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
     OUTPUT_SIZES(sins_error_info, sins_last_error_info(sim, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_get_gyro(sim, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_get_accel(sim, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_get_gyro(sim, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_get_accel(sim, pointer));
     OUTPUT_SIZES(sins_altimeter_params, sins_get_altimeter(sim, pointer));
     OUTPUT_SIZES(sins_failure, sins_get_failure(sim, SINS_SENSOR_ACCEL, 2, pointer));
     OUTPUT_SIZES(sins_initial_errors, sins_get_initial_errors(sim, pointer));
     OUTPUT_SIZES(sins_mounting, sins_get_mounting(sim, pointer));
     OUTPUT_SIZES(sins_gravity_params, sins_get_gravity_disturbance(sim, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_GYRO_PARAMS, sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_ACCEL_PARAMS, sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
     strides(fresh);
     CHECK(sins_destroy(fresh) == SINS_OK);
@@ -256,6 +305,7 @@ int main(void)
     sample.time_s = 0.01;
     CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) == SINS_OK);
     struct_sizes(sim, flight);
+    struct_sizes_of_scenes(sim);
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     printf("struct_sizes: every struct, from 0 to twice its size\n");
     return 0;

@@ -13,7 +13,7 @@ cd "$(dirname "$0")/../.."
 
 seconds=${1:-20}
 shift || true
-targets=${*:-flight_csv scene calls snapshots random_calls}
+targets=${*:-flight_csv scene scene_text log_text calls snapshots random_calls}
 triple=x86_64-unknown-linux-gnu
 folder=$PWD/target/fuzz
 findings=$folder/findings

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::math::Euler;
+use sins::sensors::{PARAMETERS, ParameterShape, Sensor, TriadParameters};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
 
@@ -15,6 +16,23 @@ pub mod patrol;
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
 pub const G: f64 = 9.80665;
+
+/// One data-sheet unit times `scale`, and 1, -0.7 and 0.4 along x, y and z, of each sensor parameter but those of temperature: what a test sets
+/// of a parameter that it does not name.
+pub fn one_unit_of_each(sensor: Sensor, scale: f64) -> TriadParameters {
+    let mut triad = TriadParameters::default();
+    for (parameter, numbers) in PARAMETERS.iter().zip(triad.numbers_mut()) {
+        let Some(field) = parameter.of(sensor).filter(|_| !parameter.name.contains("temperature")) else {
+            continue;
+        };
+        let has_diagonal = !matches!(parameter.shape, ParameterShape::OffDiagonal(_));
+        for index in (0..numbers.len()).filter(|index| has_diagonal || index % 4 != 0) {
+            let size = field.key_si * scale * [1.0, -0.7, 0.4][index % 3];
+            numbers[index] = if field.range.ends().0 < 0.0 { size } else { size.abs() };
+        }
+    }
+    triad
+}
 
 /// A file of the project.
 pub fn project_file(path: &str) -> PathBuf {

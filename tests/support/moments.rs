@@ -8,14 +8,14 @@ use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::mounting::MountingParameters;
 use sins::sensors::{
     Alignment, AltimeterParameters, Axis, Failure, GravityDisturbanceParameters, GravityField,
-    InitialErrorParameters, SensorOutput, StreamKey, TriadParameters,
+    InitialErrorParameters, Sensor, SensorOutput, StreamKey, TriadParameters,
 };
 use sins::signal::Increment;
 use sins::state::{BodyAxes, Navigation};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator};
 
-use crate::support::{Table, options_at, patrol, resting_sample};
+use crate::support::{Table, one_unit_of_each, options_at, patrol, resting_sample};
 
 /// One call of a host.
 #[derive(Clone)]
@@ -90,14 +90,14 @@ pub fn snapshot(simulator: &Simulator) -> Vec<u8> {
     bytes
 }
 
-/// Gyros and accelerometers with every parameter that there is, none of them 0.
+/// Gyros and accelerometers with every parameter that there is, none of them 0 but those of temperature.
 pub fn every_effect() -> (TriadParameters, TriadParameters) {
     let three = |scale: f64| Vector3::new(1.0, -0.7, 0.4) * scale;
     let sizes = |scale: f64| three(scale).abs();
     let matrix = |scale: f64| Matrix3::new(1.0, 2.0, -3.0, 0.5, -1.0, 2.0, 3.0, 1.0, 0.2) * scale;
     let mut misalignment = matrix(1e-5);
     misalignment.set_diagonal(&Vector3::zeros());
-    let of_scale = |u: f64| TriadParameters {
+    let of_scale = |u: f64, sensor: Sensor| TriadParameters {
         bias: three(u),
         bias_sigma: sizes(u),
         markov_sigma: sizes(u),
@@ -116,13 +116,13 @@ pub fn every_effect() -> (TriadParameters, TriadParameters) {
         dead_zone: sizes(0.01 * u),
         scale_factor_sigma: sizes(1e-4),
         misalignment_sigma: misalignment.abs(),
-        ..Default::default()
+        ..one_unit_of_each(sensor, 1.0)
     };
-    let gyro = TriadParameters { g_sensitivity: matrix(1e-9), ..of_scale(1e-5) };
+    let gyro = TriadParameters { g_sensitivity: matrix(1e-9), ..of_scale(1e-5, Sensor::Gyro) };
     let accel = TriadParameters {
         lever_arm_m: matrix(0.02),
         vibration_rectification_s2_m: three(1e-6),
-        ..of_scale(1e-3)
+        ..of_scale(1e-3, Sensor::Accelerometer)
     };
     (gyro, accel)
 }

@@ -6,7 +6,7 @@ mod options;
 mod sensors;
 mod surroundings;
 
-use super::key::{Key, Places, Section, Shape, Target, Unit};
+use super::key::{Key, Place, Places, Section, Shape, Target, Unit};
 
 /// Every key.
 pub const KEYS: &[Key] = &{
@@ -89,7 +89,12 @@ const fn numbers(
     field: &'static str,
     places: fn(&mut super::draft::Draft) -> Places<'_>,
 ) -> Key {
-    Key { section, name, doc, target: Target::Numbers { field, unit, shape, limits: None, places } }
+    Key {
+        section,
+        name,
+        doc,
+        target: Target::Numbers { field, unit, shape, limits: None, place: Place::At(places) },
+    }
 }
 
 /// A number that is the scene's own, with its limits in its unit.
@@ -100,7 +105,13 @@ const fn within(
     field: &'static str,
     places: fn(&mut super::draft::Draft) -> Places<'_>,
 ) -> Key {
-    let target = Target::Numbers { field, unit, shape: Shape::Number, limits: Some((low, high)), places };
+    let target = Target::Numbers {
+        field,
+        unit,
+        shape: Shape::Number,
+        limits: Some((low, high)),
+        place: Place::At(places),
+    };
     Key { section, name, doc, target }
 }
 

@@ -37,7 +37,7 @@ fuzz_target!(|bytes: &[u8]| {
 fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
     let mut random = Random(u64::from(seed));
     let mut words = words_of(&data[..size]);
-    if words.is_empty() || random.word() % 8 == 0 {
+    if words.is_empty() || random.word().is_multiple_of(8) {
         return fuzzer_mutate(data, size, max_size);
     }
     let (at, from) = (random.word() as usize % words.len(), random.word() as usize % words.len());

@@ -70,6 +70,12 @@ impl Host {
                 if self.input.byte() < 128 { self.recommend() } else { self.budget() }
             }
             216 => self.misuse(),
+            // A text costs as much as a hundred steps.
+            217..219 if self.input.one_in(8) => self.make_scene(),
+            219..221 if self.input.one_in(8) => self.change_scene(),
+            221 if self.input.one_in(8) => self.fly_scene(),
+            222 if self.input.one_in(8) => self.log(),
+            223 if self.input.one_in(8) => self.misuse_scene(),
             // Most of a run is flight.
             _ => self.fly(),
         }

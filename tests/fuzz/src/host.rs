@@ -28,6 +28,7 @@ pub struct Host {
     pub input: Input,
     pub sims: [Sim; HANDLES],
     pub flights: [*mut sins_flight; HANDLES],
+    pub scene: *mut sins_scene,
     pub follower: Follower,
     /// Recommendations and budgets that this sequence may still ask for: each costs as much as thousands of steps.
     pub dear_calls: usize,
@@ -111,6 +112,7 @@ impl Host {
             input,
             sims,
             flights: [null_mut(); HANDLES],
+            scene: null_mut(),
             follower: Follower::default(),
             dear_calls: 1,
         };
@@ -241,6 +243,7 @@ impl Drop for Host {
             for &flight in &self.flights {
                 sins_flight_destroy(flight);
             }
+            sins_scene_destroy(self.scene);
         }
     }
 }

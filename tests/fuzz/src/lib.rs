@@ -6,6 +6,7 @@
 //! - when it fails, it changes nothing that a snapshot has, and writes no output;
 //! - SINS_OK of a step leaves the solution within the limits of the header, its quaternion of norm 1;
 //! - what can be saved loads, and goes on to the same answers, records and bits; altered bytes are refused;
+//! - a text is a scene or a log, or has faults with their places; a scene that is written or set reads back to the same text;
 //! - forged words are refused, or make a simulator that all of this holds for;
 //! - under a sanitizer: no touch of memory that is not its own.
 
@@ -17,8 +18,10 @@ mod motion;
 mod scenes;
 mod settings;
 mod snapshots;
+mod texts;
 pub mod trace;
 pub mod words;
 
 pub use host::run;
 pub use input::{RECORD, Random, Record, records};
+pub use texts::{check_log, parse_scene};

@@ -209,7 +209,7 @@ pub fn some_options(input: &mut Input) -> sins_options {
 }
 
 /// A failure that is taken, of one of the kinds.
-fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
+pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
     let largest = match sensor {
         SINS_SENSOR_GYRO => 100.0,
         SINS_SENSOR_ACCEL => 1e4,

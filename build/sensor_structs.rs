@@ -1,0 +1,188 @@
+//! The structs that the table of sensor parameters makes, as Rust sources: `TriadParameters` of the crate, `sins_gyro_params` and
+//! `sins_accel_params` of the interface.
+
+use super::parameter::{Field, Parameter, Range, Shape};
+use super::table::PARAMETERS;
+
+const TRIAD_DOC: &str = "\
+Errors of a triad of sensors, axis by axis in sensor axes. All zero is an ideal triad.";
+
+const GYRO_DOC: &str = "\
+Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
+triad. Signal: the angular rate. Densities do not depend on the sample rate.
+
+Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
+signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+range, quantization.
+
+Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
+sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
+that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean size
+(asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.";
+
+const ACCEL_DOC: &str = "\
+Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
+an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
+
+Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
+nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
+zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.";
+
+/// Width of the text of a comment.
+const WIDTH: usize = 110;
+
+/// The field of a parameter with gyros, or with accelerometers.
+type FieldOf = fn(&Parameter) -> Option<Field>;
+
+/// The field that a parameter is in a struct.
+struct Member {
+    name: &'static str,
+    kind: &'static str,
+    doc: String,
+    shape: Shape,
+}
+
+/// `TriadParameters`, with its numbers and what a snapshot keeps of it.
+pub fn triad() -> String {
+    let members: Vec<_> = PARAMETERS.iter().map(|row| Some(of_triad(row))).collect();
+    let stored: String = PARAMETERS.iter().map(|row| format!("    {}: ANY,\n", row.name)).collect();
+    comment("", TRIAD_DOC)
+        + "#[derive(Debug, Clone, Copy, PartialEq, Default)]\npub struct TriadParameters {\n"
+        + &fields(&members)
+        + &format!("}}\n\nstored!(TriadParameters {{\n{stored}}});\n\n")
+        + &numbers("TriadParameters", "pub", &members)
+}
+
+/// `sins_gyro_params` and `sins_accel_params`.
+pub fn interface() -> String {
+    let structs: [(&str, &str, FieldOf); 2] =
+        [("sins_gyro_params", GYRO_DOC, |row| row.gyro), ("sins_accel_params", ACCEL_DOC, |row| row.accel)];
+    let text = structs.map(|(name, doc, field)| {
+        let members: Vec<_> =
+            PARAMETERS.iter().map(|row| Some(of_interface(row, field(row)?, field))).collect();
+        comment("", doc)
+            + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {name} {{\n")
+            + &format!("    /// sizeof({name})\n    pub struct_size: u32,\n")
+            + "    /// Must be 0.\n    pub reserved: u32,\n"
+            + &fields(&members)
+            + "}\n\n"
+            + &numbers(name, "pub(super)", &members)
+    });
+    text.join("\n")
+}
+
+fn of_triad(row: &Parameter) -> Member {
+    let kind = match row.shape.count() {
+        1 => "f64",
+        3 => "Vector3<f64>",
+        _ => "Matrix3<f64>",
+    };
+    let doc = match (row.gyro, row.accel) {
+        (Some(gyro), Some(accel)) if unit(&gyro) != unit(&accel) => {
+            format!("{} [{} or {}].", definition(row), unit(&gyro), unit(&accel))
+        }
+        (Some(field), Some(_)) => format!("{} [{}].", definition(row), unit(&field)),
+        (Some(gyro), None) => format!("{} [{}]. Of gyros alone.", definition(row), unit(&gyro)),
+        (None, Some(accel)) => format!("{} [{}]. Of accelerometers alone.", definition(row), unit(&accel)),
+        (None, None) => unreachable!("{} is of no sensor", row.name),
+    };
+    Member { name: row.name, kind, doc, shape: row.shape }
+}
+
+fn of_interface(row: &Parameter, field: Field, field_of: FieldOf) -> Member {
+    let kind = match row.shape.count() {
+        1 => "f64",
+        3 => "[f64; 3]",
+        _ => "[f64; 9]",
+    };
+    let (low, high) = field.range.ends();
+    let range = format!("{} to {}", number(low), number(high));
+    let range = match field.range {
+        Range::Within(..) => range,
+        Range::OffOr(..) => format!("{range}; 0: none"),
+        Range::TimeOf(name, ..) => {
+            let sigma = PARAMETERS.iter().find(|row| row.name == name).and_then(field_of);
+            format!("{range}; needed where {} is not 0", sigma.expect("it has a time").name())
+        }
+    };
+    let doc = format!("{} [{}], {range}. {}", definition(row), unit(&field), row.note);
+    Member { name: field.name(), kind, doc, shape: row.shape }
+}
+
+/// A definition as a sentence begins.
+fn definition(row: &Parameter) -> String {
+    let (first, rest) = row.doc.split_at(1);
+    first.to_uppercase() + rest
+}
+
+fn unit(field: &Field) -> &str {
+    if field.unit.is_empty() { "1" } else { field.unit }
+}
+
+/// Few digits: 0.5, 10000, 1e6.
+fn number(value: f64) -> String {
+    if value == 0.0 || (1e-2..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
+}
+
+fn fields(members: &[Option<Member>]) -> String {
+    let line = |member: &Member| {
+        comment("    ", &member.doc) + &format!("    pub {}: {},\n", member.name, member.kind)
+    };
+    members.iter().flatten().map(line).collect()
+}
+
+/// The numbers of a struct as slices, parameter by parameter; of one that it lacks an empty one.
+fn numbers(name: &str, visibility: &str, members: &[Option<Member>]) -> String {
+    let slices = |is_mutable: bool| -> String {
+        let slice = |member: &Option<Member>| match (member, is_mutable) {
+            (None, false) => "            &[],\n".to_owned(),
+            (None, true) => "            &mut [],\n".to_owned(),
+            (Some(Member { name, shape: Shape::Number, .. }), false) => {
+                format!("            from_ref(&self.{name}),\n")
+            }
+            (Some(Member { name, shape: Shape::Number, .. }), true) => {
+                format!("            from_mut(&mut self.{name}),\n")
+            }
+            (Some(Member { name, .. }), false) => format!("            self.{name}.as_slice(),\n"),
+            (Some(Member { name, .. }), true) => format!("            self.{name}.as_mut_slice(),\n"),
+        };
+        members.iter().map(slice).collect()
+    };
+    format!(
+        "impl {name} {{
+    /// The numbers of each parameter of the table; of one that this lacks none.
+    {visibility} fn numbers(&self) -> [&[f64]; COUNT] {{
+        [
+{}        ]
+    }}
+
+    /// [`Self::numbers`], to be changed.
+    {visibility} fn numbers_mut(&mut self) -> [&mut [f64]; COUNT] {{
+        [
+{}        ]
+    }}
+}}
+",
+        slices(false),
+        slices(true)
+    )
+}
+
+/// A doc comment, a line as long as it may be; empty lines part paragraphs, and lines that end in the text stay.
+fn comment(indent: &str, text: &str) -> String {
+    let mut out = String::new();
+    for line in text.trim().lines() {
+        let mut column = 0;
+        out += &format!("{indent}///");
+        for word in line.split_whitespace() {
+            if column + word.len() > WIDTH && text.lines().count() == 1 {
+                out += &format!("\n{indent}///");
+                column = 0;
+            }
+            out += &format!(" {word}");
+            column += 1 + word.len();
+        }
+        out += "\n";
+    }
+    out
+}

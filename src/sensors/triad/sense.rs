@@ -1,0 +1,155 @@
+//! What a triad makes of the increments of an interval, and how it takes them back.
+
+use core::slice::{from_mut, from_ref};
+
+use nalgebra::Vector3;
+
+use super::super::input::Input;
+use super::super::outputs::Outputs;
+use super::super::plan::Effect;
+use super::{Sensor, Triad};
+use crate::signal::Increment;
+
+impl Triad {
+    /// What the triad makes of one ideal increment over `dt` [s].
+    pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
+        let mut measured = *ideal;
+        self.sense_each(from_ref(ideal), dt, from_mut(&mut measured));
+        match self.sensor {
+            Sensor::Gyro => measured.angle,
+            Sensor::Accelerometer => measured.velocity,
+        }
+    }
+
+    /// Makes of its part of `measured`, which is that of the increments `ideal`, each over `dt` [s], what the triad gives: the
+    /// active effects act one after the other, each on all increments. [`Self::undo`] takes an interval back.
+    #[inline]
+    pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
+        // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
+        self.dt.keep();
+        if (dt - *self.dt).abs() > 1e-7 * dt {
+            self.set_interval(dt);
+        }
+        if self.plan.acts_on_signal() {
+            self.act_on_signal(ideal, dt, measured);
+        }
+        for step in self.plan.after_signal() {
+            let outputs = Outputs::new(self.sensor, measured);
+            match self.plan.effect(step) {
+                Effect::Bias => self.bias.apply(dt, outputs),
+                Effect::GaussMarkov => self.gauss_markov.apply(outputs),
+                Effect::RandomWalk => self.random_walk.apply(outputs),
+                _ => self.act(step, dt, outputs),
+            }
+        }
+    }
+
+    /// The input of the sensors from the increments, and its errors that follow it.
+    #[inline(never)]
+    fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
+        for step in self.plan.before_input() {
+            if self.plan.effect(step) == Effect::Bandwidth {
+                self.bandwidth.keep();
+            }
+        }
+        for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
+            for step in self.plan.before_input() {
+                match self.plan.effect(step) {
+                    Effect::Size => self.size_effect.apply(&ideal.angle, dt, output),
+                    Effect::Bandwidth => self.bandwidth.apply(dt, output),
+                    _ => {}
+                }
+            }
+            let input = Input { signal: *output, force: ideal.velocity, dt };
+            for step in self.plan.of_input() {
+                match self.plan.effect(step) {
+                    Effect::Linear => *output += self.linear.error(&input),
+                    Effect::Asymmetry => *output += self.asymmetry.error(&input),
+                    Effect::Quadratic => *output += self.quadratic.error(&input),
+                    Effect::GSensitivity => *output += self.g_sensitivity.error(&input),
+                    Effect::Temperature => *output += self.temperature.error(&input),
+                    _ => {}
+                }
+            }
+        }
+    }
+
+    /// Lets the effect of a step act on all increments, one that few triads have: out of the way of the others.
+    #[inline(never)]
+    fn act(&mut self, step: usize, dt: f64, mut outputs: Outputs<'_>) {
+        let outputs = outputs.iter_mut();
+        match self.plan.effect(step) {
+            Effect::Flicker => {
+                self.flicker.keep();
+                outputs.for_each(|output| self.flicker.apply(output));
+            }
+            Effect::RateRandomWalk => {
+                self.rate_random_walk.keep();
+                outputs.for_each(|output| self.rate_random_walk.apply(dt, output));
+            }
+            Effect::Ramp => {
+                self.ramp.keep();
+                outputs.for_each(|output| self.ramp.apply(dt, output));
+            }
+            Effect::AddedFailure => outputs.for_each(|output| self.failing.add(dt, output)),
+            Effect::DeadZone => outputs.for_each(|output| self.dead_zone.apply(dt, output)),
+            Effect::Range => outputs.for_each(|output| self.saturated |= self.range.apply(dt, output)),
+            Effect::Quantization => {
+                self.quantization.keep();
+                outputs.for_each(|output| self.quantization.apply(output));
+            }
+            Effect::Outage => outputs.for_each(|output| self.failing.replace(dt, output)),
+            // Of `act_on_signal` and `sense_each`.
+            _ => {}
+        }
+    }
+
+    /// Whether an output has been beyond the range since this was asked last.
+    #[inline]
+    pub fn take_saturated(&mut self) -> bool {
+        core::mem::take(&mut self.saturated)
+    }
+
+    /// Takes the last interval back: what [`Self::begin_interval`] and [`Self::sense_each`] changed is as it was before.
+    #[cold]
+    pub fn undo(&mut self) {
+        for step in self.plan.steps() {
+            match self.plan.effect(step) {
+                Effect::Size => self.size_effect.undo(),
+                Effect::Bandwidth => self.bandwidth.undo(),
+                Effect::GaussMarkov => self.gauss_markov.undo(),
+                Effect::Flicker => self.flicker.undo(),
+                Effect::RateRandomWalk => self.rate_random_walk.undo(),
+                Effect::Ramp => self.ramp.undo(),
+                Effect::RandomWalk => self.random_walk.undo(),
+                Effect::AddedFailure | Effect::Outage => self.failing.undo(),
+                Effect::Quantization => self.quantization.undo(),
+                // They keep nothing from one interval to the next.
+                Effect::Linear
+                | Effect::Asymmetry
+                | Effect::Quadratic
+                | Effect::GSensitivity
+                | Effect::Temperature
+                | Effect::Bias
+                | Effect::DeadZone
+                | Effect::Range => {}
+            }
+        }
+        self.dt.undo();
+        self.set_interval(*self.dt);
+    }
+
+    /// Takes the length of the increments to come [s]; 0: of none yet.
+    #[cold]
+    pub(super) fn set_interval(&mut self, dt: f64) {
+        *self.dt = dt;
+        if dt == 0.0 {
+            return;
+        }
+        self.bandwidth.set_interval(dt);
+        self.gauss_markov.set_interval(dt);
+        self.flicker.set_interval(dt);
+        self.rate_random_walk.set_interval(dt);
+        self.random_walk.set_interval(dt);
+    }
+}

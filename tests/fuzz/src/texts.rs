@@ -1,0 +1,402 @@
+//! Scenes and flight logs through their C functions: what every text, and every change of a scene, is held to.
+
+use std::ffi::c_char;
+use std::ptr::{null, null_mut, without_provenance_mut};
+
+use sins::abi::*;
+use sins::scene::{BUILTIN_SCENES, keys};
+
+use crate::call;
+use crate::host::{Host, init};
+use crate::input::{Argument, Input};
+use crate::settings::*;
+
+/// A flight of more takes long to lay out: a host knows that by its duration.
+const LONG_S: f64 = 1e4;
+
+/// The text that a function writes, which it writes into no smaller buffer.
+fn written(write: impl Fn(*mut c_char, usize, *mut usize) -> sins_status) -> Option<Vec<u8>> {
+    let mut needed = 0;
+    match write(null_mut(), 0, &mut needed) {
+        SINS_OK => {}
+        _ => return None,
+    }
+    let mut text = vec![0x55_u8; needed];
+    assert_eq!(write(text.as_mut_ptr().cast(), needed, null_mut()), SINS_OK);
+    assert_eq!(text.pop(), Some(0));
+    assert!(std::str::from_utf8(&text).is_ok(), "a text that is not UTF-8");
+    let mut short = vec![0x55_u8; needed / 2];
+    if !short.is_empty() {
+        assert_eq!(write(short.as_mut_ptr().cast(), short.len(), null_mut()), SINS_ERROR_BUFFER_TOO_SMALL);
+        assert!(short.contains(&0), "a text that was cut has no end");
+    }
+    Some(text)
+}
+
+fn text_of(scene: *const sins_scene) -> Option<Vec<u8>> {
+    written(|buffer, capacity, needed| call!(sins_scene_write(scene, buffer, capacity, needed)))
+}
+
+/// What is said of a fault.
+fn check_fault(fault: &sins_fault) {
+    let sentence = fault.sentence.map(|letter| letter as u8);
+    let end = sentence.iter().position(|&letter| letter == 0).expect("a sentence without an end");
+    let sentence = std::str::from_utf8(&sentence[..end]).expect("a sentence that is not UTF-8");
+    assert!(!sentence.is_empty() && !sentence.contains(char::is_control), "a sentence [{sentence:?}]");
+    assert!(fault.line >= 1 && fault.column >= 1 && fault.count >= 1, "the place of a fault");
+}
+
+/// The scene of a text, which is written and read back to the same text; or faults, each with a place and a sentence.
+pub fn parse_scene(text: &[u8]) -> *mut sins_scene {
+    // As long as it is, so that the sanitizer sees a touch beyond.
+    let text = text.to_vec().into_boxed_slice();
+    let mut scene = null_mut();
+    match call!(sins_scene_parse(text.as_ptr().cast(), text.len(), &mut scene)) {
+        SINS_OK => {
+            let first = text_of(scene).expect("a scene that cannot be written");
+            let mut again = null_mut();
+            let status = call!(sins_scene_parse(first.as_ptr().cast(), first.len(), &mut again));
+            assert_eq!(status, SINS_OK, "{}", String::from_utf8_lossy(&first));
+            assert_eq!(text_of(again).as_deref(), Some(&first[..]), "another text the second time");
+            assert_eq!(call!(sins_scene_destroy(again)), SINS_OK);
+            let mut fault = init();
+            assert_eq!(call!(sins_scene_get_fault(scene, 0, &mut fault)), SINS_ERROR_INVALID_ARGUMENT);
+        }
+        SINS_SCENE_HAS_FAULTS => {
+            let mut fault = init::<sins_fault>();
+            assert_eq!(call!(sins_scene_get_fault(scene, 0, &mut fault)), SINS_OK);
+            let count = fault.count as usize;
+            assert!((1..=200).contains(&count), "{count} faults");
+            for index in 0..count {
+                assert_eq!(call!(sins_scene_get_fault(scene, index, &mut fault)), SINS_OK);
+                check_fault(&fault);
+            }
+            assert_eq!(call!(sins_scene_get_fault(scene, count, &mut fault)), SINS_ERROR_INVALID_ARGUMENT);
+            assert_eq!(text_of(scene), None, "a text with faults was written");
+        }
+        status => panic!("sins_scene_parse answers {status}"),
+    }
+    scene
+}
+
+/// The log of a text, all samples of which are read; or a fault.
+pub fn check_log(text: &[u8]) {
+    let text = text.to_vec().into_boxed_slice();
+    let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
+    let status = call!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut log, &mut fault));
+    if status != SINS_OK {
+        assert!(status == SINS_ERROR_INVALID_ARGUMENT && log.is_null());
+        return check_fault(&fault);
+    }
+    let (mut info, mut line, mut last_s) = (init::<sins_log_info>(), 0, f64::NEG_INFINITY);
+    assert_eq!(call!(sins_log_get_info(log, &mut info)), SINS_OK);
+    assert!(info.samples >= 2 && info.duration_s > 0.0);
+    for index in 0..info.samples as usize {
+        let mut sample = Argument::of(&init::<sins_flight_sample>());
+        let before = line;
+        assert_eq!(call!(sins_log_get_sample(log, index, sample.pointer(), &mut line)), SINS_OK);
+        assert!(sample.is_finite() && line > before, "sample {index} of a log");
+        let sample: sins_flight_sample = sample.value().expect("of this release");
+        assert!(sample.time_s > last_s, "samples of a log in disorder");
+        last_s = sample.time_s;
+    }
+    let status = call!(sins_log_get_sample(log, info.samples as usize, &mut init(), null_mut()));
+    assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
+    assert_eq!(call!(sins_log_destroy(log)), SINS_OK);
+    assert_eq!(call!(sins_log_destroy(log)), SINS_ERROR_BAD_HANDLE);
+}
+
+/// A value for a key, mostly of the kind that it takes.
+fn some_value(input: &mut Input, takes: &str) -> String {
+    let number = |input: &mut Input| match input.below(4) {
+        0 => format!("{}", input.number()),
+        1 => input.pick(&["1e308", "-0", "1e999", "0x10", "1_000", "nan", "+inf"]).to_owned(),
+        _ => format!("{}", f64::from(input.byte() as i8) * 1e-2),
+    };
+    match input.below(16) {
+        0 => input.pick(&["[", "\"\\uD800\"", "{ a = 1 }", "1979-05-27", "'x'", "[[1], [2]]", ""]).to_owned(),
+        1 => format!("[{}, {}, {}]", number(input), number(input), number(input)),
+        _ if takes.contains('|') => {
+            let words: Vec<&str> = takes.split('|').collect();
+            format!("\"{}\"", input.pick(&words))
+        }
+        _ if takes.starts_with("a text") => {
+            input.pick(&["\"patrol\"", "\"a.csv\"", "'\u{fc}'", "\"\"", "\"rest\""]).to_owned()
+        }
+        _ if takes.starts_with("true") => input.pick(&["true", "false", "1"]).to_owned(),
+        _ if takes.starts_with("a whole") => input.pick(&["1", "2", "7", "-1", "4096"]).to_owned(),
+        _ if takes.contains("nine numbers row") || takes.starts_with("nine") => {
+            let numbers: [String; 9] = std::array::from_fn(|_| number(input));
+            format!("[{}]", numbers.join(", "))
+        }
+        _ if takes.starts_with("three") => {
+            format!("[{}, {}, {}]", number(input), number(input), number(input))
+        }
+        _ => number(input),
+    }
+}
+
+/// A scene of keys, or of the library's own scenes with some lines more; now and then with some bytes altered.
+fn some_scene(input: &mut Input) -> Vec<u8> {
+    let keys = keys();
+    let mut text = String::new();
+    if input.byte() < 128 {
+        text.push_str(input.pick(BUILTIN_SCENES).1);
+    } else {
+        text.push_str("[flight]\nbuiltin = \"patrol\"\n");
+    }
+    for _ in 0..input.below(6) {
+        let key = &keys[input.word() as usize % keys.len()];
+        let (open, close) = if key.is_list { ("[[", "]]") } else { ("[", "]") };
+        text.push_str(&format!("{open}{}{close}\n", key.section));
+        let name = key.si_name.filter(|_| input.one_in(3)).unwrap_or(key.name);
+        text.push_str(&format!("{name} = {}\n", some_value(input, &key.takes)));
+    }
+    altered(input, text.into_bytes())
+}
+
+/// A log, mostly with as many values as columns.
+fn some_log(input: &mut Input) -> Vec<u8> {
+    let mut text =
+        String::from("# title\ntime_s,latitude_deg,longitude_rad,height_m,roll_deg,pitch_deg,heading_deg");
+    let more =
+        input.pick(&["", ",temperature_c", ",velocity_east_m_s,velocity_north_m_s,velocity_up_m_s", ",x"]);
+    text.push_str(more);
+    for row in 0..input.below(16) {
+        text.push_str(input.pick(&["\n", "\r\n", "\n#\n", "\n\n"]));
+        text.push_str(&format!("{}", row as f64 * 0.01));
+        for _ in 0..6 + more.matches(',').count() {
+            let number = if input.one_in(32) { input.number() } else { f64::from(input.byte()) * 0.1 };
+            text.push_str(&format!(",{number}"));
+        }
+    }
+    altered(input, text.into_bytes())
+}
+
+fn altered(input: &mut Input, mut text: Vec<u8>) -> Vec<u8> {
+    if input.one_in(4) && !text.is_empty() {
+        for _ in 0..1 + input.below(4) {
+            let at = input.word() as usize % text.len();
+            match input.below(4) {
+                0 => text[at] = input.byte(),
+                1 => text.insert(at, input.pick(b"\"'[]{}=,#\n\r\0\\.\xff\xc3")),
+                2 => drop(text.remove(at)),
+                _ => text.truncate(at.max(1)),
+            }
+        }
+    }
+    text
+}
+
+impl Host {
+    /// Another scene: of a text, built in, or the default.
+    pub fn make_scene(&mut self) {
+        let mut scene = null_mut();
+        match self.input.below(8) {
+            0 => assert_eq!(call!(sins_scene_create(&mut scene)), SINS_OK),
+            1 => {
+                let (name, _) = self.input.pick(BUILTIN_SCENES);
+                let name = std::ffi::CString::new(name).unwrap_or_default();
+                assert_eq!(call!(sins_scene_create_builtin(name.as_ptr(), &mut scene)), SINS_OK);
+                let status = call!(sins_scene_create_builtin(c"none".as_ptr(), &mut scene));
+                assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
+            }
+            _ => scene = parse_scene(&some_scene(&mut self.input)),
+        }
+        let old = std::mem::replace(&mut self.scene, scene);
+        let expected = if old.is_null() { SINS_ERROR_BAD_HANDLE } else { SINS_OK };
+        assert_eq!(call!(sins_scene_destroy(old)), expected);
+    }
+
+    pub fn log(&mut self) {
+        check_log(&some_log(&mut self.input));
+    }
+
+    /// A change that fails changes nothing; any scene that can be written can be read.
+    fn changing_scene(&mut self, change: impl FnOnce(*mut sins_scene) -> sins_status) {
+        let scene = self.scene;
+        let before = text_of(scene);
+        let status = change(scene);
+        let after = text_of(scene);
+        assert!(status == SINS_OK || before == after, "a call that failed changed a scene");
+        if let Some(after) = after {
+            let again = parse_scene(&after);
+            let is_same = text_of(again).as_ref() == Some(&after);
+            assert!(
+                is_same,
+                "a scene that was set reads back as another [{}]",
+                String::from_utf8_lossy(&after)
+            );
+            assert_eq!(call!(sins_scene_destroy(again)), SINS_OK);
+        }
+    }
+
+    fn setting_scene<T: Copy + std::fmt::Debug>(
+        &mut self,
+        value: T,
+        set: impl FnOnce(*mut sins_scene, *const T) -> sins_status,
+        get: impl FnOnce(*const sins_scene, *mut T) -> sins_status,
+    ) {
+        let mut argument = self.input.argument(value);
+        let pointer = argument.pointer::<T>().cast_const();
+        self.changing_scene(|scene| set(scene, pointer));
+        let mut output = Argument::of(&init::<T>());
+        get(self.scene, output.pointer());
+    }
+
+    pub fn change_scene(&mut self) {
+        let input = &mut self.input;
+        match input.below(12) {
+            0 => {
+                let options = some_options(input);
+                self.setting_scene(
+                    options,
+                    |scene, options| call!(sins_scene_set_options(scene, options)),
+                    |scene, options| call!(sins_scene_get_options(scene, options)),
+                );
+            }
+            1 => {
+                let gyro = some_gyro(input);
+                self.setting_scene(
+                    gyro,
+                    |scene, gyro| call!(sins_scene_set_gyro(scene, gyro)),
+                    |scene, gyro| call!(sins_scene_get_gyro(scene, gyro)),
+                );
+            }
+            2 => {
+                let accel = some_accel(input);
+                self.setting_scene(
+                    accel,
+                    |scene, accel| call!(sins_scene_set_accel(scene, accel)),
+                    |scene, accel| call!(sins_scene_get_accel(scene, accel)),
+                );
+            }
+            3 => {
+                let altimeter = some_altimeter(input);
+                self.setting_scene(
+                    altimeter,
+                    |scene, altimeter| call!(sins_scene_set_altimeter(scene, altimeter)),
+                    |scene, altimeter| call!(sins_scene_get_altimeter(scene, altimeter)),
+                );
+            }
+            4 => {
+                let errors = some_initial_errors(input);
+                self.setting_scene(
+                    errors,
+                    |scene, errors| call!(sins_scene_set_initial_errors(scene, errors)),
+                    |scene, errors| call!(sins_scene_get_initial_errors(scene, errors)),
+                );
+            }
+            5 => {
+                let mounting = some_mounting(input);
+                self.setting_scene(
+                    mounting,
+                    |scene, mounting| call!(sins_scene_set_mounting(scene, mounting)),
+                    |scene, mounting| call!(sins_scene_get_mounting(scene, mounting)),
+                );
+            }
+            6 => {
+                let gravity = some_gravity(input);
+                self.setting_scene(
+                    gravity,
+                    |scene, gravity| call!(sins_scene_set_gravity_disturbance(scene, gravity)),
+                    |scene, gravity| call!(sins_scene_get_gravity_disturbance(scene, gravity)),
+                );
+            }
+            7 => {
+                let setup = sins_scene_setup {
+                    has_temperature: i32::from(input.one_in(2)),
+                    duration_s: input.pick(&[0.0, 60.0, 1e-2, 1e9]),
+                    rate_hz: input.pick(&[100.0, 1e-3, 2e4, 50.0]),
+                    temperature_c: input.within((-273.15, 1000.0)),
+                    temperature_change_c_s: input.within((-1.0, 1.0)),
+                    every_s: input.pick(&[0.0, 1.0, 5e-5, 1e7]),
+                    ..init()
+                };
+                self.setting_scene(
+                    setup,
+                    |scene, setup| call!(sins_scene_set_setup(scene, setup)),
+                    |scene, setup| call!(sins_scene_get_setup(scene, setup)),
+                );
+            }
+            8 => self.change_text(),
+            9 => self.changing_scene(|scene| call!(sins_scene_clear_failures(scene))),
+            _ => self.plan_failure(),
+        }
+    }
+
+    fn change_text(&mut self) {
+        let which = self.input.below(8) as i32;
+        let text = self.input.pick(&[c"", c"patrol", c"a \"b\" \\ c", c"../x.csv", c"\xff", c"a\nb"]);
+        self.changing_scene(|scene| call!(sins_scene_set_text(scene, which, text.as_ptr())));
+        let scene = self.scene;
+        written(|buffer, capacity, needed| {
+            call!(sins_scene_get_text(scene, which, buffer, capacity, needed))
+        });
+    }
+
+    fn plan_failure(&mut self) {
+        let sensor = self.input.below(3) as i32;
+        let sins_failure { kind, size, density, interval_s, duration_s, probability, .. } =
+            some_failure(&mut self.input, sensor);
+        let failure = sins_planned_failure {
+            sensor,
+            axis: if sensor == SINS_SENSOR_ALTIMETER { 0 } else { self.input.below(3) as i32 },
+            from_s: self.input.within((0.0, 1e9)),
+            until_s: self.input.within((0.0, 1e9)),
+            kind,
+            size,
+            density,
+            interval_s,
+            duration_s,
+            probability,
+            ..init()
+        };
+        let mut argument = self.input.argument(failure);
+        let pointer = argument.pointer::<sins_planned_failure>().cast_const();
+        self.changing_scene(|scene| call!(sins_scene_add_failure(scene, pointer)));
+        let mut count = 0;
+        if call!(sins_scene_get_failure_count(self.scene, &mut count)) == SINS_OK {
+            for index in 0..=count {
+                let status = call!(sins_scene_get_failure(self.scene, index, &mut init()));
+                assert_eq!(status == SINS_OK, index < count);
+            }
+        }
+    }
+
+    /// Flies the scene for some samples.
+    pub fn fly_scene(&mut self) {
+        let (mut sim, mut flight, mut setup) = (null_mut(), null_mut(), init::<sins_scene_setup>());
+        if call!(sins_scene_get_setup(self.scene, &mut setup)) != SINS_OK
+            || call!(sins_scene_create_simulator(self.scene, &mut sim)) != SINS_OK
+        {
+            return;
+        }
+        if setup.flown_s <= LONG_S && call!(sins_scene_create_flight(self.scene, &mut flight)) == SINS_OK {
+            for k in 0..self.input.below(16) {
+                let mut sample = init();
+                let time_s = k as f64 / setup.rate_hz;
+                if call!(sins_flight_sample_at(flight, time_s, &mut sample)) != SINS_OK {
+                    break;
+                }
+                let status = call!(sins_scene_prepare(self.scene, sim, 0.0, &mut sample));
+                if status != SINS_OK || call!(sins_push_sample(sim, &sample)) != SINS_OK {
+                    break;
+                }
+                call!(sins_step(sim));
+            }
+            assert_eq!(call!(sins_flight_destroy(flight)), SINS_OK);
+        }
+        assert_eq!(call!(sins_destroy(sim)), SINS_OK);
+    }
+
+    /// Handles that are none, and what needs none.
+    pub fn misuse_scene(&mut self) {
+        let scene = without_provenance_mut(self.input.word() as usize);
+        assert_eq!(call!(sins_scene_clear_failures(scene)), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_scene_destroy(self.sims[0].handle.cast())), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_log_destroy(self.scene.cast())), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_scene_parse(null(), 1, &mut null_mut())), SINS_ERROR_NULL_POINTER);
+        written(|buffer, capacity, needed| call!(sins_scene_write_keys(buffer, capacity, needed)));
+    }
+}
