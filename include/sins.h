@@ -2183,16 +2183,19 @@ SINS_API sins_status SINS_CALL sins_recommend(
 /*
  * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
  * out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
- * of the rows anything. NULL for options is the recommended simulator, for gyro, accel, altimeter or initial an ideal one,
- * for mounting a block at the reference point, for gravity the normal one, for request 16 runs and no limits; written and
- * budget may be NULL.
+ * of the rows anything.
+ *
+ * configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros, the
+ * accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the call
+ * and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
+ * limits; written and budget may be NULL.
  *
  * An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
  * none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
  * runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
  * run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
  * instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
- * options.run, options.run + 1 and so on (SINS_BUDGET_RANDOM).
+ * sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
  *
  * rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
  * position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
@@ -2214,10 +2217,7 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * tells why, and at which sample.
  */
 SINS_API sins_status SINS_CALL sins_error_budget(
-    const struct sins_flight_sample *samples, size_t count, const struct sins_options *options,
-    const struct sins_gyro_params *gyro, const struct sins_accel_params *accel,
-    const struct sins_altimeter_params *altimeter, const struct sins_initial_errors *initial,
-    const struct sins_mounting *mounting, const struct sins_gravity_params *gravity,
+    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
     const struct sins_budget_request *request, struct sins_budget_row *rows, size_t capacity, size_t *written,
     struct sins_budget *budget);
 

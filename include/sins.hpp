@@ -134,36 +134,6 @@ inline bool recommend(const sins_flight_sample *samples, std::size_t count, cons
     return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
 }
 
-/* What errs, as sins_error_budget() takes it; NULL is an ideal one, no mounting, normal gravity. */
-struct BudgetErrors {
-    const sins_gyro_params *gyro;
-    const sins_accel_params *accel;
-    const sins_altimeter_params *altimeter;
-    const sins_initial_errors *initial;
-    const sins_mounting *mounting;
-    const sins_gravity_params *gravity;
-};
-
-/* The budget, its rows in rows: the first and one for each effect. */
-inline sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_options &options,
-                                const BudgetErrors &errors, const sins_budget_request &request,
-                                std::vector<sins_budget_row> &rows)
-{
-    sins_budget budget = make<sins_budget>();
-    std::size_t number = 0;
-    const auto ask = [&] {
-        return sins_error_budget(samples, count, &options, errors.gyro, errors.accel, errors.altimeter, errors.initial,
-                                 errors.mounting, errors.gravity, &request, rows.empty() ? nullptr : rows.data(),
-                                 rows.size(), &number, &budget);
-    };
-    rows.clear();
-    if (ask() == SINS_ERROR_BUFFER_TOO_SMALL) {
-        rows.assign(number, make<sins_budget_row>());
-    }
-    detail::done(ask(), nullptr);
-    return budget;
-}
-
 /* An embedded flight. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
 class Flight {
 public:
@@ -264,6 +234,27 @@ public:
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
         }
         return detail::done(sins_recommend(sim_, samples, count, &requirement, &options, &cost), nullptr);
+    }
+
+    /* Of all that errs in this simulator: the budget, its rows in rows, the first and one for each effect. */
+    sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
+                             std::vector<sins_budget_row> &rows) const
+    {
+        if (sim_ == nullptr) { /* which sins_error_budget() takes for the recommended simulator */
+            detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
+        }
+        sins_budget budget = make<sins_budget>();
+        std::size_t number = 0;
+        const auto ask = [&] {
+            return sins_error_budget(sim_, samples, count, &request, rows.empty() ? nullptr : rows.data(), rows.size(),
+                                     &number, &budget);
+        };
+        rows.clear();
+        if (ask() == SINS_ERROR_BUFFER_TOO_SMALL) {
+            rows.assign(number, make<sins_budget_row>());
+        }
+        detail::done(ask(), nullptr);
+        return budget;
     }
 
     void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }

@@ -307,22 +307,7 @@ fn questions(tried: &mut Tried) {
         written(&rows, |rows| {
             // SAFETY: as above; what may be null is.
             written(&budget, |budget| unsafe {
-                sins_error_budget(
-                    samples,
-                    count,
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    words,
-                    rows.cast(),
-                    1,
-                    null_mut(),
-                    budget.cast(),
-                )
+                sins_error_budget(null(), samples, count, words, rows.cast(), 1, null_mut(), budget.cast())
             })
         })
     });

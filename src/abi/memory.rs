@@ -64,22 +64,6 @@ pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> R
     unsafe { read_sized(pointer, size) }
 }
 
-/// What a struct of the host says; the default where it gave none.
-///
-/// # Safety
-/// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
-pub(super) unsafe fn read_or_default<T: Struct, U: Default>(
-    pointer: *const T,
-    name: &'static str,
-    convert: impl FnOnce(T) -> Result<U, Failure>,
-) -> Result<U, Failure> {
-    if pointer.is_null() {
-        return Ok(U::default());
-    }
-    // SAFETY: as this function.
-    convert(unsafe { read(pointer, name)? })
-}
-
 /// # Safety
 /// `pointer` points to `size` readable bytes.
 unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Failure> {

@@ -70,16 +70,20 @@ static void is_refused(const char *call, sins_status status, void *unused)
     plant(NULL);
 }
 
-/* Of all functions this one alone takes NULL for a simulator. */
+/* Of all functions these two alone take NULL for a simulator. */
 static sins_status wrong_configured(const sins_sim *sim)
 {
     sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}, {.time_s = 0.01}};
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1.0};
     sins_options options = {.struct_size = sizeof options};
     sins_cost cost = {.struct_size = sizeof cost};
+    sins_budget_row row[1] = {{.struct_size = sizeof row[0]}};
     sins_status status = sins_recommend(sim, piece, 2, &requirement, &options, &cost);
     char text[100];
     CHECK(options.subsamples == 0 && cost.tried == 0);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "configured: ") == text);
+    plant(NULL);
+    CHECK(sins_error_budget(sim, piece, 2, NULL, row, 1, NULL, NULL) == status && row[0].position_m == 0.0);
     CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "configured: ") == text);
     return status;
 }
@@ -224,8 +228,8 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     NULL_POINTER(sins_recommend(sim, piece, 2, NULL, &options, &cost));
     NULL_POINTER(sins_recommend(sim, piece, 2, &requirement, NULL, &cost));
     NULL_POINTER(sins_recommend(sim, piece, 2, &requirement, &options, NULL));
-    NULL_POINTER(sins_error_budget(NULL, 2, 0, 0, 0, 0, 0, 0, 0, 0, row, 1, NULL, NULL));
-    NULL_POINTER(sins_error_budget(piece, 2, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 1, NULL, NULL));
+    NULL_POINTER(sins_error_budget(sim, NULL, 2, NULL, row, 1, NULL, NULL));
+    NULL_POINTER(sins_error_budget(sim, piece, 2, NULL, NULL, 1, NULL, NULL));
 }
 
 int main(void)
