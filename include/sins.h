@@ -714,6 +714,14 @@ typedef struct sins_gyro_params {
      */
     double g_sensitivity_rad_s_per_m_s2[9];
     /*
+     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2], -1 to
+     * 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+     * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+     * sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+     * nonlinearity.
+     */
+    double g2_sensitivity_rad_s_per_m2_s4[3];
+    /*
      * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
      * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
      * temperature, and sins_push_imu() is not available.

@@ -1,4 +1,4 @@
-//! The C side, built and run: layout, call patterns, and the examples.
+//! The C side, built and run: layout, call patterns, and the program that flies the main job.
 
 #[path = "support/c_side.rs"]
 mod c_side;
@@ -6,8 +6,8 @@ mod c_side;
 use std::process::{Child, Command};
 
 use c_side::{
-    STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, project_file, run_test_program,
-    succeed,
+    C_AND_CPP, STRICT, c_compiler, cpp_compiler, harness_sources, library_folder, link, prints_alike,
+    project_file, run_test_program, succeed,
 };
 use sins::abi::{sins_accel_params, sins_gyro_params};
 use sins::sensors::{PARAMETERS, Sensor};
@@ -68,62 +68,6 @@ fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
 #[test]
 fn a_budget_has_its_rows_and_a_refused_one_writes_nothing() {
     run_test_program("budget");
-}
-
-#[test]
-fn examples_compile_without_a_warning_as_c99_and_as_cpp11() {
-    let mut sources = harness_sources();
-    sources.extend(["minimal", "recommend", "budget"].map(|name| format!("c_examples/{name}.c")));
-    for source in &sources {
-        for (mut compiler, standard) in
-            [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
-        {
-            compiler.args(standard).args(STRICT).arg("-fsyntax-only").arg("-I").arg(project_file("include"));
-            succeed(compiler.arg(project_file(source)));
-        }
-    }
-}
-
-/// What a program prints, compiled as C99 and as C++11 alike.
-fn prints_as_both(name: &str, sources: &[&str], arguments: &[&str]) -> String {
-    let folder = library_folder(name);
-    let as_c = link(c_compiler(), &["-std=c99"], sources, &folder, name);
-    let as_cpp = link(cpp_compiler(), &["-x", "c++", "-std=c++11"], sources, &folder, &format!("{name}_cpp"));
-    let [text, other] = [as_c, as_cpp].map(|program| {
-        let output = succeed(Command::new(program).args(arguments).current_dir(&folder));
-        String::from_utf8(output.stdout).unwrap()
-    });
-    assert_eq!(text, other);
-    text
-}
-
-#[test]
-fn the_small_examples_run() {
-    let text = prints_as_both("minimal", &["c_examples/minimal.c"], &[]);
-    // Schuler's loop holds a drift of 0.01 deg/h for an hour to about a mile.
-    assert!(text.contains(" m east, -1") && text.ends_with(" m north\n"), "{text}");
-
-    let text = prints_as_both("recommend_example", &["c_examples/recommend.c"], &[]);
-    assert!(text.contains("meets 1 m an hour") && text.contains("flown for an hour: "), "{text}");
-
-    let text = prints_as_both("budget_example", &["c_examples/budget.c"], &[]);
-    assert!(text.contains("can be left out") && text.contains("left out: "), "{text}");
-
-    let folder = library_folder("cpp_host");
-    let cpp_host = link(cpp_compiler(), &["-std=c++11"], &["c_examples/cpp_host.cpp"], &folder, "cpp_host");
-    let text = String::from_utf8(succeed(&mut Command::new(cpp_host)).stdout).unwrap();
-    assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
-}
-
-#[test]
-fn the_example_of_the_readme_prints_what_it_says() {
-    let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
-    let (_, rest) = readme.split_once("```c\n").unwrap();
-    let (program, _) = rest.split_once("```").unwrap();
-    let source = library_folder("readme").join("readme.c");
-    std::fs::write(&source, program).unwrap();
-    let text = prints_as_both("readme", &[source.to_str().unwrap()], &[]);
-    assert!(program.contains(&format!("/* {} */", text.trim_end())), "{text}");
 }
 
 #[test]
@@ -237,7 +181,7 @@ fn the_harness_flies_and_refuses() {
 fn the_harness_is_cpp_too() {
     let sources = harness_sources();
     let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
-    let text = prints_as_both("harness_as_both", &sources, &["embedded", "list"]);
+    let text = prints_alike("harness_as_both", &sources, &C_AND_CPP, &["embedded", "list"]);
     assert!(text.contains("over_the_pole"), "{text}");
 }
 

@@ -112,6 +112,7 @@ fn fields(header: &str, name: &str) -> Vec<String> {
     names.filter(|name| !["struct_size", "reserved", "reserved2"].contains(&name.as_str())).collect()
 }
 
+/// Those of gyros and accelerometers come from one table with their keys in the library.
 #[test]
 fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
     let output = succeed(Command::new(harness()).arg("--keys"));
@@ -121,8 +122,6 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
     let mut count = 0;
     for (name, prefix) in [
         ("sins_options", "options"),
-        ("sins_gyro_params", "gyro"),
-        ("sins_accel_params", "accel"),
         ("sins_altimeter_params", "altimeter"),
         ("sins_initial_errors", "initial"),
         ("sins_mounting", "mounting"),
@@ -149,7 +148,7 @@ fn every_field_of_the_structs_has_a_key_and_every_key_is_told() {
             count += 1;
         }
     }
-    assert!(count > 80, "{count}");
+    assert!(count > 60, "{count}");
     let table = std::fs::read_to_string(project_file("c_examples/harness/option_table.c")).unwrap();
     for key in [
         "channel",

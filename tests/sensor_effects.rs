@@ -6,7 +6,7 @@ mod support;
 use nalgebra::{Matrix3, Vector3};
 use sins::sensors::{Sensor, StreamKey, Triad, TriadParameters};
 use sins::signal::Increment;
-use support::G;
+use support::{DEG_PER_HOUR, G};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -69,6 +69,40 @@ fn tumbling() {
             assert!((bias - expected).amax() < 8.0 * EPS * G, "{axis}: {bias:?}");
         }
     }
+}
+
+/// g²-sensitivity k [deg/h/g²]: on a centrifuge each gyro drifts by k f² of the force f along its own axis, with the same sign at both
+/// signs of the force; a vibration of amplitude A about 1 g makes a drift of k (g² + A²/2), of which increments at ten a period see
+/// the vibration's part times (sin x / x)².
+#[test]
+fn g2_sensitivity_on_a_centrifuge_and_a_vibration_table() {
+    let k = Vector3::new(0.5, -0.2, 2.0) * (DEG_PER_HOUR / (G * G));
+    let parameters = TriadParameters { g2_sensitivity: k, ..Default::default() };
+    let mut gyro = triad(Sensor::Gyro, &parameters);
+    let (rate, dt) = (Vector3::new(1e-5, 2e-5, 3e-5), 0.004);
+    for force in [Vector3::new(30.0, -20.0, 1.0) * G, Vector3::new(-30.0, 20.0, -1.0) * G] {
+        let ideal = steady(rate, force, dt);
+        let drift = (gyro.sense(&ideal, dt) - ideal.angle) / dt;
+        let expected = Vector3::new(450.0, -80.0, 2.0) * DEG_PER_HOUR;
+        // Roundings of the sum with the rate, and of squares.
+        let bound = 4.0 * EPS * (rate.amax() + expected.amax());
+        assert!((drift - expected).amax() < bound, "{drift:?} {expected:?}");
+        assert!((gyro.steady_error(&rate, &force, None) - expected).amax() < bound);
+    }
+
+    let (amplitude, frequency, dt) = (50.0, 10.0, 0.01);
+    let turn = 2.0 * std::f64::consts::PI * frequency;
+    let integral = |t: f64| G * t - amplitude / turn * (turn * t).cos();
+    let mut sum = Vector3::zeros();
+    for i in 0..1000 {
+        let increment = integral(f64::from(i + 1) * dt) - integral(f64::from(i) * dt);
+        sum += gyro.sense(&Increment { velocity: Vector3::repeat(increment), ..Increment::ZERO }, dt);
+    }
+    let x = 0.5 * turn * dt;
+    let expected = k * (G * G + 0.5 * amplitude * amplitude * (x.sin() / x).powi(2));
+    // Of an increment of at most 0.6 m/s as a difference of integrals up to 100 m/s, squared.
+    let bound = k.amax() * 2.0 * 0.6 / dt * EPS * 100.0 / dt;
+    assert!((sum / (1000.0 * dt) - expected).amax() < bound, "{sum:?} {expected:?}");
 }
 
 /// Centrifuge: 30 g along each accelerometer, and what arms to the arm's axis add.

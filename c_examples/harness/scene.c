@@ -66,6 +66,7 @@ static int open_flight(struct scene *scene, const struct settings *set)
         complain(set, "hours", "%g: the flight lasts %.4g h", set->hours, scene->flight_s / 3600);
         return BAD_INPUT;
     }
+    scene->rate_hz = set->rate_hz;
     scene->period_s = 1 / set->rate_hz;
     scene->samples = (uint64_t)floor((wanted_s > 0 ? wanted_s : scene->flight_s) / scene->period_s + SCENE_ROUNDING) + 1;
     scene->duration_s = (double)(scene->samples - 1) * scene->period_s;
@@ -148,7 +149,7 @@ int scene_next(struct scene *scene, sins_flight_sample *samples, size_t count, s
             scene->line[*got] = scene->log.line;
         } else {
             /* Rounding must not carry the last time over the end. */
-            double time_s = fmin((double)scene->given * scene->period_s, scene->flight_s);
+            double time_s = fmin((double)scene->given / scene->rate_hz, scene->flight_s);
 
             sample->struct_size = sizeof *sample;
             if (refused(NULL, sins_flight_sample_at(scene->flight, time_s, sample))) {

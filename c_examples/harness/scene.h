@@ -15,6 +15,7 @@ struct scene {
     sins_flight *flight; /* NULL: the log */
     struct flight_csv log;
     double flight_s; /* of the whole embedded flight */
+    double rate_hz; /* of the samples; of a log 0 */
     double period_s; /* of the samples; of a log the mean */
     double duration_s;
     uint64_t samples; /* in all */

@@ -85,8 +85,8 @@ const OTHERS: &[Effect] = effects! {
     "drawn initial position", "initial.position_sigma_enu_m", RANDOM: initial.position_sigma_n;
     "drawn initial velocity", "initial.velocity_sigma_enu_m_s", RANDOM: initial.velocity_sigma_n;
     "drawn initial misalignment", "initial.misalignment_sigma_enu_rad", RANDOM: initial.misalignment_sigma_n;
-    "believed lever arm", "mounting.lever_arm_error_m", DETERMINISTIC: mounting.lever_arm_error_m;
-    "believed boresight", "mounting.boresight_error_rad", DETERMINISTIC: mounting.boresight_error;
+    "lever arm error", "mounting.lever_arm_error_m", DETERMINISTIC: mounting.lever_arm_error_m;
+    "boresight error", "mounting.boresight_error_rad", DETERMINISTIC: mounting.boresight_error;
 };
 
 /// The name of the effect of a row of the table, with the field that sets it.

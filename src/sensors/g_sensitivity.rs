@@ -5,28 +5,35 @@ use nalgebra::{Matrix3, Vector3};
 use super::input::Input;
 use super::parameters::TriadParameters;
 
-/// δω = G f: row = gyro, column = axis of the force (mass unbalance and its cross terms, IEEE Std 528); of increments, exactly.
-/// The force is the true one at the block's own point.
+/// δω_i = Σ_j G_ij f_j + k_i f_i²: G of row = gyro, column = axis of the force (mass unbalance and its cross terms), k of each gyro's
+/// own axis (anisoelasticity; IEEE Std 528). The force is the true one at the block's own point.
+///
+/// Of an increment Δv of force over dt the first term is exact; the second takes the force constant over it: k Δv² / dt. Of a sine
+/// of frequency f it loses the share 1 - (sin x / x)², x = π f dt, of the mean square.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GSensitivity {
     /// G [(rad/s)/(m/s²)].
-    matrix: Matrix3<f64>,
+    linear: Matrix3<f64>,
+    /// k [(rad/s)/(m/s²)²].
+    quadratic: Vector3<f64>,
 }
 
 impl GSensitivity {
     pub fn new() -> Self {
-        Self { matrix: Matrix3::zeros() }
+        Self { linear: Matrix3::zeros(), quadratic: Vector3::zeros() }
     }
 
     /// Takes parameters; whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
-        self.matrix = parameters.g_sensitivity;
-        self.matrix != Matrix3::zeros()
+        self.linear = parameters.g_sensitivity;
+        self.quadratic = parameters.g2_sensitivity;
+        self.linear != Matrix3::zeros() || self.quadratic != Vector3::zeros()
     }
 
     /// Error [rad].
     #[inline]
     pub fn error(&self, input: &Input) -> Vector3<f64> {
-        self.matrix * input.force
+        let squares = input.force.component_mul(&input.force) / input.dt;
+        self.linear * input.force + self.quadratic.component_mul(&squares)
     }
 }

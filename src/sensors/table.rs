@@ -164,6 +164,16 @@ pub const PARAMETERS: &[Parameter] = &[
         accel: None,
     },
     Parameter {
+        name: "g2_sensitivity", shape: Axes, is_random: GIVEN,
+        doc: "drift by the square of the specific force along the gyro's own axis, g2-sensitivity",
+        note: "The rate that gyro i measures is too large by element i times the square of component i of the true specific force at \
+            the block's own point, in sensor axes: a positive element makes a drift in the positive sense about the axis, whatever the sign \
+            of the force. The mean force of a sub-increment is squared, as with nonlinearity.",
+        gyro: field(("gyro.g2_sensitivity_rad_s_per_m2_s4", "(rad/s)/(m/s2)^2"), SHARE,
+            ("g2_sensitivity_deg_h_per_g2", "deg/h/g2", DEG_PER_HOUR_PER_G / STANDARD_GRAVITY), "gyro g2-sensitivity"),
+        accel: None,
+    },
+    Parameter {
         name: "vibration_rectification_s2_m", shape: Axes, is_random: GIVEN,
         doc: "vibration rectification, the g2 term", note: "A vibration of RMS r makes a bias of this times r2.",
         gyro: None,

@@ -83,7 +83,7 @@ static void answers(void)
     CHECK(row->flags & SINS_BUDGET_RANDOM && row->position_m > 0.0);
     row = row_of(rows, "mounting.boresight_error_rad"); /* a wrong heading, and nothing else */
     CHECK(fabs(row->attitude_rad / mounting.boresight_error_rad[2] - 1.0) < 1e-3);
-    CHECK(strcmp(row->effect, "believed boresight") == 0 && !(row->flags & SINS_BUDGET_RANDOM));
+    CHECK(strcmp(row->effect, "boresight error") == 0 && !(row->flags & SINS_BUDGET_RANDOM));
     row = row_of(rows, "gravity.deflection_north_rad"); /* g xi t^2/2 */
     CHECK(fabs(row->end_position_m / (9.8 * gravity.deflection_north_rad * 200.0) - 1.0) < 0.01);
     CHECK(rows[7].struct_size == 0);

@@ -70,6 +70,32 @@ pub fn link(
     path
 }
 
+/// Standards that C sources are clean of warnings in.
+pub const C_AND_CPP: [&str; 3] = ["c99", "c++11", "c++17"];
+
+/// A program built to a standard of C or C++.
+pub fn built_to(standard: &str, sources: &[&str], folder: &Path, program: &str) -> PathBuf {
+    let (compiler, language) = match standard.starts_with("c++") {
+        true => (cpp_compiler(), "c++"),
+        false => (c_compiler(), "c"),
+    };
+    let standard = format!("-std={standard}");
+    link(compiler, &["-x", language, &standard], sources, folder, program)
+}
+
+/// What a program prints, the same built to each standard.
+pub fn prints_alike(name: &str, sources: &[&str], standards: &[&str], arguments: &[&str]) -> String {
+    let folder = library_folder(name);
+    let mut texts = standards.iter().map(|standard| {
+        let program = built_to(standard, sources, &folder, &format!("{name}_{standard}"));
+        let output = succeed(Command::new(program).args(arguments).current_dir(&folder));
+        String::from_utf8(output.stdout).unwrap()
+    });
+    let first = texts.next().unwrap();
+    texts.zip(&standards[1..]).for_each(|(text, standard)| assert_eq!(text, first, "{name} as {standard}"));
+    first
+}
+
 /// The harness: its main file and the folder beside it.
 pub fn harness_sources() -> Vec<String> {
     let folder = project_file("c_examples/harness");

@@ -1,8 +1,10 @@
 //! Calls that set errors, of any sizes within the ranges of the header, ends included.
 
 use std::mem::offset_of;
+use std::sync::LazyLock;
 
 use sins::abi::*;
+use sins::sensors::{PARAMETERS, ParameterRange, ParameterShape, Sensor};
 
 use crate::call;
 use crate::host::{Host, init};
@@ -17,58 +19,27 @@ macro_rules! ranges {
     };
 }
 
-ranges!(GYRO, sins_gyro_params,
-    bias_rad_s: 3, -100.0, 100.0;
-    bias_sigma_rad_s: 3, 0.0, 100.0;
-    markov_sigma_rad_s: 3, 0.0, 100.0;
-    random_walk_rad_sqrt_s: 3, 0.0, 100.0;
-    rate_random_walk_rad_s_sqrt_s: 3, 0.0, 100.0;
-    rate_ramp_rad_s2: 3, -100.0, 100.0;
-    flicker_rad_s: 3, 0.0, 100.0;
-    quantization_rad: 3, 1e-15, 1.0;
-    scale_factor: 3, -1.0, 1.0;
-    scale_factor_asymmetry: 3, -1.0, 1.0;
-    scale_factor_nonlinearity_s_rad: 3, -1.0, 1.0;
-    misalignment_rad: 9, -1.0, 1.0;
-    g_sensitivity_rad_s_per_m_s2: 9, -1.0, 1.0;
-    range_rad_s: 3, 1e-9, 1e6;
-    bandwidth_hz: 3, 1e-3, 1e6;
-    dead_zone_rad_s: 3, 0.0, 100.0;
-    reference_temperature_c: 1, -273.15, 1000.0;
-    bias_temperature_rad_s_per_k: 3, -100.0, 100.0;
-    bias_temperature2_rad_s_per_k2: 3, -100.0, 100.0;
-    scale_factor_temperature_per_k: 3, -1.0, 1.0;
-    scale_factor_temperature2_per_k2: 3, -1.0, 1.0;
-    scale_factor_sigma: 3, 0.0, 1.0;
-    misalignment_sigma_rad: 9, 0.0, 1.0;
-);
+/// The numbers of the struct of sensor parameters, one parameter behind the other: not the correlation times, of which
+/// [`markov_times`] has a choice, nor diagonals that have to be 0.
+fn triad_ranges(sensor: Sensor) -> Vec<Range> {
+    let mut offset = 8;
+    let mut ranges = Vec::new();
+    for (parameter, field) in PARAMETERS.iter().filter_map(|row| Some((row, row.of(sensor)?))) {
+        let (count, ends) = (parameter.shape.count(), field.range.ends());
+        match (field.range, parameter.shape) {
+            (ParameterRange::TimeOf(..), _) => {}
+            (_, ParameterShape::OffDiagonal(_)) => {
+                ranges.extend([(offset + 8, 3, ends), (offset + 40, 3, ends)])
+            }
+            _ => ranges.push((offset, count, ends)),
+        }
+        offset += 8 * count;
+    }
+    ranges
+}
 
-ranges!(ACCEL, sins_accel_params,
-    bias_m_s2: 3, -1e4, 1e4;
-    bias_sigma_m_s2: 3, 0.0, 1e4;
-    markov_sigma_m_s2: 3, 0.0, 1e4;
-    velocity_random_walk_m_s_sqrt_s: 3, 0.0, 1e4;
-    acceleration_random_walk_m_s2_sqrt_s: 3, 0.0, 1e4;
-    ramp_m_s3: 3, -1e4, 1e4;
-    flicker_m_s2: 3, 0.0, 1e4;
-    quantization_m_s: 3, 1e-15, 1.0;
-    scale_factor: 3, -1.0, 1.0;
-    scale_factor_asymmetry: 3, -1.0, 1.0;
-    scale_factor_nonlinearity_s2_m: 3, -1.0, 1.0;
-    misalignment_rad: 9, -1.0, 1.0;
-    range_m_s2: 3, 1e-9, 1e6;
-    bandwidth_hz: 3, 1e-3, 1e6;
-    dead_zone_m_s2: 3, 0.0, 1e4;
-    lever_arm_m: 9, -100.0, 100.0;
-    vibration_rectification_s2_m: 3, -1.0, 1.0;
-    reference_temperature_c: 1, -273.15, 1000.0;
-    bias_temperature_m_s2_per_k: 3, -1e4, 1e4;
-    bias_temperature2_m_s2_per_k2: 3, -1e4, 1e4;
-    scale_factor_temperature_per_k: 3, -1.0, 1.0;
-    scale_factor_temperature2_per_k2: 3, -1.0, 1.0;
-    scale_factor_sigma: 3, 0.0, 1.0;
-    misalignment_sigma_rad: 9, 0.0, 1.0;
-);
+static GYRO: LazyLock<Vec<Range>> = LazyLock::new(|| triad_ranges(Sensor::Gyro));
+static ACCEL: LazyLock<Vec<Range>> = LazyLock::new(|| triad_ranges(Sensor::Accelerometer));
 
 ranges!(ALTIMETER, sins_altimeter_params,
     bias_m: 1, -1e5, 1e5;
@@ -138,25 +109,12 @@ fn markov_times(input: &mut Input) -> [f64; 3] {
     [input.pick(&times), input.pick(&times), input.pick(&times)]
 }
 
-/// The diagonal is the scale factor's.
-fn off_diagonal(matrix: &mut [f64; 9]) {
-    [matrix[0], matrix[4], matrix[8]] = [0.0; 3];
-}
-
 pub fn some_gyro(input: &mut Input) -> sins_gyro_params {
-    let mut gyro: sins_gyro_params = filled(input, GYRO);
-    gyro.markov_time_s = markov_times(input);
-    off_diagonal(&mut gyro.misalignment_rad);
-    off_diagonal(&mut gyro.misalignment_sigma_rad);
-    gyro
+    sins_gyro_params { markov_time_s: markov_times(input), ..filled(input, &GYRO) }
 }
 
 pub fn some_accel(input: &mut Input) -> sins_accel_params {
-    let mut accel: sins_accel_params = filled(input, ACCEL);
-    accel.markov_time_s = markov_times(input);
-    off_diagonal(&mut accel.misalignment_rad);
-    off_diagonal(&mut accel.misalignment_sigma_rad);
-    accel
+    sins_accel_params { markov_time_s: markov_times(input), ..filled(input, &ACCEL) }
 }
 
 pub fn some_altimeter(input: &mut Input) -> sins_altimeter_params {

@@ -1,0 +1,295 @@
+/*
+ * Flies a scene and prints what the INS of the scene makes of it:
+ *
+ *     harness SCENE.toml [LOG.csv]     a file, as in c_examples/scenes; LOG.csv replaces the log that the scene names
+ *     harness NAME                     a built-in scene: patrol, aerobatics, commuter, ...
+ *
+ * The calls stand in the order of every host: read the scene, open its flight, create its simulator; prepare, push, step
+ * and read for each sample; destroy what was created. A flight simulator has samples of its own in place of get_sample().
+ */
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sins.h"
+
+/* Time stamps are sums and quotients: this share of a sample or of a row is rounding. */
+#define ROUNDING 1e-6
+
+struct host {
+    sins_scene *scene;
+    sins_sim *sim;
+    sins_flight *flight; /* the flight is made of manoeuvres, */
+    sins_log *log;       /* or else it is a log */
+    sins_scene_setup setup;
+    size_t samples;
+    uint64_t line; /* of the log, where the last sample stands */
+};
+
+/*
+ * Whether a call succeeded; prints which call failed and why. Errors are negative. The library keeps the sentence of the
+ * last one with its simulator. For functions without a simulator and those of scenes sim is NULL: it is the thread's.
+ */
+#define DONE(sim, call) done(sim, call, #call)
+
+static int done(const sins_sim *sim, sins_status status, const char *call)
+{
+    char sentence[512] = "";
+
+    if (status < 0) {
+        sins_last_error(sim, sentence, sizeof sentence, NULL);
+        fprintf(stderr, "harness: %.*s: %s (%s)\n", (int)strcspn(call, "("), call, sentence, sins_status_string(status));
+    }
+    return status >= 0;
+}
+
+/* Destroys what was created, in any order. A handle that is NULL is answered, not followed. */
+static void close_all(struct host *host)
+{
+    sins_destroy(host->sim);
+    sins_flight_destroy(host->flight);
+    sins_log_destroy(host->log);
+    sins_scene_destroy(host->scene);
+}
+
+/* The library opens no file: the host gives it bytes. The caller frees them; NULL: reported. */
+static char *read_file(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    long length = file != NULL && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    char *text = length >= 0 ? (char *)malloc((size_t)length + 1) : NULL; /* C++ wants the cast */
+
+    *size = (size_t)length;
+    if (text == NULL || fseek(file, 0, SEEK_SET) != 0 || fread(text, 1, *size, file) != *size) {
+        fprintf(stderr, "harness: %s: %s\n", path, strerror(errno));
+        free(text);
+        text = NULL;
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return text;
+}
+
+static void print_fault(const char *path, const sins_fault *fault)
+{
+    fprintf(stderr, "%s:%llu:%llu: %s\n", path, (unsigned long long)fault->line, (unsigned long long)fault->column,
+            fault->sentence);
+}
+
+/* A scene with faults is a handle too, which gives all of them at once. */
+static int read_scene(struct host *host, const char *name)
+{
+    sins_fault fault;
+    sins_status status;
+    size_t size, k;
+    char *text;
+
+    if (strstr(name, ".toml") == NULL) {
+        return DONE(NULL, sins_scene_create_builtin(name, &host->scene));
+    }
+    text = read_file(name, &size);
+    if (text == NULL) {
+        return 0;
+    }
+    status = sins_scene_parse(text, size, &host->scene);
+    free(text);
+    SINS_INIT(fault); /* struct_size says which release of the struct this program knows */
+    for (k = 0; status == SINS_SCENE_HAS_FAULTS && sins_scene_get_fault(host->scene, k, &fault) == SINS_OK; k++) {
+        print_fault(name, &fault);
+    }
+    return done(NULL, status, "sins_scene_parse") && status == SINS_OK;
+}
+
+/* Path of the log that the scene names, as seen from the folder of the scene's file. */
+static int log_path(const struct host *host, const char *scene_path, char *path, size_t capacity)
+{
+    char log[4097]; /* no text of a scene is longer */
+    size_t folder = strlen(scene_path);
+
+    if (!DONE(NULL, sins_scene_get_text(host->scene, SINS_SCENE_TEXT_LOG, log, sizeof log, NULL))) {
+        return 0;
+    }
+    while (folder > 0 && strchr("/\\", scene_path[folder - 1]) == NULL) {
+        folder--;
+    }
+    folder = strchr("/\\", log[0]) != NULL || log[1] == ':' ? 0 : folder; /* 0: an absolute path */
+    return snprintf(path, capacity, "%.*s%s", (int)folder, scene_path, log) < (int)capacity;
+}
+
+static int open_log(struct host *host, const char *path)
+{
+    sins_log_info info;
+    sins_fault fault;
+    sins_status status;
+    size_t size;
+    char *text = read_file(path, &size);
+
+    if (text == NULL) {
+        return 0;
+    }
+    SINS_INIT(info);
+    SINS_INIT(fault);
+    status = sins_log_parse(text, size, &host->log, &fault);
+    free(text);
+    if (status == SINS_ERROR_INVALID_ARGUMENT) {
+        print_fault(path, &fault);
+    }
+    if (!done(NULL, status, "sins_log_parse") || !DONE(NULL, sins_log_get_info(host->log, &info))) {
+        return 0;
+    }
+    host->samples = (size_t)info.samples;
+    host->setup.duration_s = host->setup.duration_s > 0 ? host->setup.duration_s : info.duration_s;
+    return 1;
+}
+
+static int open_flight(struct host *host, const char *scene_path, const char *log)
+{
+    char path[8192];
+
+    SINS_INIT(host->setup);
+    if ((log != NULL && !DONE(NULL, sins_scene_set_text(host->scene, SINS_SCENE_TEXT_LOG, log)))
+        || !DONE(NULL, sins_scene_get_setup(host->scene, &host->setup))) {
+        return 0;
+    }
+    if (host->setup.flight == SINS_SCENE_FLIGHT_LOG) {
+        return log != NULL ? open_log(host, log)
+                           : log_path(host, scene_path, path, sizeof path) && open_log(host, path);
+    }
+    host->setup.duration_s = host->setup.flown_s;
+    host->samples = (size_t)floor(host->setup.flown_s * host->setup.rate_hz + ROUNDING) + 1;
+    return DONE(NULL, sins_scene_create_flight(host->scene, &host->flight));
+}
+
+/* Sample k of the flight. It comes with struct_size set. */
+static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
+{
+    double time_s = fmin((double)k / host->setup.rate_hz, host->setup.flown_s);
+
+    return host->log != NULL ? DONE(NULL, sins_log_get_sample(host->log, k, sample, &host->line))
+                             : DONE(NULL, sins_flight_sample_at(host->flight, time_s, sample));
+}
+
+/* The navigation and its errors twice: against the truth, and by the error equations where the scene turns them on. */
+static void print_row(const sins_record *record)
+{
+    const double *errors = record->navigation_errors.position_enu_m, *model = record->model_errors.position_enu_m;
+
+    printf("%10.2f %11.6f %11.6f %9.1f %11.3f %11.3f %11.3f", record->time_s,
+           record->navigation.latitude_rad / SINS_DEG, record->navigation.longitude_rad / SINS_DEG,
+           record->navigation.height_m, errors[0], errors[1], errors[2]);
+    if ((record->model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0) {
+        printf(" %11.3f %11.3f %11.3f", model[0], model[1], model[2]);
+    }
+    printf("\n");
+}
+
+static int fly(struct host *host)
+{
+    double every_s = host->setup.every_s > 0 ? host->setup.every_s : host->setup.duration_s / 20;
+    double start_s = 0, rows = 0;
+    sins_flight_sample sample;
+    sins_record record;
+    size_t k;
+
+    printf("%10s %11s %11s %9s %35s %35s\n", "time s", "lat deg", "long deg", "height m", "navigation - truth, ENU m",
+           "by the error equations, ENU m");
+    SINS_INIT(sample);
+    SINS_INIT(record);
+    for (k = 0; k < host->samples; k++) {
+        if (!get_sample(host, k, &sample)) {
+            return 0;
+        }
+        start_s = k == 0 ? sample.time_s : start_s;
+        if (sample.time_s - start_s > host->setup.duration_s * (1 + ROUNDING)) {
+            break; /* the scene ends before its log */
+        }
+        /* Prepare gives the sample the scene's temperature, and makes sensors fail and recover. A push takes one sample,
+         * a step flies one interval: the first answers SINS_NEED_SAMPLE, which is no error. */
+        if (!DONE(NULL, sins_scene_prepare(host->scene, host->sim, start_s, &sample))
+            || !DONE(host->sim, sins_push_sample(host->sim, &sample)) || !DONE(host->sim, sins_step(host->sim))) {
+            fprintf(stderr, "harness: at %.10g s", sample.time_s);
+            if (host->log != NULL) {
+                fprintf(stderr, ", line %llu of the log", (unsigned long long)host->line);
+            }
+            fprintf(stderr, "\n");
+            return 0;
+        }
+        if ((sample.time_s - start_s) / every_s + ROUNDING >= rows) {
+            if (!DONE(host->sim, sins_get_record(host->sim, &record))) {
+                return 0;
+            }
+            print_row(&record);
+            rows = floor((sample.time_s - start_s) / every_s + ROUNDING) + 1;
+        }
+    }
+    return 1;
+}
+
+/* The errors at the end with all their digits, and the figures that the library keeps along the way. */
+static int print_figures(const struct host *host)
+{
+    static const char *const axes[] = {"east", "north", "up"};
+    const sins_record_errors *errors, *model;
+    sins_record record;
+    sins_accuracy accuracy;
+    int k;
+
+    SINS_INIT(record);
+    SINS_INIT(accuracy);
+    if (!DONE(host->sim, sins_get_record(host->sim, &record))
+        || !DONE(host->sim, sins_get_accuracy(host->sim, &accuracy))) {
+        return 0;
+    }
+    errors = &record.navigation_errors;
+    model = &record.model_errors;
+    printf("\n%-24s %24s %24s\n", "errors at the end", "navigation - truth", "error equations");
+    for (k = 0; k < 3; k++) {
+        printf("position m       %-7s %24.17g %24.17g\n", axes[k], errors->position_enu_m[k], model->position_enu_m[k]);
+    }
+    for (k = 0; k < 3; k++) {
+        printf("velocity m/s     %-7s %24.17g %24.17g\n", axes[k], errors->velocity_enu_m_s[k],
+               model->velocity_enu_m_s[k]);
+    }
+    for (k = 0; k < 3; k++) {
+        printf("misalignment rad %-7s %24.17g %24.17g\n", axes[k], errors->misalignment_enu_rad[k],
+               model->misalignment_enu_rad[k]);
+    }
+    printf("\nclosure, navigation - truth: %.4g m, %.4g m/s; of it by inconsistent samples: %.4g m, %.4g m/s\n",
+           hypot(accuracy.closure_position_enu_m[0], accuracy.closure_position_enu_m[1]),
+           hypot(accuracy.closure_velocity_enu_m_s[0], accuracy.closure_velocity_enu_m_s[1]),
+           hypot(accuracy.host_position_enu_m[0], accuracy.host_position_enu_m[1]),
+           hypot(accuracy.host_velocity_enu_m_s[0], accuracy.host_velocity_enu_m_s[1]));
+    printf("%llu intervals, R50 %.4g nmi/h, R95 %.4g nmi/h\n", (unsigned long long)accuracy.intervals,
+           accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR, accuracy.radial_95_rate_m_s / SINS_NMI_PER_HOUR);
+    return 1;
+}
+
+static int run(struct host *host, const char *scene, const char *log)
+{
+    return read_scene(host, scene) && open_flight(host, scene, log)
+           && DONE(NULL, sins_scene_create_simulator(host->scene, &host->sim)) && fly(host) && print_figures(host);
+}
+
+int main(int count, char **arguments)
+{
+    struct host host;
+    int flown;
+
+    if (count < 2 || count > 3) {
+        fprintf(stderr, "usage: harness SCENE.toml [LOG.csv], or harness NAME of a built-in scene\n");
+        return 2;
+    }
+    if (sins_abi_version() != SINS_HEADER_ABI) {
+        fprintf(stderr, "harness: the library has interface version %u, this program wants %u\n",
+                (unsigned)sins_abi_version(), (unsigned)SINS_HEADER_ABI);
+        return 1;
+    }
+    memset(&host, 0, sizeof host);
+    flown = run(&host, arguments[1], count == 3 ? arguments[2] : NULL);
+    close_all(&host);
+    return flown ? 0 : 1;
+}
