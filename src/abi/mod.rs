@@ -29,6 +29,7 @@ mod fpu;
 mod gravity;
 mod gyro;
 mod initial;
+mod key;
 mod last_error;
 mod lock;
 #[cfg(feature = "scenes")]

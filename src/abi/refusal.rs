@@ -94,10 +94,10 @@ mod tests {
                     let status = if k % 2 == 0 { SINS_ERROR_BAD_HANDLE } else { SINS_ERROR_BAD_STATE };
                     forget();
                     assert_eq!(last(), None);
-                    for kind in 1..=4 {
+                    for (kind, name) in NAMES.iter().enumerate().skip(1).take(4) {
                         refuse(kind, status);
                         std::thread::yield_now();
-                        assert_eq!(last(), Some(Failure::of_handle(status, NAMES[kind])));
+                        assert_eq!(last(), Some(Failure::of_handle(status, name)));
                     }
                     forget();
                     assert_eq!(last(), None);
