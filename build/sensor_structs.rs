@@ -96,7 +96,8 @@ fn of_interface(row: &Parameter, field: Field, field_of: FieldOf) -> Member {
         _ => "[f64; 9]",
     };
     let (low, high) = field.range.ends();
-    let range = format!("{} to {}", number(low), number(high));
+    // In one line: with its upper end alone a line would begin as an item of a list.
+    let range = format!("{}\u{a0}to\u{a0}{}", number(low), number(high));
     let range = match field.range {
         Range::Within(..) => range,
         Range::OffOr(..) => format!("{range}; 0: none"),
@@ -174,7 +175,7 @@ fn comment(indent: &str, text: &str) -> String {
     for line in text.trim().lines() {
         let mut column = 0;
         out += &format!("{indent}///");
-        for word in line.split_whitespace() {
+        for word in line.split(' ').filter(|word| !word.is_empty()) {
             if column + word.len() > WIDTH && text.lines().count() == 1 {
                 out += &format!("\n{indent}///");
                 column = 0;
@@ -184,5 +185,5 @@ fn comment(indent: &str, text: &str) -> String {
         }
         out += "\n";
     }
-    out
+    out.replace('\u{a0}', " ")
 }

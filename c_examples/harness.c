@@ -137,6 +137,7 @@ static int open_log(struct host *host, const char *path)
     free(text);
     if (status == SINS_ERROR_INVALID_ARGUMENT) {
         print_fault(path, &fault);
+        return 0;
     }
     if (!done(NULL, status, "sins_log_parse") || !DONE(NULL, sins_log_get_info(host->log, &info))) {
         return 0;
@@ -167,10 +168,11 @@ static int open_flight(struct host *host, const char *scene_path, const char *lo
 /* Sample k of the flight. It comes with struct_size set. */
 static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
 {
-    double time_s = fmin((double)k / host->setup.rate_hz, host->setup.flown_s);
-
-    return host->log != NULL ? DONE(NULL, sins_log_get_sample(host->log, k, sample, &host->line))
-                             : DONE(NULL, sins_flight_sample_at(host->flight, time_s, sample));
+    if (host->log != NULL) {
+        return DONE(NULL, sins_log_get_sample(host->log, k, sample, &host->line));
+    }
+    return DONE(NULL, sins_flight_sample_at(host->flight, fmin((double)k / host->setup.rate_hz, host->setup.flown_s),
+                                            sample));
 }
 
 /* The navigation and its errors twice: against the truth, and by the error equations where the scene turns them on. */
@@ -291,5 +293,5 @@ int main(int count, char **arguments)
     memset(&host, 0, sizeof host);
     flown = run(&host, arguments[1], count == 3 ? arguments[2] : NULL);
     close_all(&host);
-    return flown ? 0 : 1;
+    return flown && fflush(stdout) == 0 ? 0 : 1;
 }

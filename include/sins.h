@@ -670,8 +670,8 @@ typedef struct sins_gyro_params {
     /* Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
     double bias_sigma_rad_s[3];
     /*
-     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from the
-     * first sample on.
+     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
+     * the first sample on.
      */
     double markov_sigma_rad_s[3];
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
@@ -709,13 +709,13 @@ typedef struct sins_gyro_params {
      */
     double misalignment_sigma_rad[9];
     /*
-     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1. The
-     * error of a gyro is the sum over the three axes of its row times the true specific force along them.
+     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
+     * The error of a gyro is the sum over the three axes of its row times the true specific force along them.
      */
     double g_sensitivity_rad_s_per_m_s2[9];
     /*
-     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2], -1 to
-     * 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+     * -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
      * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
      * sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
      * nonlinearity.
@@ -736,8 +736,8 @@ typedef struct sins_gyro_params {
     /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
-     * first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+     * the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
@@ -769,8 +769,8 @@ typedef struct sins_accel_params {
     /* Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
     double bias_sigma_m_s2[3];
     /*
-     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from the
-     * first sample on.
+     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
+     * the first sample on.
      */
     double markov_sigma_m_s2[3];
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
@@ -785,8 +785,8 @@ typedef struct sins_accel_params {
     /* Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
     /*
-     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on: the
-     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
+     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
+     * the Allan deviation is flat at 0.664 B from 2 s to 50 h.
      */
     double flicker_m_s2[3];
     /* Scale factor error [1], -1 to 1. */
@@ -810,10 +810,10 @@ typedef struct sins_accel_params {
     /* Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2. */
     double vibration_rectification_s2_m[3];
     /*
-     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m], -100
-     * to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in motion
-     * see sins_mounting; the velocity lacks the change of rate in the first interval for good. With sins_push_imu()
-     * the angular acceleration follows from the increments before.
+     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
+     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
+     * motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
+     * sins_push_imu() the angular acceleration follows from the increments before.
      */
     double lever_arm_m[9];
     /*
@@ -831,8 +831,8 @@ typedef struct sins_accel_params {
     /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at the
-     * first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+     * the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
@@ -1331,15 +1331,19 @@ typedef struct sins_scene_setup {
     int32_t flight;
     /* 1: samples get the temperature below; 0: none. */
     int32_t has_temperature;
-    /* How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s]. */
+    /* 1: a program shows neither progress nor summary; 0: it does. */
+    int32_t quiet;
+    /* Must be 0. */
+    uint32_t reserved2;
+    /* How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s]. */
     double duration_s;
-    /* How long that is; 0 of a log, whose length the log tells; read only [s]. */
+    /* How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s]. */
     double flown_s;
-    /* Sample rate, 1e-3 to 2e4; of a log none [Hz]. */
+    /* Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz]. */
     double rate_hz;
-    /* Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C]. */
+    /* Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C]. */
     double temperature_c;
-    /* Its change, -300 to 300 [deg C/s]. */
+    /* Its change, -277 to 277 [deg C/s]. */
     double temperature_change_c_s;
     /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
     double every_s;
@@ -1551,7 +1555,7 @@ enum sins_sizeof {
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
     SINS_SIZEOF_FAULT = 288,
-    SINS_SIZEOF_SCENE_SETUP = 64,
+    SINS_SIZEOF_SCENE_SETUP = 72,
     SINS_SIZEOF_PLANNED_FAILURE = 80,
     SINS_SIZEOF_LOG_INFO = 216,
     SINS_SIZEOF_REQUIREMENT = 48,
@@ -1915,8 +1919,9 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * height 0, sampled at 100 Hz.
  *
  * On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
- * SINS_ERROR_OUT_OF_MEMORY: 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for a real-time
- * frame. Where there is no memory for a few kilobytes of text, those that read, copy or write a scene end the process.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
+ * a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
+ * it, the process ends. So it is of sins_log_parse(), but for the samples.
  */
 SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
@@ -1945,10 +1950,18 @@ SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, siz
 SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
 
 /*
+ * The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: there are no more.
+ */
+SINS_API sins_status SINS_CALL sins_scene_builtin_name(size_t index, char *buffer, size_t capacity, size_t *needed);
+
+/*
  * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
  *
  * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
- * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
+ * manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_write(
     const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
@@ -2004,7 +2017,8 @@ SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
 SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
 
 /*
- * Sets the options of the scene; on an error, as for every part, the scene is as it was.
+ * Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
+ * whether they go together is checked where the scene is written and its simulator is created.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
  */
@@ -2082,9 +2096,31 @@ SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, str
 /*
  * Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
+
+/*
+ * Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
+ * all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
+ * count alone manoeuvres with a capacity of 0.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
+ * is a log; or as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_manoeuvres(
+    const sins_scene *scene, struct sins_flight_start *start, struct sins_manoeuvre *manoeuvres, size_t capacity,
+    size_t *count, size_t *repeat);
+
+/*
+ * Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most. start->earth
+ * is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_manoeuvres(
+    sins_scene *scene, const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
+    size_t repeat);
 
 /*
  * Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in sins_scene_write().

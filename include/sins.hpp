@@ -383,6 +383,17 @@ public:
         return Scene(scene);
     }
 
+    /* The names of the built-in scenes. */
+    static std::vector<std::string> builtin_names()
+    {
+        std::vector<std::string> names;
+        char name[64];
+        while (sins_scene_builtin_name(names.size(), name, sizeof name, nullptr) == SINS_OK) {
+            names.push_back(name);
+        }
+        return names;
+    }
+
     Scene(Scene &&other) noexcept : scene_(other.scene_) { other.scene_ = nullptr; }
 
     Scene &operator=(Scene &&other) noexcept
@@ -461,6 +472,21 @@ public:
     {
         return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
     }
+    /* The manoeuvres of its flight; start, with struct_size set, gets where it begins, repeat how many times they are flown. */
+    std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const
+    {
+        std::size_t count = 0;
+        done(sins_scene_get_manoeuvres(scene_, nullptr, nullptr, 0, &count, nullptr));
+        std::vector<sins_manoeuvre> manoeuvres(count, make<sins_manoeuvre>());
+        done(sins_scene_get_manoeuvres(scene_, &start, manoeuvres.data(), count, &count, &repeat));
+        return manoeuvres;
+    }
+    void set_manoeuvres(const sins_flight_start &start, const std::vector<sins_manoeuvre> &manoeuvres,
+                        std::size_t repeat = 1)
+    {
+        done(sins_scene_set_manoeuvres(scene_, &start, manoeuvres.data(), manoeuvres.size(), repeat));
+    }
+
     sins_scene_setup setup() const { return read_back<sins_scene_setup>(sins_scene_get_setup); }
 
     void set_options(const sins_options &options) { done(sins_scene_set_options(scene_, &options)); }

@@ -47,6 +47,10 @@ const TEMPERATURE: usize = 16;
 /// The quantities that come together: all of them or none.
 const TRIPLES: [Range<usize>; 3] = [VELOCITY..RATE, RATE..FORCE, FORCE..TEMPERATURE];
 
+/// Columns of a log at the most, and bytes of a line.
+const MAX_COLUMNS: usize = 1000;
+const MAX_LINE: usize = 1 << 16;
+
 /// A flight log in memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlightLog {
@@ -85,6 +89,12 @@ impl FlightLog {
             let line = 1 + text[..at].iter().filter(|byte| **byte == b'\n').count();
             return Err(fault(line as u64, 1, "a zero byte: not a text".to_owned()));
         }
+        for (index, line) in text.split(|byte| *byte == b'\n').enumerate() {
+            if line.len() > MAX_LINE {
+                let sentence = format!("a line of {} bytes: a line has at most {MAX_LINE}", line.len());
+                return Err(fault(1 + index as u64, 1, sentence));
+            }
+        }
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
             .flexible(true)
@@ -96,6 +106,9 @@ impl FlightLog {
         let Some(line) = next_row(&mut reader, text, &mut row)? else {
             return Err(fault(1, 1, format!("no header: expected the names of the columns, {names}")));
         };
+        if row.len() > MAX_COLUMNS {
+            return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));
+        }
         let columns = columns(&row, line)?;
         let width = row.len();
         let mut log = Self { title: title(text), samples: Vec::new(), lines: Vec::new() };

@@ -14,6 +14,14 @@ pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
     vector.try_reserve(1).map_err(|_| missing(vector.len() + 1))
 }
 
+/// Whether there are so many bytes now. For code that cannot be told that there is no memory, as other crates' parsers: without
+/// this it ends the process, with it only where memory runs out in between.
+#[cfg(feature = "scenes")]
+pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
+    // Used, or the optimizer takes the allocation away.
+    room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))
+}
+
 fn missing(count: usize) -> Error {
     Error::of(ErrorKind::OutOfMemory, "elements", count, Rule::Words("no memory for them"))
 }

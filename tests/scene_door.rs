@@ -163,8 +163,12 @@ fn what_is_set_is_given_back_and_a_bad_value_changes_nothing() {
             (setup.flight, setup.flown_s, setup.rate_hz),
             (SINS_SCENE_FLIGHT_MANOEUVRES, 3600.0, 100.0)
         );
-        setup.duration_s = 1e6;
+        setup.duration_s = 1e9;
         assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
+        setup.duration_s = 1e6;
+        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_OK, "another flight may be set");
+        let status = sins_scene_write(scene, null_mut(), 0, &mut 0);
+        assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT, "longer than its flight");
         setup.duration_s = 60.0;
         assert_eq!(sins_scene_set_setup(scene, &setup), SINS_OK);
         assert_eq!(sins_scene_get_setup(scene, &mut again), SINS_OK);

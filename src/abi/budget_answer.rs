@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use super::memory::{interface_struct, text_array};
+use super::memory::{chars, interface_struct};
 use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
 use crate::recommend::SolutionError;
 
@@ -96,8 +96,8 @@ impl sins_budget_row {
         Self {
             flags: flag(row.effect.is_random, SINS_BUDGET_RANDOM)
                 | flag(row.can_be_left_out, SINS_BUDGET_CAN_BE_LEFT_OUT),
-            effect: text_array(row.effect.name),
-            field: text_array(row.effect.field),
+            effect: chars(row.effect.name),
+            field: chars(row.effect.field),
             share: row.share,
             ns_per_step,
             ..Self::of(&row.worst, &row.end)
@@ -108,7 +108,7 @@ impl sins_budget_row {
     pub(super) fn own(budget: &Budget, request: &BudgetRequest, costs: &Costs) -> Self {
         let (worst, end) = &budget.own;
         Self {
-            effect: text_array("mechanization"),
+            effect: chars("mechanization"),
             share: request.share(worst),
             ns_per_step: costs.own_ns,
             ..Self::of(worst, end)
@@ -120,8 +120,8 @@ impl sins_budget_row {
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: 0,
-            effect: text_array(""),
-            field: text_array(""),
+            effect: chars(""),
+            field: chars(""),
             position_m: worst.position_m,
             velocity_m_s: worst.velocity_m_s,
             attitude_rad: worst.attitude_rad,

@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use super::memory::interface_struct;
+use super::memory::{chars, interface_struct};
 use crate::scene::Fault;
 
 /// A fault of the text of a scene or of a flight log.
@@ -27,21 +27,13 @@ interface_struct!(sins_fault, "fault", 288);
 
 impl sins_fault {
     pub(super) fn new(fault: &Fault, count: usize) -> Self {
-        let mut sentence: [c_char; 256] = [0; 256];
-        let mut length = fault.sentence.len().min(sentence.len() - 1);
-        while !fault.sentence.is_char_boundary(length) {
-            length -= 1;
-        }
-        for (place, byte) in sentence.iter_mut().zip(&fault.sentence.as_bytes()[..length]) {
-            *place = *byte as c_char;
-        }
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
             count: count as u64,
             line: fault.line as u64,
             column: fault.column as u64,
-            sentence,
+            sentence: chars(&fault.sentence),
         }
     }
 }

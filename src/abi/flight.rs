@@ -8,7 +8,7 @@ use super::options::{check_reserved, sins_options};
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
 use crate::error::check_integer;
-use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES};
+use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
 
 /// An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one.
@@ -47,6 +47,40 @@ pub struct sins_flight_start {
 
 interface_struct!(sins_flight_start, "start", 72);
 
+impl sins_flight_start {
+    #[cfg(feature = "scenes")]
+    pub(super) fn from_start(start: &FlightStart) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            latitude_rad: start.latitude_rad,
+            longitude_rad: start.longitude_rad,
+            height_m: start.height_m,
+            speed_m_s: start.speed_m_s,
+            heading_rad: start.heading_rad,
+            roll_rad: start.roll_rad,
+            pitch_rad: start.pitch_rad,
+            earth: sins_options::earth(start.ellipsoid),
+            reserved2: 0,
+        }
+    }
+
+    fn to_start(self) -> Result<FlightStart, Failure> {
+        check_reserved("start.reserved", self.reserved)?;
+        check_reserved("start.reserved2", self.reserved2)?;
+        Ok(FlightStart {
+            latitude_rad: self.latitude_rad,
+            longitude_rad: self.longitude_rad,
+            height_m: self.height_m,
+            speed_m_s: self.speed_m_s,
+            heading_rad: self.heading_rad,
+            roll_rad: self.roll_rad,
+            pitch_rad: self.pitch_rad,
+            ellipsoid: sins_options::ellipsoid("start.earth", self.earth)?,
+        })
+    }
+}
+
 pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
 
 /// Runs `body` on the flight of a handle, as the inside of an exported function.
@@ -79,29 +113,31 @@ pub unsafe extern "C" fn sins_flight_create(
             return Err(Failure::null("flight"));
         }
         // SAFETY: the host's promise.
-        let start = unsafe { read(start, "start")? };
-        check_reserved("start.reserved", start.reserved)?;
-        check_reserved("start.reserved2", start.reserved2)?;
-        check_integer("count", count, 1, MAX_MANOEUVRES as i64)?;
-        // SAFETY: the host's promise; manoeuvres are only read.
-        let manoeuvres = unsafe { Array::new(manoeuvres.cast_mut(), count, "manoeuvres")? };
-        let mut list = room(count)?;
-        for index in 0..count {
-            list.push(manoeuvres.read(index)?.to_manoeuvre().map_err(|failure| failure.of_element(index))?);
-        }
-        let start = FlightStart {
-            latitude_rad: start.latitude_rad,
-            longitude_rad: start.longitude_rad,
-            height_m: start.height_m,
-            speed_m_s: start.speed_m_s,
-            heading_rad: start.heading_rad,
-            roll_rad: start.roll_rad,
-            pitch_rad: start.pitch_rad,
-            ellipsoid: sins_options::ellipsoid("start.earth", start.earth)?,
-        };
+        let (start, list) = unsafe { read_flight(start, manoeuvres, count)? };
         // SAFETY: the host's promise; not null.
         unsafe { hand_out(Flight::new(&start, &list)?, flight) }
     })
+}
+
+/// The start and the manoeuvres of a host, checked each by itself.
+///
+/// # Safety
+/// As the exported functions: each pointer is null or points to a struct, `manoeuvres` to `count` of them.
+pub(super) unsafe fn read_flight(
+    start: *const sins_flight_start,
+    manoeuvres: *const sins_manoeuvre,
+    count: usize,
+) -> Result<(FlightStart, Vec<Manoeuvre>), Failure> {
+    // SAFETY: as this function.
+    let start = unsafe { read(start, "start")? }.to_start()?;
+    check_integer("count", count, 1, MAX_MANOEUVRES as i64)?;
+    // SAFETY: as this function; manoeuvres are only read.
+    let manoeuvres = unsafe { Array::new(manoeuvres.cast_mut(), count, "manoeuvres")? };
+    let mut list = room(count)?;
+    for index in 0..count {
+        list.push(manoeuvres.read(index)?.to_manoeuvre().map_err(|failure| failure.of_element(index))?);
+    }
+    Ok((start, list))
 }
 
 /// Gives the host a handle of a flight.

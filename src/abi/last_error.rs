@@ -5,7 +5,7 @@ use core::fmt::{self, Write};
 
 use super::boundary::{enter, last_failure};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, put_text, text_array};
+use super::memory::{Output, chars, interface_struct, put_text};
 use super::simulator::{SIMULATORS, sins_sim};
 use crate::error::Value;
 
@@ -119,7 +119,7 @@ impl sins_error_info {
         let error = &failure.error;
         let place = |index: Option<usize>| index.map_or(-1, |index| index as i64);
         info.status = failure.status;
-        info.field = text_array(error.field);
+        info.field = chars(error.field);
         info.index = place(error.index);
         info.sample = place(failure.sample);
         if error.value.is_some_and(Value::is_integer) {

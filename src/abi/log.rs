@@ -5,11 +5,12 @@ use core::ffi::c_char;
 use super::boundary::{enter, enter_without_simulator, remember};
 use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
 use super::fault_report::sins_fault;
-use super::memory::{Output, bytes_of, interface_struct, put};
+use super::memory::{Output, bytes_of, chars, interface_struct, put};
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
 use crate::error::{Error, Rule};
 use crate::log::{FlightLog, LogError};
+use crate::memory::probe;
 
 /// A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -36,6 +37,9 @@ pub struct sins_log_info {
 interface_struct!(sins_log_info, "info", 216);
 
 pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
+
+/// What the parser takes beside the samples [bytes]; a field in quotes may be longer.
+const ROOM: usize = 1 << 20;
 
 fn with_log(
     log: *const sins_log,
@@ -71,6 +75,7 @@ pub unsafe extern "C" fn sins_log_parse(
         let output = if fault.is_null() { None } else { Some(unsafe { Output::new(fault, "fault")? }) };
         // SAFETY: the host's promise.
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
+        probe(ROOM)?;
         match FlightLog::parse(text) {
             Ok(found) => {
                 let key = LOGS.insert(found)?;
@@ -97,20 +102,12 @@ pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins
     with_log(log, |log| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(info, "info")? };
-        let mut title = [0; 192];
-        let mut length = log.title.len().min(title.len() - 1);
-        while !log.title.is_char_boundary(length) {
-            length -= 1;
-        }
-        for (place, byte) in title.iter_mut().zip(&log.title.as_bytes()[..length]) {
-            *place = *byte as c_char;
-        }
         output.write(&sins_log_info {
             struct_size: size_of::<sins_log_info>() as u32,
             reserved: 0,
             samples: log.samples().len() as u64,
             duration_s: log.duration_s(),
-            title,
+            title: chars(&log.title),
         });
         Ok(SINS_OK)
     })

@@ -4,7 +4,9 @@ use super::failure::Failure;
 use super::memory::interface_struct;
 use super::options::{check_reserved, one_of};
 use crate::error::{Error, Rule, Value, check_integer};
-use crate::flight::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
+use crate::flight::{
+    Channel, DEFAULT_RAMP_S, MANOEUVRE_KINDS, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid,
+};
 
 /// Kinds of manoeuvre.
 pub type sins_manoeuvre_kind = i32;
@@ -84,60 +86,110 @@ pub struct sins_manoeuvre {
 
 interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 
-/// Ramp where the host gives none [s].
-const DEFAULT_RAMP_S: f64 = 5.0;
-
 const NOT_USED: Rule = Rule::Zero(": it is not used here");
 
+// A kind is its place in the table.
+const _: () =
+    assert!(SINS_MANOEUVRE_REST == 0 && SINS_MANOEUVRE_SINUSOIDS + 1 == MANOEUVRE_KINDS.len() as i32);
+
+const CHANNELS: [(i32, Channel); 6] = [
+    (SINS_CHANNEL_COURSE, Channel::Course),
+    (SINS_CHANNEL_CLIMB, Channel::Climb),
+    (SINS_CHANNEL_SPEED, Channel::Speed),
+    (SINS_CHANNEL_ROLL, Channel::Roll),
+    (SINS_CHANNEL_PITCH, Channel::Pitch),
+    (SINS_CHANNEL_HEADING, Channel::Heading),
+];
+
 impl sins_manoeuvre {
-    pub(super) fn to_manoeuvre(self) -> Result<Manoeuvre, Failure> {
-        check_reserved("manoeuvre.reserved", self.reserved)?;
-        let ramp_s = if self.ramp_s == 0.0 { DEFAULT_RAMP_S } else { self.ramp_s };
-        let Self {
-            duration_s, speed_change_m_s, height_change_m, heading_change_rad, bank_rad, turns, ..
-        } = self;
-        // Kind, manoeuvre, and which of duration, ramp, speed, height, heading, bank, turns, sinusoids it uses.
-        let (manoeuvre, uses) = match self.kind {
-            SINS_MANOEUVRE_REST => (Manoeuvre::Rest { duration_s }, 0b1000_0000),
-            SINS_MANOEUVRE_STRAIGHT => (Manoeuvre::Straight { duration_s }, 0b1000_0000),
-            SINS_MANOEUVRE_ACCELERATE => {
-                (Manoeuvre::Accelerate { duration_s, speed_change_m_s }, 0b1010_0000)
-            }
-            SINS_MANOEUVRE_CLIMB => (Manoeuvre::Climb { duration_s, height_change_m, ramp_s }, 0b1101_0000),
-            SINS_MANOEUVRE_TURN => (Manoeuvre::Turn { heading_change_rad, bank_rad, ramp_s }, 0b0100_1100),
-            SINS_MANOEUVRE_ROLL => (Manoeuvre::Roll { duration_s, turns }, 0b1000_0010),
-            SINS_MANOEUVRE_LOOP => (Manoeuvre::Loop { duration_s, turns, ramp_s }, 0b1100_0010),
-            SINS_MANOEUVRE_S_TURN => {
-                let heading_amplitude_rad = heading_change_rad;
-                (Manoeuvre::STurn { duration_s, heading_amplitude_rad, cycles: turns, ramp_s }, 0b1100_1010)
-            }
-            SINS_MANOEUVRE_SINUSOIDS => {
-                check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as i64)?;
-                let count = self.sinusoid_count as usize;
-                let terms = self.sinusoids(count)?;
-                (Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count }, 0b1100_0001)
-            }
-            kind => {
-                let rule = Rule::OneOf("sins_manoeuvre_kind", 0, 8);
-                return Err(Error::invalid("manoeuvre.kind", kind, rule).into());
-            }
+    /// The quantities that a kind may use, under their names.
+    fn quantities(&mut self) -> [(&'static str, &mut f64); 7] {
+        [
+            ("manoeuvre.duration_s", &mut self.duration_s),
+            ("manoeuvre.ramp_s", &mut self.ramp_s),
+            ("manoeuvre.speed_change_m_s", &mut self.speed_change_m_s),
+            ("manoeuvre.height_change_m", &mut self.height_change_m),
+            ("manoeuvre.heading_change_rad", &mut self.heading_change_rad),
+            ("manoeuvre.bank_rad", &mut self.bank_rad),
+            ("manoeuvre.turns", &mut self.turns),
+        ]
+    }
+
+    #[cfg(feature = "scenes")]
+    pub(super) fn from_manoeuvre(manoeuvre: &Manoeuvre) -> Self {
+        let fields = ManoeuvreFields::from(manoeuvre);
+        let terms = &fields.sinusoids;
+        let mut made = Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            kind: fields.kind as i32,
+            sinusoid_count: fields.sinusoid_count as i32,
+            duration_s: fields.duration_s,
+            ramp_s: fields.ramp_s,
+            speed_change_m_s: fields.speed_change_m_s,
+            height_change_m: fields.height_change_m,
+            heading_change_rad: fields.heading_change_rad,
+            bank_rad: fields.bank_rad,
+            turns: fields.turns,
+            channel: terms.map(|term| {
+                CHANNELS.iter().find(|(_, channel)| *channel == term.channel).map_or(0, |(number, _)| *number)
+            }),
+            amplitude: terms.map(|term| term.amplitude),
+            frequency_hz: terms.map(|term| term.frequency_hz),
+            phase_rad: terms.map(|term| term.phase_rad),
         };
-        let fields: [(_, Value); 8] = [
-            ("manoeuvre.duration_s", duration_s.into()),
-            ("manoeuvre.ramp_s", self.ramp_s.into()),
-            ("manoeuvre.speed_change_m_s", speed_change_m_s.into()),
-            ("manoeuvre.height_change_m", height_change_m.into()),
-            ("manoeuvre.heading_change_rad", heading_change_rad.into()),
-            ("manoeuvre.bank_rad", bank_rad.into()),
-            ("manoeuvre.turns", turns.into()),
-            ("manoeuvre.sinusoid_count", self.sinusoid_count.into()),
-        ];
-        for (bit, (field, value)) in fields.into_iter().enumerate() {
-            if value.as_f64() != 0.0 && uses & (0b1000_0000 >> bit) == 0 {
-                return Err(Error::invalid(field, value, NOT_USED).into());
+        let (_, uses) = MANOEUVRE_KINDS[fields.kind];
+        for (field, value) in made.quantities() {
+            if !uses.contains(&field) {
+                *value = 0.0;
             }
         }
-        for i in (self.sinusoid_count as usize)..MAX_SINUSOIDS {
+        made
+    }
+
+    pub(super) fn to_manoeuvre(mut self) -> Result<Manoeuvre, Failure> {
+        check_reserved("manoeuvre.reserved", self.reserved)?;
+        let kind = usize::try_from(self.kind).unwrap_or(usize::MAX);
+        let Some((_, uses)) = MANOEUVRE_KINDS.get(kind) else {
+            let rule = Rule::OneOf("sins_manoeuvre_kind", 0, MANOEUVRE_KINDS.len() as i32 - 1);
+            return Err(Error::invalid("manoeuvre.kind", self.kind, rule).into());
+        };
+        for (field, value) in self.quantities() {
+            if *value != 0.0 && !uses.contains(&field) {
+                return Err(Error::invalid(field, *value, NOT_USED).into());
+            }
+        }
+        let mut fields = ManoeuvreFields {
+            kind,
+            duration_s: self.duration_s,
+            ramp_s: if self.ramp_s == 0.0 { DEFAULT_RAMP_S } else { self.ramp_s },
+            speed_change_m_s: self.speed_change_m_s,
+            height_change_m: self.height_change_m,
+            heading_change_rad: self.heading_change_rad,
+            bank_rad: self.bank_rad,
+            turns: self.turns,
+            ..ManoeuvreFields::default()
+        };
+        self.set_sinusoids(&mut fields)?;
+        Ok(fields.to_manoeuvre())
+    }
+
+    fn set_sinusoids(&self, fields: &mut ManoeuvreFields) -> Result<(), Failure> {
+        if self.kind == SINS_MANOEUVRE_SINUSOIDS {
+            check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as i64)?;
+            fields.sinusoid_count = self.sinusoid_count as usize;
+        } else if self.sinusoid_count != 0 {
+            return Err(Error::invalid("manoeuvre.sinusoid_count", self.sinusoid_count, NOT_USED).into());
+        }
+        for (i, term) in fields.sinusoids.iter_mut().enumerate().take(fields.sinusoid_count) {
+            *term = Sinusoid {
+                channel: one_of("manoeuvre.channel", self.channel[i], &CHANNELS, "sins_channel")?,
+                amplitude: self.amplitude[i],
+                frequency_hz: self.frequency_hz[i],
+                phase_rad: self.phase_rad[i],
+            };
+        }
+        for i in fields.sinusoid_count..MAX_SINUSOIDS {
             let unused: [(_, Value); 4] = [
                 ("manoeuvre.channel", self.channel[i].into()),
                 ("manoeuvre.amplitude", self.amplitude[i].into()),
@@ -148,28 +200,6 @@ impl sins_manoeuvre {
                 return Err(Error::invalid(field, value, NOT_USED).into());
             }
         }
-        Ok(manoeuvre)
-    }
-
-    fn sinusoids(&self, count: usize) -> Result<[Sinusoid; MAX_SINUSOIDS], Failure> {
-        const CHANNELS: [(i32, Channel); 6] = [
-            (SINS_CHANNEL_COURSE, Channel::Course),
-            (SINS_CHANNEL_CLIMB, Channel::Climb),
-            (SINS_CHANNEL_SPEED, Channel::Speed),
-            (SINS_CHANNEL_ROLL, Channel::Roll),
-            (SINS_CHANNEL_PITCH, Channel::Pitch),
-            (SINS_CHANNEL_HEADING, Channel::Heading),
-        ];
-        let none = Sinusoid { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
-        let mut terms = [none; MAX_SINUSOIDS];
-        for (i, term) in terms.iter_mut().enumerate().take(count) {
-            *term = Sinusoid {
-                channel: one_of("manoeuvre.channel", self.channel[i], &CHANNELS, "sins_channel")?,
-                amplitude: self.amplitude[i],
-                frequency_hz: self.frequency_hz[i],
-                phase_rad: self.phase_rad[i],
-            };
-        }
-        Ok(terms)
+        Ok(())
     }
 }

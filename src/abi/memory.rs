@@ -225,13 +225,15 @@ pub(super) unsafe fn text_of<'a>(
     Ok(unsafe { core::ffi::CStr::from_ptr(text) }.to_bytes())
 }
 
-/// Text in a fixed array, terminated; what does not fit is cut at a character.
-pub(super) fn text_array<const N: usize>(text: &str) -> [core::ffi::c_char; N] {
-    let mut array = [0; N];
-    for (place, byte) in array.iter_mut().zip(&text.as_bytes()[..fitting(text.as_bytes(), N)]) {
+/// Text as an array of a struct: terminated, cut at a character where it is longer.
+pub(super) fn chars<const N: usize>(text: &str) -> [core::ffi::c_char; N] {
+    let fits = |end: &usize| *end < N && text.is_char_boundary(*end);
+    let length = (0..=text.len().min(N)).rev().find(fits).unwrap_or(0);
+    let mut chars = [0; N];
+    for (place, byte) in chars.iter_mut().zip(&text.as_bytes()[..length]) {
         *place = *byte as core::ffi::c_char;
     }
-    array
+    chars
 }
 
 /// Length of the text that fits into `capacity` bytes, 1 at the least, with a terminator: not within a UTF-8 sequence.

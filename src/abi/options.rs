@@ -171,6 +171,16 @@ impl sins_options {
         one_of(field, value, &CHOICES, "sins_earth")
     }
 
+    /// The value of the earth field.
+    pub(super) fn earth(ellipsoid: Ellipsoid) -> i32 {
+        match ellipsoid {
+            Ellipsoid::Wgs84 => SINS_EARTH_WGS84,
+            Ellipsoid::Cgcs2000 => SINS_EARTH_CGCS2000,
+            Ellipsoid::Grs80 => SINS_EARTH_GRS80,
+            Ellipsoid::Krassovsky1940 => SINS_EARTH_KRASSOVSKY1940,
+        }
+    }
+
     /// The options as they are in effect, no default left 0.
     pub(super) fn from_options(options: &Options) -> Self {
         Self {
@@ -193,12 +203,7 @@ impl sins_options {
                 VerticalMode::Free => SINS_VERTICAL_FREE,
             },
             error_model: if options.error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF },
-            earth: match options.ellipsoid {
-                Ellipsoid::Wgs84 => SINS_EARTH_WGS84,
-                Ellipsoid::Cgcs2000 => SINS_EARTH_CGCS2000,
-                Ellipsoid::Grs80 => SINS_EARTH_GRS80,
-                Ellipsoid::Krassovsky1940 => SINS_EARTH_KRASSOVSKY1940,
-            },
+            earth: Self::earth(options.ellipsoid),
             gravity: match options.gravity {
                 GravityModel::Normal => SINS_GRAVITY_NORMAL,
                 GravityModel::Somigliana => SINS_GRAVITY_SOMIGLIANA,

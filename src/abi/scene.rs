@@ -10,8 +10,9 @@ use super::memory::{Output, bytes_of, put, put_text, read, text_of};
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
 use super::simulator::{self, on_simulator, sins_sim};
-use crate::error::{Error, Rule};
-use crate::scene::{BUILTIN_SCENES, Fault, Scene, builtin, keys_text};
+use crate::error::{Error, Rule, check_integer};
+use crate::memory::probe;
+use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
 /// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -34,8 +35,25 @@ fn with_content(
     enter(|| SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
 }
 
-/// Runs `body` on the scene of a handle, as the inside of an exported function.
+/// What a copy of a scene and its text take at the most, and with each manoeuvre and each failure more [bytes].
+const ROOM: usize = 1 << 16;
+const ROOM_OF_ITEM: usize = 1 << 12;
+/// What the parser makes of a byte at the most [bytes].
+const ROOM_OF_BYTE: usize = 160;
+
+/// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
 pub(super) fn with_scene(
+    scene: *const sins_scene,
+    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
+) -> sins_status {
+    with_sound_scene(scene, |scene| {
+        probe(ROOM + ROOM_OF_ITEM * (scene.manoeuvre_count() + scene.failures.len()))?;
+        body(scene)
+    })
+}
+
+/// Runs `body` on the scene of a handle without an allocation.
+fn with_sound_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
@@ -59,14 +77,16 @@ unsafe fn hand_out(content: Content, scene: *mut *mut sins_scene) -> Result<(), 
 /// height 0, sampled at 100 Hz.
 ///
 /// On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
-/// SINS_ERROR_OUT_OF_MEMORY: 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for a real-time
-/// frame. Where there is no memory for a few kilobytes of text, those that read, copy or write a scene end the process.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
+/// a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
+/// it, the process ends. So it is of sins_log_parse(), but for the samples.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {
         if scene.is_null() {
             return Err(Failure::null("scene"));
         }
+        probe(ROOM)?;
         // SAFETY: the host's promise; not null.
         unsafe { hand_out(Content::Scene(Box::default()), scene)? };
         Ok(SINS_OK)
@@ -90,6 +110,7 @@ pub unsafe extern "C" fn sins_scene_parse(
         }
         // SAFETY: the host's promise.
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
+        probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
         let (content, status) = match Scene::parse(text) {
             Ok(scene) => (Content::Scene(Box::new(scene)), SINS_OK),
             Err(faults) => (Content::Faults(faults), SINS_SCENE_HAS_FAULTS),
@@ -140,6 +161,7 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
         }
         // SAFETY: the host's promise.
         let name = unsafe { text_of(name, "name")? };
+        probe(ROOM_OF_BYTE * ROOM)?;
         let Some(found) = core::str::from_utf8(name).ok().and_then(builtin) else {
             let rule = Rule::WordsAnd(
                 "must be the name of a built-in scene; there are",
@@ -153,10 +175,34 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
     })
 }
 
+/// The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: there are no more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_builtin_name(
+    index: usize,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    enter_without_simulator(|| {
+        let Some((name, _)) = BUILTIN_SCENES.get(index) else {
+            let rule = Rule::WordsAnd(
+                "must be less than the number of built-in scenes:",
+                BUILTIN_SCENES.len() as f64,
+            );
+            return Err(Error::invalid("index", index as f64, rule).into());
+        };
+        // SAFETY: the host's promise.
+        unsafe { put_text(name.as_bytes(), buffer, capacity, needed) }
+    })
+}
+
 /// Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
 ///
 /// needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
-/// SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
+/// manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_write(
     scene: *const sins_scene,
@@ -164,8 +210,13 @@ pub unsafe extern "C" fn sins_scene_write(
     capacity: usize,
     needed: *mut usize,
 ) -> sins_status {
-    // SAFETY: the host's promise.
-    with_scene(scene, |scene| unsafe { put_text(scene.write().as_bytes(), buffer, capacity, needed) })
+    with_scene(scene, |scene| {
+        scene.check()?;
+        let text = scene.write();
+        check_integer("bytes of the scene's text", text.len(), 0, MAX_TEXT as i64)?;
+        // SAFETY: the host's promise.
+        unsafe { put_text(text.as_bytes(), buffer, capacity, needed) }
+    })
 }
 
 /// Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
@@ -176,8 +227,11 @@ pub unsafe extern "C" fn sins_scene_write_keys(
     capacity: usize,
     needed: *mut usize,
 ) -> sins_status {
-    // SAFETY: the host's promise.
-    enter_without_simulator(|| unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) })
+    enter_without_simulator(|| {
+        probe(ROOM)?;
+        // SAFETY: the host's promise.
+        unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) }
+    })
 }
 
 /// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
@@ -194,6 +248,7 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
         if sim.is_null() {
             return Err(Failure::null("sim"));
         }
+        scene.check()?;
         // SAFETY: the host's promise; not null.
         unsafe { simulator::hand_out(scene.simulator()?, sim) }
     })
@@ -232,7 +287,7 @@ pub unsafe extern "C" fn sins_scene_prepare(
     flight_start_s: f64,
     sample: *mut sins_flight_sample,
 ) -> sins_status {
-    with_scene(scene, |scene| {
+    with_sound_scene(scene, |scene| {
         // SAFETY: the host's promise.
         let mut prepared = unsafe { read(sample.cast_const(), "sample")? }.to_sample()?;
         // SAFETY: the host's promise.

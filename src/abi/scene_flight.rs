@@ -3,12 +3,15 @@
 use core::ffi::c_char;
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, put_text, read, text_of};
+use super::flight::{self, sins_flight_start};
+use super::manoeuvre::sins_manoeuvre;
+use super::memory::{Array, Output, interface_struct, put, put_text, read, text_of};
+use super::options::check_reserved;
 use super::scene::{sins_scene, with_scene};
 use super::sensor_failure::{output, sins_failure};
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
-use crate::error::{Error, Rule, check_integer, check_range, check_temperature};
-use crate::scene::{Failing, FlightSource, PlannedFailure, Scene, Temperature};
+use crate::error::{Error, Rule, check_integer};
+use crate::scene::{self, Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
 use crate::sensors::SensorOutput;
 
 /// Where the flight of a scene comes from: sins_scene_setup.flight.
@@ -49,21 +52,25 @@ pub struct sins_scene_setup {
     pub flight: i32,
     /// 1: samples get the temperature below; 0: none.
     pub has_temperature: i32,
-    /// How long to fly, 1e-2 to 1e9; 0: the whole flight, or as long as the built-in scene [s].
+    /// 1: a program shows neither progress nor summary; 0: it does.
+    pub quiet: i32,
+    /// Must be 0.
+    pub reserved2: u32,
+    /// How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
     pub duration_s: f64,
-    /// How long that is; 0 of a log, whose length the log tells; read only [s].
+    /// How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s].
     pub flown_s: f64,
-    /// Sample rate, 1e-3 to 2e4; of a log none [Hz].
+    /// Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
     pub rate_hz: f64,
-    /// Temperature of the sensors at the start of the flight, -273.15 to 1000 [deg C].
+    /// Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C].
     pub temperature_c: f64,
-    /// Its change, -300 to 300 [deg C/s].
+    /// Its change, -277 to 277 [deg C/s].
     pub temperature_change_c_s: f64,
     /// Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
     pub every_s: f64,
 }
 
-interface_struct!(sins_scene_setup, "setup", 64);
+interface_struct!(sins_scene_setup, "setup", 72);
 
 /// A failure that a scene plans.
 #[repr(C)]
@@ -117,9 +124,11 @@ pub unsafe extern "C" fn sins_scene_get_setup(
                 FlightSource::Log(_) => SINS_SCENE_FLIGHT_LOG,
             },
             has_temperature: i32::from(scene.temperature.is_some()),
+            quiet: i32::from(scene.output.quiet),
+            reserved2: 0,
             duration_s: scene.duration_s.unwrap_or(0.0),
-            flown_s: if scene.is_log() { 0.0 } else { scene.flown_s()? },
-            rate_hz: scene.rate_hz,
+            flown_s: scene.flown_s().unwrap_or(0.0),
+            rate_hz: if scene.is_log() { 0.0 } else { scene.rate_hz },
             temperature_c: scene.temperature.map_or(0.0, |temperature| temperature.at_start_c),
             temperature_change_c_s: scene.temperature.map_or(0.0, |temperature| temperature.change_c_s),
             every_s: scene.output.every_s.unwrap_or(0.0),
@@ -130,7 +139,7 @@ pub unsafe extern "C" fn sins_scene_get_setup(
 
 /// Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a duration beyond that of the flight.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_set_setup(
     scene: *mut sins_scene,
@@ -139,29 +148,94 @@ pub unsafe extern "C" fn sins_scene_set_setup(
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
         let setup = unsafe { read(setup, "setup")? };
-        super::options::check_reserved("setup.reserved", setup.reserved)?;
-        check_integer("setup.has_temperature", setup.has_temperature, 0, 1)?;
-        let has_temperature = setup.has_temperature == 1;
-        let optional = |field, value: f64, low, high| match value {
-            0.0 => Ok(None),
-            _ => check_range(field, value, low, high).map(|()| Some(value)),
-        };
+        check_reserved("setup.reserved", setup.reserved)?;
+        check_reserved("setup.reserved2", setup.reserved2)?;
+        let flag = |field, value| check_integer(field, value, 0, 1).map(|()| value == 1);
+        let some = |value: f64| (value != 0.0).then_some(value);
+        let temperature =
+            Temperature { at_start_c: setup.temperature_c, change_c_s: setup.temperature_change_c_s };
         let mut changed = scene.clone();
-        changed.duration_s = optional("setup.duration_s", setup.duration_s, 1e-2, 1e9)?;
-        check_range("setup.rate_hz", setup.rate_hz, 1e-3, 2e4)?;
-        changed.rate_hz = setup.rate_hz;
-        changed.output.every_s = optional("setup.every_s", setup.every_s, 5e-5, 1e7)?;
-        changed.temperature = None;
-        if has_temperature {
-            check_temperature("setup.temperature_c", setup.temperature_c)?;
-            check_range("setup.temperature_change_c_s", setup.temperature_change_c_s, -300.0, 300.0)?;
-            let (at_start_c, change_c_s) = (setup.temperature_c, setup.temperature_change_c_s);
-            changed.temperature = Some(Temperature { at_start_c, change_c_s });
+        changed.duration_s = some(setup.duration_s);
+        changed.output.every_s = some(setup.every_s);
+        changed.output.quiet = flag("setup.quiet", setup.quiet)?;
+        changed.temperature = flag("setup.has_temperature", setup.has_temperature)?.then_some(temperature);
+        if changed.temperature.is_none() && (temperature.at_start_c, temperature.change_c_s) != (0.0, 0.0) {
+            let rule = Rule::Words("must be 0, and its change too: has_temperature is 0");
+            return Err(Error::invalid("setup.temperature_c", setup.temperature_c, rule).into());
         }
-        if !changed.is_log() {
-            changed.flown_s()?;
+        if !scene.is_log() {
+            changed.rate_hz = setup.rate_hz;
+        } else if setup.rate_hz != 0.0 {
+            let rule = Rule::Words("must be 0: a flight log has its own time stamps");
+            return Err(Error::invalid("setup.rate_hz", setup.rate_hz, rule).into());
         }
+        changed.check_limits()?;
         *scene = changed;
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
+/// all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
+/// count alone manoeuvres with a capacity of 0.
+///
+/// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
+/// is a log; or as sins_scene_parse().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_manoeuvres(
+    scene: *const sins_scene,
+    start: *mut sins_flight_start,
+    manoeuvres: *mut sins_manoeuvre,
+    capacity: usize,
+    count: *mut usize,
+    repeat: *mut usize,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        let path = scene.path()?;
+        // SAFETY: the host's promise.
+        unsafe {
+            let start = if start.is_null() { None } else { Some(Output::new(start, "start")?) };
+            let places = Array::new(manoeuvres, capacity, "manoeuvres")?;
+            put(count, path.manoeuvres.len(), "count")?;
+            if capacity == 0 && manoeuvres.is_null() {
+                return Ok(SINS_OK);
+            }
+            if capacity < path.manoeuvres.len() {
+                return Err(Failure::buffer("capacity", capacity, path.manoeuvres.len()));
+            }
+            for (index, manoeuvre) in path.manoeuvres.iter().enumerate() {
+                places.write(index, &sins_manoeuvre::from_manoeuvre(manoeuvre))?;
+            }
+            if let Some(start) = start {
+                start.write(&sins_flight_start::from_start(&path.start));
+            }
+            if !repeat.is_null() {
+                put(repeat, path.repeat, "repeat")?;
+            }
+        }
+        Ok(SINS_OK)
+    })
+}
+
+/// Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most. start->earth
+/// is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_set_manoeuvres(
+    scene: *mut sins_scene,
+    start: *const sins_flight_start,
+    manoeuvres: *const sins_manoeuvre,
+    count: usize,
+    repeat: usize,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let (mut start, manoeuvres) = unsafe { flight::read_flight(start, manoeuvres, count)? };
+        start.ellipsoid = scene.options.ellipsoid;
+        let path = FlightPath { start, manoeuvres, repeat };
+        path.length_s()?;
+        scene.flight = FlightSource::Path(path);
         Ok(SINS_OK)
     })
 }
@@ -234,7 +308,10 @@ pub unsafe extern "C" fn sins_scene_set_text(
         };
         match which {
             SINS_SCENE_TEXT_TITLE => scene.title = text.to_owned(),
-            SINS_SCENE_TEXT_LOG => scene.flight = flight(FlightSource::Log(text.to_owned()))?,
+            SINS_SCENE_TEXT_LOG => {
+                scene.flight = flight(FlightSource::Log(text.to_owned()))?;
+                scene.rate_hz = Scene::default().rate_hz;
+            }
             SINS_SCENE_TEXT_BUILTIN => {
                 if crate::scene::builtin(text).is_none() {
                     return Err(refused("must be the name of a built-in scene").into());
@@ -242,10 +319,11 @@ pub unsafe extern "C" fn sins_scene_set_text(
                 scene.flight = flight(FlightSource::Builtin(text.to_owned()))?;
             }
             SINS_SCENE_TEXT_FOLDER => scene.output.folder = text.to_owned(),
-            SINS_SCENE_TEXT_NAME if text.contains(['/', '\\']) => {
-                return Err(refused("must be a name without a folder").into());
+            SINS_SCENE_TEXT_NAME => {
+                let output = scene::Output { name: text.to_owned(), ..scene.output.clone() };
+                output.validate()?;
+                scene.output = output;
             }
-            SINS_SCENE_TEXT_NAME => scene.output.name = text.to_owned(),
             SINS_SCENE_TEXT_IMU => scene.output.imu = text.to_owned(),
             _ => return Err(no_such_text(which)),
         }
@@ -261,7 +339,7 @@ pub unsafe extern "C" fn sins_scene_get_failure_count(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        unsafe { super::memory::put(count, scene.failures.len(), "count")? };
+        unsafe { put(count, scene.failures.len(), "count")? };
         Ok(SINS_OK)
     })
 }
@@ -342,7 +420,7 @@ impl sins_planned_failure {
 
     fn to_planned(self) -> Result<PlannedFailure, Failure> {
         let Self { kind, size, density, interval_s, duration_s, probability, .. } = self;
-        super::options::check_reserved("failure.reserved", self.reserved)?;
+        check_reserved("failure.reserved", self.reserved)?;
         let failure = sins_failure {
             struct_size: size_of::<sins_failure>() as u32,
             reserved: 0,
@@ -359,14 +437,11 @@ impl sins_planned_failure {
             let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
             return Err(Error::invalid("failure.kind", kind, rule).into());
         };
-        failure.validate(output)?;
-        check_range("failure.from_s", self.from_s, 0.0, 1e9)?;
-        check_range("failure.until_s", self.until_s, 0.0, 1e9)?;
-        let until_s = if self.until_s == 0.0 { f64::INFINITY } else { self.until_s };
-        if until_s <= self.from_s {
-            let rule = Rule::AtLeast("must be more than failure.from_s =", self.from_s);
-            return Err(Error::invalid("failure.until_s", self.until_s, rule).into());
-        }
-        Ok(PlannedFailure { output, failing: Failing { from_s: self.from_s, until_s }, failure })
+        let until_s = match self.until_s {
+            0.0 => f64::INFINITY,
+            f64::INFINITY => f64::NAN,
+            until_s => until_s,
+        };
+        Ok(PlannedFailure::new(output, failure, self.from_s, until_s)?)
     }
 }

@@ -55,7 +55,8 @@ pub unsafe extern "C" fn sins_scene_get_options(
     unsafe { get(scene, options, "options", |scene| sins_options::from_options(&scene.options)) }
 }
 
-/// Sets the options of the scene; on an error, as for every part, the scene is as it was.
+/// Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
+/// whether they go together is checked where the scene is written and its simulator is created.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_create().
 #[unsafe(no_mangle)]

@@ -4,11 +4,13 @@
 //! integral over the ellipsoid, held as piecewise Chebyshev series that are exact to rounding. Courses are kept against
 //! axes that are carried along without turning (wander azimuth): straight flight is a geodesic and no pole is singular.
 
+mod fields;
 mod manoeuvre;
 mod path;
 mod profile;
 mod smooth;
 
+pub(crate) use fields::{DEFAULT_RAMP_S, MANOEUVRE_KINDS, ManoeuvreFields};
 pub use manoeuvre::{Channel, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 
 use nalgebra::Quaternion;

@@ -1,8 +1,8 @@
 //! A scene while it is read or written: plain numbers, texts and indices, one place for each key.
 
 use super::{Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
-use crate::error::{Error, Rule};
-use crate::flight::{Channel, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
+use crate::error::Error;
+use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 use crate::sensors::{Axis, Failure, SensorOutput};
 
 /// A scene in the making. A number that may be missing is NaN.
@@ -21,23 +21,9 @@ pub struct Draft {
     pub sample_period_s: f64,
     pub every_s: f64,
     /// The items of lists that are being read or written.
-    pub manoeuvre: ManoeuvreDraft,
+    pub manoeuvre: ManoeuvreFields,
     pub sinusoid: SinusoidDraft,
     pub failure: FailureDraft,
-}
-
-/// A manoeuvre of any kind.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ManoeuvreDraft {
-    pub kind: usize,
-    pub duration_s: f64,
-    pub ramp_s: f64,
-    pub speed_change_m_s: f64,
-    pub height_change_m: f64,
-    pub heading_change_rad: f64,
-    pub bank_rad: f64,
-    pub turns: f64,
-    pub sinusoids: Vec<Sinusoid>,
 }
 
 /// A sinusoid of any channel.
@@ -65,24 +51,8 @@ pub struct FailureDraft {
     pub probability: f64,
 }
 
-/// Time in which a manoeuvre sets in where the scene does not say [s].
-const DEFAULT_RAMP_S: f64 = 5.0;
-
 /// Time constant of the closed loop where the scene does not say [s].
 pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
-
-/// The kinds of manoeuvres, and the keys that each of them uses.
-pub const KINDS: [(&str, &[&str]); 9] = [
-    ("rest", &["duration_s"]),
-    ("straight", &["duration_s"]),
-    ("accelerate", &["duration_s", "speed_change_m_s"]),
-    ("climb", &["duration_s", "ramp_s", "height_change_m"]),
-    ("turn", &["ramp_s", "heading_change_deg", "bank_deg"]),
-    ("roll", &["duration_s", "turns"]),
-    ("loop", &["duration_s", "ramp_s", "turns"]),
-    ("s_turn", &["duration_s", "ramp_s", "heading_change_deg", "turns"]),
-    ("sinusoids", &["duration_s", "ramp_s"]),
-];
 
 /// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
 pub const FAILURE_KINDS: [(&str, &[&str]); 7] = [
@@ -94,87 +64,6 @@ pub const FAILURE_KINDS: [(&str, &[&str]); 7] = [
     ("noise", &["density"]),
     ("drop_outs", &["interval_s", "probability"]),
 ];
-
-impl Default for ManoeuvreDraft {
-    fn default() -> Self {
-        Self {
-            kind: 0,
-            duration_s: 0.0,
-            ramp_s: DEFAULT_RAMP_S,
-            speed_change_m_s: 0.0,
-            height_change_m: 0.0,
-            heading_change_rad: 0.0,
-            bank_rad: 0.0,
-            turns: 0.0,
-            sinusoids: Vec::new(),
-        }
-    }
-}
-
-impl ManoeuvreDraft {
-    /// The manoeuvre; of a field that its kind does not use, nothing is asked.
-    pub fn to_manoeuvre(&self) -> Manoeuvre {
-        let Self { duration_s, ramp_s, speed_change_m_s, height_change_m, turns, bank_rad, .. } = *self;
-        let heading_change_rad = self.heading_change_rad;
-        match self.kind {
-            0 => Manoeuvre::Rest { duration_s },
-            1 => Manoeuvre::Straight { duration_s },
-            2 => Manoeuvre::Accelerate { duration_s, speed_change_m_s },
-            3 => Manoeuvre::Climb { duration_s, height_change_m, ramp_s },
-            4 => Manoeuvre::Turn { heading_change_rad, bank_rad, ramp_s },
-            5 => Manoeuvre::Roll { duration_s, turns },
-            6 => Manoeuvre::Loop { duration_s, turns, ramp_s },
-            7 => Manoeuvre::STurn {
-                duration_s,
-                heading_amplitude_rad: heading_change_rad,
-                cycles: turns,
-                ramp_s,
-            },
-            _ => {
-                let none = SinusoidDraft::default().to_sinusoid();
-                let mut terms = [none; MAX_SINUSOIDS];
-                terms.iter_mut().zip(&self.sinusoids).for_each(|(term, sinusoid)| *term = *sinusoid);
-                Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count: self.sinusoids.len() }
-            }
-        }
-    }
-}
-
-impl From<&Manoeuvre> for ManoeuvreDraft {
-    fn from(manoeuvre: &Manoeuvre) -> Self {
-        let mut draft = Self::default();
-        match *manoeuvre {
-            Manoeuvre::Rest { duration_s } => (draft.kind, draft.duration_s) = (0, duration_s),
-            Manoeuvre::Straight { duration_s } => (draft.kind, draft.duration_s) = (1, duration_s),
-            Manoeuvre::Accelerate { duration_s, speed_change_m_s } => {
-                (draft.kind, draft.duration_s, draft.speed_change_m_s) = (2, duration_s, speed_change_m_s);
-            }
-            Manoeuvre::Climb { duration_s, height_change_m, ramp_s } => {
-                (draft.kind, draft.duration_s, draft.ramp_s) = (3, duration_s, ramp_s);
-                draft.height_change_m = height_change_m;
-            }
-            Manoeuvre::Turn { heading_change_rad, bank_rad, ramp_s } => {
-                (draft.kind, draft.ramp_s, draft.bank_rad) = (4, ramp_s, bank_rad);
-                draft.heading_change_rad = heading_change_rad;
-            }
-            Manoeuvre::Roll { duration_s, turns } => {
-                (draft.kind, draft.duration_s, draft.turns) = (5, duration_s, turns);
-            }
-            Manoeuvre::Loop { duration_s, turns, ramp_s } => {
-                (draft.kind, draft.duration_s, draft.turns, draft.ramp_s) = (6, duration_s, turns, ramp_s);
-            }
-            Manoeuvre::STurn { duration_s, heading_amplitude_rad, cycles, ramp_s } => {
-                (draft.kind, draft.duration_s, draft.turns, draft.ramp_s) = (7, duration_s, cycles, ramp_s);
-                draft.heading_change_rad = heading_amplitude_rad;
-            }
-            Manoeuvre::Sinusoids { duration_s, ramp_s, terms, count } => {
-                (draft.kind, draft.duration_s, draft.ramp_s) = (8, duration_s, ramp_s);
-                draft.sinusoids = terms[..count].to_vec();
-            }
-        }
-        draft
-    }
-}
 
 impl Default for SinusoidDraft {
     fn default() -> Self {
@@ -259,17 +148,8 @@ impl FailureDraft {
     /// What is planned, checked; `None` if it is switched off.
     pub fn to_planned(&self) -> Result<Option<PlannedFailure>, Error> {
         let Some(failure) = self.to_failure() else { return Ok(None) };
-        failure.validate(self.output())?;
-        if self.until_s <= self.from_s {
-            let rule = Rule::AtLeast("must be more than from_s =", self.from_s);
-            return Err(Error::invalid("failure.until_s", self.until_s, rule));
-        }
         let until_s = if self.until_s.is_nan() { f64::INFINITY } else { self.until_s };
-        Ok(Some(PlannedFailure {
-            output: self.output(),
-            failing: Failing { from_s: self.from_s, until_s },
-            failure,
-        }))
+        PlannedFailure::new(self.output(), failure, self.from_s, until_s).map(Some)
     }
 }
 
@@ -320,7 +200,7 @@ impl From<&Scene> for Draft {
             closed_loop_time_s: scene.options.closed_loop_time_s.unwrap_or(DEFAULT_CLOSED_LOOP_TIME_S),
             sample_period_s: scene.options.intake.period_s.unwrap_or(f64::NAN),
             every_s: scene.output.every_s.unwrap_or(f64::NAN),
-            manoeuvre: ManoeuvreDraft::default(),
+            manoeuvre: ManoeuvreFields::default(),
             sinusoid: SinusoidDraft::default(),
             failure: FailureDraft::default(),
             scene: scene.clone(),

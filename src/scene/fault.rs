@@ -70,9 +70,15 @@ impl<'a> Faults<'a> {
 
 /// The word of `words` that is nearest to `word`, if it is near enough to be meant.
 pub fn nearest<'w>(word: &str, words: impl Iterator<Item = &'w str>) -> Option<&'w str> {
+    // Longer than any word of the library: the distance takes the product of both lengths.
+    const LONGEST: usize = 64;
+    if word.len() > LONGEST {
+        return None;
+    }
     // A third of the letters may be wrong.
     let most = 1 + word.chars().count() / 3;
     words
+        .filter(|other| other.len() <= LONGEST)
         .map(|other| (strsim::osa_distance(word, other), other))
         .filter(|(distance, _)| *distance <= most)
         .min_by_key(|(distance, _)| *distance)

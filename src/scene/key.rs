@@ -207,6 +207,12 @@ impl Key {
         }
     }
 
+    /// Limits of the scene itself [SI].
+    pub fn limits_si(&self) -> Option<(f64, f64)> {
+        let Target::Numbers { unit, limits, .. } = self.target else { return None };
+        limits.map(|(low, high)| (low * unit.si, high * unit.si))
+    }
+
     /// The same quantity in SI, under the library's own name of its field, if the key has another unit.
     pub fn si_name(&self) -> Option<&'static str> {
         let Target::Numbers { field, unit, .. } = self.target else { return None };

@@ -5,7 +5,9 @@
 //! (`table`): it makes the reading, the writing and the list of keys ([`keys`]).
 
 mod builtin;
+mod check;
 mod draft;
+mod examine;
 mod fault;
 mod key;
 mod list;
@@ -169,8 +171,9 @@ impl FlightPath {
     }
 
     fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
-        check_range("flight.repeat", self.repeat as f64, 1.0, MAX_MANOEUVRES as f64)?;
-        let mut manoeuvres = room(self.manoeuvres.len().saturating_mul(self.repeat))?;
+        let most = (MAX_MANOEUVRES / self.manoeuvres.len().max(1)).max(1);
+        check_range("flight.repeat", self.repeat as f64, 1.0, most as f64)?;
+        let mut manoeuvres = room(self.manoeuvres.len() * self.repeat)?;
         for _ in 0..self.repeat {
             manoeuvres.extend_from_slice(&self.manoeuvres);
         }
@@ -182,6 +185,14 @@ impl Scene {
     /// Whether the flight is a log.
     pub fn is_log(&self) -> bool {
         matches!(self.flight, FlightSource::Log(_))
+    }
+
+    /// How many manoeuvres the scene itself has.
+    pub(crate) fn manoeuvre_count(&self) -> usize {
+        match &self.flight {
+            FlightSource::Path(path) => path.manoeuvres.len(),
+            FlightSource::Log(_) | FlightSource::Builtin(_) => 0,
+        }
     }
 
     /// The options of the simulator: the scene's, and with a flight that is not a log the period of its rate.
@@ -213,7 +224,7 @@ impl Scene {
     }
 
     /// The start and the manoeuvres of the flight, a built-in one's too.
-    fn path(&self) -> Result<FlightPath, Error> {
+    pub(crate) fn path(&self) -> Result<FlightPath, Error> {
         let mut path = match &self.flight {
             FlightSource::Path(path) => path.clone(),
             FlightSource::Builtin(name) => match builtin(name).map(|scene| scene.flight) {

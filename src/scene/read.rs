@@ -1,41 +1,59 @@
-//! The reader of scenes: every fault of a text, each at its place.
+//! The reader of scenes: every section, item and key of a text, and every fault at its place.
 
 use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
+use toml_parser::Source;
+use toml_parser::lexer::TokenKind;
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, KINDS, ManoeuvreDraft, SinusoidDraft};
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
 use super::fault::{Fault, Faults, excerpt, nearest};
-use super::key::{Key, Section, Target};
+use super::key::{Key, Section};
 use super::table::{self, KEYS};
 use super::value::{Value, put};
-use super::{BUILTIN_SCENES, MAX_TEXT, Scene};
-use crate::error::{Error, Rule};
-use crate::flight::{Channel, MAX_MANOEUVRES, MAX_SINUSOIDS, Manoeuvre};
-use crate::mechanization::VerticalMode;
-use crate::sensors::{Sensor, SensorOutput};
+use super::{MAX_TEXT, Scene};
+use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields};
 
 type Span = Range<usize>;
 
 /// A section, or an item of a list: where its head stands, and where those of its keys that the text sets, by their
 /// place in the table.
 #[derive(Debug, Clone, Default)]
-struct Item {
-    head: Span,
-    keys: Vec<(usize, Span)>,
+pub(super) struct Item {
+    pub head: Span,
+    pub keys: Vec<(usize, Span)>,
 }
 
 impl Item {
     /// Where the key of `name` stands.
-    fn key(&self, name: &str) -> Option<&Span> {
+    pub fn key(&self, name: &str) -> Option<&Span> {
         self.keys.iter().find(|(index, _)| KEYS[*index].name == name).map(|(_, span)| span)
     }
 
     /// The key that the text sets for the field of an error, and where.
-    fn of_field(&self, field: &str) -> Option<(&'static Key, &Span)> {
-        let sets = |key: &Key| !field.is_empty() && key.field().starts_with(field);
+    pub fn of_field(&self, field: &str) -> Option<(&'static Key, &Span)> {
+        let sets = |key: &Key| !field.is_empty() && (key.field().starts_with(field) || key.path() == field);
         self.keys.iter().find(|(index, _)| sets(&KEYS[*index])).map(|(index, span)| (&KEYS[*index], span))
     }
+}
+
+/// Brackets that may be open at once: the parser takes a kilobyte of stack for each. A scene needs two.
+const MAX_NESTING: usize = 8;
+
+/// Where a text nests deeper than that [bytes].
+fn too_deep(text: &str) -> Option<usize> {
+    let mut depth = 0_usize;
+    for token in Source::new(text).lex() {
+        match token.kind() {
+            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
+            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth > MAX_NESTING {
+            return Some(token.span().start());
+        }
+    }
+    None
 }
 
 impl Scene {
@@ -51,6 +69,14 @@ impl Scene {
             vec![Fault { line, column: 1, sentence: "not UTF-8".to_owned() }]
         })?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        if let Some(at) = too_deep(text) {
+            let mut faults = Faults::new(text);
+            faults.add(
+                &(at..at),
+                format!("brackets within brackets, more than {MAX_NESTING}: a scene has none"),
+            );
+            return Err(faults.into_list());
+        }
         let (root, errors) = DeTable::parse_recoverable(text);
         let mut reader = Reader {
             faults: Faults::new(text),
@@ -71,22 +97,25 @@ impl Scene {
     }
 }
 
-struct Reader<'t> {
-    faults: Faults<'t>,
-    draft: Draft,
+pub(super) struct Reader<'t> {
+    pub faults: Faults<'t>,
+    pub draft: Draft,
     sections: [Item; Section::ALL.len()],
-    manoeuvres: Vec<Manoeuvre>,
+    pub manoeuvres: Vec<Manoeuvre>,
     /// Where each manoeuvre stands.
-    items: Vec<Item>,
+    pub items: Vec<Item>,
 }
 
 impl Reader<'_> {
-    fn section(&self, section: Section) -> &Item {
+    pub fn section(&self, section: Section) -> &Item {
         &self.sections[section as usize]
     }
 
     fn read_root(&mut self, root: &DeTable<'_>) {
         for (name, value) in root {
+            if self.faults.are_many() {
+                return;
+            }
             let (name, span) = (name.get_ref().as_ref(), name.span());
             let section = Section::ALL.into_iter().find(|section| section.name() == name);
             match (section, value.get_ref()) {
@@ -96,6 +125,9 @@ impl Reader<'_> {
                 }
                 (Some(section), DeValue::Array(array)) if section.is_list() => {
                     for element in array.iter() {
+                        if self.faults.are_many() {
+                            return;
+                        }
                         let head = element.span();
                         match element.get_ref() {
                             DeValue::Table(item) if section == Section::Manoeuvre => {
@@ -143,6 +175,9 @@ impl Reader<'_> {
             }
         }
         for (name, value) in section_table {
+            if self.faults.are_many() {
+                break;
+            }
             let (name, span) = (name.get_ref().as_ref(), name.span());
             let is_sinusoids = section == Section::Manoeuvre && name == "sinusoid";
             let names =
@@ -157,7 +192,7 @@ impl Reader<'_> {
     }
 
     fn read_manoeuvre(&mut self, head: Span, section_table: &DeTable<'_>) {
-        self.draft.manoeuvre = ManoeuvreDraft::default();
+        self.draft.manoeuvre = ManoeuvreFields::default();
         let item = self.read_keys(Section::Manoeuvre, head.clone(), section_table);
         if let Some(DeValue::Array(sinusoids)) = section_table.get("sinusoid").map(|value| value.get_ref()) {
             for sinusoid in sinusoids.iter() {
@@ -167,17 +202,17 @@ impl Reader<'_> {
                 }
             }
         }
-        let (kind, uses) = KINDS[self.draft.manoeuvre.kind];
+        let (kind, uses) = MANOEUVRE_KINDS[self.draft.manoeuvre.kind];
         if item.key("kind").is_none() {
             self.faults.add(&head, "[[manoeuvre]]: expected its kind");
         } else {
             for (index, span) in &item.keys {
-                let name = KEYS[*index].name;
-                if name != "kind" && !uses.contains(&name) {
+                let Key { name, .. } = KEYS[*index];
+                if name != "kind" && !uses.contains(&KEYS[*index].field()) {
                     self.faults.add(span, format!("manoeuvre.{name}: {kind} does not use it"));
                 }
             }
-            if kind != "sinusoids" && !self.draft.manoeuvre.sinusoids.is_empty() {
+            if kind != "sinusoids" && self.draft.manoeuvre.sinusoid_count > 0 {
                 self.faults.add(&head, format!("[[manoeuvre.sinusoid]]: {kind} has none"));
             }
         }
@@ -200,12 +235,14 @@ impl Reader<'_> {
         } else if let Some(span) = item.key(other) {
             self.faults.add(span, format!("sinusoid.{other}: not of this channel; expected {own}"));
         }
-        if self.draft.manoeuvre.sinusoids.len() == MAX_SINUSOIDS {
+        let manoeuvre = &mut self.draft.manoeuvre;
+        let Some(place) = manoeuvre.sinusoids.get_mut(manoeuvre.sinusoid_count) else {
             self.faults
                 .add(&head, format!("[[manoeuvre.sinusoid]]: more than {MAX_SINUSOIDS} in a manoeuvre"));
             return;
-        }
-        self.draft.manoeuvre.sinusoids.push(self.draft.sinusoid.to_sinusoid());
+        };
+        *place = self.draft.sinusoid.to_sinusoid();
+        manoeuvre.sinusoid_count += 1;
     }
 
     fn read_failure(&mut self, head: Span, section_table: &DeTable<'_>) {
@@ -235,6 +272,9 @@ impl Reader<'_> {
                 self.faults.add(span, format!("failure.{name}: not of this sensor; expected {own}"));
             }
         }
+        if let (Some(_), Some(span)) = (item.key("interval_s"), item.key("probability")) {
+            self.faults.add(span, "failure.probability: only of drop-outs without interval_s");
+        }
         match failure.to_planned() {
             Ok(Some(planned)) => {
                 if let Err(error) = self.draft.scene.add_failure(planned) {
@@ -245,188 +285,9 @@ impl Reader<'_> {
             Err(error) => self.add_error(&error, &item),
         }
     }
-
-    /// What single keys cannot tell: whether they go together.
-    fn check_together(&mut self) {
-        let flight = self.section(Section::Flight).clone();
-        let sources = [flight.key("file").is_some(), flight.key("builtin").is_some(), !self.items.is_empty()];
-        let head = if flight.keys.is_empty() { &(0..0) } else { &flight.head };
-        match sources.iter().filter(|is_there| **is_there).count() {
-            0 => self.faults.add(head, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
-            1 => {}
-            _ => self.faults.add(head, "[flight]: expected one alone of file, builtin and [[manoeuvre]]s"),
-        }
-        if let Some(span) = flight.key("builtin")
-            && !BUILTIN_SCENES.iter().any(|(name, _)| *name == self.draft.builtin)
-        {
-            let names = || BUILTIN_SCENES.iter().map(|(name, _)| *name);
-            let near = nearest(&self.draft.builtin, names());
-            let listed = near.map_or(names().collect::<Vec<_>>().join(", "), |near| format!("{near}?"));
-            let sentence =
-                format!("flight.builtin = \"{}\": no such flight; {listed}", excerpt(&self.draft.builtin));
-            self.faults.add(span, sentence);
-        }
-        if sources[0]
-            && let Some(span) = flight.key("rate_hz")
-        {
-            self.faults.add(span, "flight.rate_hz: a flight log has its own time stamps");
-        }
-        if !sources[0]
-            && let Some(span) = self.section(Section::Options).key("sample_period_s").cloned()
-        {
-            self.faults
-                .add(&span, "options.sample_period_s: only of a log; this flight is sampled at rate_hz");
-        }
-        if !sources[2] {
-            for (index, span) in &flight.keys {
-                let key = &KEYS[*index];
-                if key.field().starts_with("start.") || key.name == "repeat" {
-                    self.faults.add(
-                        span,
-                        format!("{}: only with [[manoeuvre]]s; this flight has its own start", key.path()),
-                    );
-                }
-            }
-        }
-        if flight.key("temperature_c").is_none()
-            && let Some(span) = flight.key("temperature_change_c_h")
-        {
-            self.faults
-                .add(span, "flight.temperature_change_c_h: only with temperature_c, from which it goes on");
-        }
-        self.check_altimeter();
-        if let Some(span) = self.section(Section::Options).key("closed_loop_time_s").cloned()
-            && !self.draft.closed_loop
-        {
-            self.faults.add(&span, "options.closed_loop_time_s: only with signal = \"closed-loop\"");
-        }
-        if let Some(span) = self.section(Section::Output).key("name").cloned()
-            && self.draft.scene.output.name.contains(['/', '\\'])
-        {
-            self.faults
-                .add(&span, "output.name: has a folder; expected a name without, the folder by itself");
-        }
-    }
-
-    fn check_altimeter(&mut self) {
-        if self.draft.scene.options.vertical == VerticalMode::Damped {
-            return;
-        }
-        let altimeter = self.section(Section::Altimeter).clone();
-        if !altimeter.keys.is_empty() {
-            self.faults.add(&altimeter.head, "[altimeter]: acts with options.vertical = \"damped\" alone");
-        }
-        if self.draft.scene.failures.iter().any(|planned| planned.output == SensorOutput::Altimeter) {
-            let head = self.section(Section::Options).head.clone();
-            self.faults
-                .add(&head, "[options]: a failure of the altimeter acts with vertical = \"damped\" alone");
-        }
-    }
-
-    /// The limits of the library, each fault in turn: a value that is refused is put back to its default and the rest checked.
-    fn check_values(&mut self) {
-        self.check(Section::Options, |draft| draft.clone().into_scene(Vec::new()).options.validate());
-        self.check(Section::Gyro, |draft| draft.scene.gyro.validate(Sensor::Gyro));
-        self.check(Section::Accelerometer, |draft| draft.scene.accel.validate(Sensor::Accelerometer));
-        self.check(Section::Altimeter, |draft| draft.scene.altimeter.validate());
-        self.check(Section::Start, |draft| draft.scene.initial.validate());
-        self.check(Section::Mounting, |draft| draft.scene.mounting.validate());
-        self.check(Section::Gravity, |draft| draft.scene.gravity.validate());
-        self.check(Section::Flight, |draft| draft.start.validate());
-    }
-
-    fn check(&mut self, section: Section, validate: impl Fn(&Draft) -> Result<(), Error>) {
-        let item = self.section(section).clone();
-        while let Err(error) = validate(&self.draft) {
-            self.add_error(&error, &item);
-            let Some((key, _)) = item.of_field(error.field) else { return };
-            if self.faults.are_many() || !self.put_back(key) {
-                return;
-            }
-        }
-    }
-
-    /// The default in place of the value of a key; whether that was another value.
-    fn put_back(&mut self, key: &Key) -> bool {
-        let mut default = Draft::from(&Scene::default());
-        match key.target {
-            Target::Numbers { place, .. } => {
-                let mut has_changed = false;
-                for (number, default) in place.of(&mut self.draft).into_iter().zip(place.of(&mut default)) {
-                    has_changed |= number.to_bits() != default.to_bits();
-                    *number = *default;
-                }
-                has_changed
-            }
-            Target::Count { get, set, .. } => {
-                let has_changed = get(&self.draft) != get(&default);
-                set(&mut self.draft, get(&default));
-                has_changed
-            }
-            _ => false,
-        }
-    }
-
-    /// Notes an error of the library at the key that set the field.
-    fn add_error(&mut self, error: &Error, item: &Item) {
-        match item.of_field(error.field) {
-            Some((key, span)) => self.faults.add(span, sentence(error, key)),
-            None => self.faults.add(&item.head, error.to_string()),
-        }
-    }
-
-    /// The flight, as far as it can be checked without integrating it.
-    fn check_flight(&mut self, scene: &Scene) {
-        if scene.is_log() {
-            return;
-        }
-        if let Err(error) = scene.flown_s() {
-            let of_manoeuvre = error.index.map(|index| index % self.items.len().max(1));
-            let item = match of_manoeuvre.and_then(|index| self.items.get(index)) {
-                Some(item) => item.clone(),
-                None => self.section(Section::Flight).clone(),
-            };
-            self.add_error(&Error { index: None, ..error }, &item);
-        }
-    }
-
-    fn into_scene(mut self) -> Result<Scene, Vec<Fault>> {
-        let manoeuvres = core::mem::take(&mut self.manoeuvres);
-        let scene = self.draft.clone().into_scene(manoeuvres);
-        if self.faults.is_empty() {
-            self.check_flight(&scene);
-        }
-        if self.faults.is_empty() { Ok(scene) } else { Err(self.faults.into_list()) }
-    }
 }
 
 fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
     let near = near.map_or(String::new(), |near| format!("; {near}?"));
     format!("no such {what}: {}{near}", excerpt(name))
-}
-
-/// The library's error in the words and the unit of `key`.
-fn sentence(error: &Error, key: &Key) -> String {
-    let Target::Numbers { unit, .. } = key.target else { return error.to_string() };
-    let in_unit = |number: f64| if unit.si == 1.0 { number } else { rounded(number / unit.si) };
-    let rule = match error.rule {
-        Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
-        Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
-        Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
-        Rule::Below(limit) => Rule::Below(in_unit(limit)),
-        Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),
-        Rule::AtMost(words, number) => Rule::AtMost(words, in_unit(number)),
-        Rule::Exactly(words, number) => Rule::Exactly(words, in_unit(number)),
-        Rule::WordsAnd(words, number) => Rule::WordsAnd(words, in_unit(number)),
-        other => other,
-    };
-    let in_units = Error { field: "", value: None, rule, ..*error };
-    let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
-    let value = error.value.map_or(String::new(), |value| format!(" = {}", in_unit(value.as_f64())));
-    format!("{}{index}{value}: {in_units}", key.path())
-}
-
-/// Six digits: enough for a limit, and none that rounding made.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.5e}").parse().unwrap_or(number)
 }

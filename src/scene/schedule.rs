@@ -3,7 +3,7 @@
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
 use crate::error::{Error, Rule, check_range};
-use crate::sensors::SensorOutput;
+use crate::sensors::{Failure, SensorOutput};
 use crate::truth::FlightSample;
 
 impl Failing {
@@ -14,6 +14,25 @@ impl Failing {
 
     fn has(&self, time_s: f64) -> bool {
         self.from_s <= time_s && time_s < self.until_s
+    }
+}
+
+/// Times of a planned failure [s].
+const TIMES_S: (f64, f64) = (0.0, 1e9);
+
+impl PlannedFailure {
+    /// A failure from `from_s` to `until_s`, infinite: to the end of the flight [s].
+    pub fn new(output: SensorOutput, failure: Failure, from_s: f64, until_s: f64) -> Result<Self, Error> {
+        failure.validate(output)?;
+        check_range("failure.from_s", from_s, TIMES_S.0, TIMES_S.1)?;
+        if until_s <= from_s {
+            let rule = Rule::WordsAnd("must be more than from_s =", from_s);
+            return Err(Error::invalid("failure.until_s", until_s, rule));
+        }
+        if until_s != f64::INFINITY {
+            check_range("failure.until_s", until_s, TIMES_S.0, TIMES_S.1)?;
+        }
+        Ok(Self { output, failing: Failing { from_s, until_s }, failure })
     }
 }
 

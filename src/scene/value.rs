@@ -96,11 +96,10 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             let numbers = value.numbers().and_then(|numbers| elements(shape, value, &numbers));
             let Some(numbers) = numbers else { return Err(refused(expected())) };
             let unit_si = if in_si { 1.0 } else { unit.si };
-            if let Some((low, high)) = limits {
-                let in_unit = |number: &f64| (low..=high).contains(&(number * (unit_si / unit.si)));
-                if !numbers.iter().all(in_unit) {
-                    return Err(refused(expected()));
-                }
+            if let Some((low, high)) = key.limits_si()
+                && !numbers.iter().all(|number| (low..=high).contains(&(number * unit_si)))
+            {
+                return Err(refused(expected()));
             }
             for (to, number) in place.of(draft).into_iter().zip(numbers) {
                 *to = number * unit_si;

@@ -2,11 +2,12 @@
 
 use super::FlightSource;
 use super::Scene;
-use super::draft::{Draft, FailureDraft, ManoeuvreDraft, SinusoidDraft};
+use super::draft::{Draft, FailureDraft, SinusoidDraft};
 use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::table::of_section;
 use super::value::written;
+use crate::flight::ManoeuvreFields;
 use crate::sensors::SensorOutput;
 
 impl Scene {
@@ -52,9 +53,10 @@ impl Writer {
     fn manoeuvres(&mut self, flight: &FlightSource) {
         let FlightSource::Path(path) = flight else { return };
         for manoeuvre in &path.manoeuvres {
-            self.draft.manoeuvre = ManoeuvreDraft::from(manoeuvre);
+            self.draft.manoeuvre = ManoeuvreFields::from(manoeuvre);
             self.section(Section::Manoeuvre, |_| true);
-            for sinusoid in &self.draft.manoeuvre.sinusoids.clone() {
+            let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
+            for sinusoid in &sinusoids[..sinusoid_count] {
                 self.draft.sinusoid = SinusoidDraft::from(sinusoid);
                 self.section(Section::Sinusoid, |_| true);
             }

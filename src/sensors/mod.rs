@@ -13,7 +13,7 @@
 //! | scale-type errors of that | scale factor, misalignment, given and drawn at turn-on | K s |
 //! | | asymmetry | a/2 \|s\| |
 //! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
-//! | | g-sensitivity | G f |
+//! | | g-sensitivity, g²-sensitivity | G f, k f² of the force along each gyro's own axis |
 //! | | temperature | (s1 θ + s2 θ²) s + b1 θ + b2 θ², θ = T - T_ref |
 //! | additive | bias, turn-on bias, Gauss-Markov bias | |
 //! | | flicker B | stationary from the first sample on |
@@ -24,6 +24,8 @@
 //! | | range | ±r, flagged |
 //! | | quantization | whole pulses, the rest carried |
 //! | | failures: stuck, dead, drop-outs | the last value; 0, flagged |
+//!
+//! The parameters of all effects are in one table, [`PARAMETERS`]: `table.rs`.
 //!
 //! Every random process is discretised exactly, whatever the length of the increments.
 

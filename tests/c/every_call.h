@@ -98,8 +98,10 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     sins_flight_sample sample = {.struct_size = sizeof sample};
     sins_sim *made = NULL;
     sins_flight *flight = NULL;
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre manoeuvres[1] = {{.struct_size = sizeof manoeuvres[0]}};
     char text[8192];
-    size_t count;
+    size_t count, repeat;
     setup.rate_hz = 100.0;
     failure.kind = SINS_FAILURE_DEAD;
     EVERY_CALL(sins_scene_set_options(scene, &options));
@@ -111,6 +113,11 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_set_gravity_disturbance(scene, &gravity));
     EVERY_CALL(sins_scene_set_setup(scene, &setup));
     EVERY_CALL(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another"));
+    start.speed_m_s = 100.0;
+    manoeuvres[0].kind = SINS_MANOEUVRE_STRAIGHT;
+    manoeuvres[0].duration_s = 60.0;
+    EVERY_CALL(sins_scene_set_manoeuvres(scene, &start, manoeuvres, 1, 2));
+    EVERY_CALL(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 1, &count, &repeat));
     EVERY_CALL(sins_scene_clear_failures(scene));
     EVERY_CALL(sins_scene_add_failure(scene, &failure));
     EVERY_CALL(sins_scene_get_options(scene, &options));

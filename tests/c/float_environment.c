@@ -130,7 +130,7 @@ typedef struct {
     double duration_s;
     sins_flight_sample piece[COUNT];
     sins_error_info info;
-    char sentence[200], written[8192], keys[32768];
+    char sentence[200], written[8192], keys[32768], name[32];
     sins_fault fault;
     sins_flight_sample of_log;
     sins_record of_scene;
@@ -161,6 +161,7 @@ static void fly_scene(results *found)
     CHECK(sins_scene_create(&other) == SINS_OK && sins_scene_destroy(other) == SINS_OK);
     CHECK(sins_scene_create_builtin("patrol", &other) == SINS_OK && sins_scene_destroy(other) == SINS_OK);
     CHECK(sins_scene_write(scene, found->written, sizeof found->written, NULL) == SINS_OK);
+    CHECK(sins_scene_builtin_name(1, found->name, sizeof found->name, NULL) == SINS_OK);
     CHECK(sins_scene_write_keys(found->keys, sizeof found->keys, NULL) == SINS_OK);
     CHECK(sins_scene_create_simulator(scene, &sim) == SINS_OK);
     CHECK(sins_scene_create_flight(scene, &flight) == SINS_OK);

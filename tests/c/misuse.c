@@ -129,6 +129,9 @@ static void null_pointers_of_scenes(sins_sim *sim)
 {
     sins_scene *scene = scene_of_text(), *made = NULL;
     sins_log *log = scene_log(), *made_log = NULL;
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre manoeuvres[4] = {{.struct_size = sizeof manoeuvres[0]}};
+    size_t count;
     NULL_POINTER(sins_scene_create(NULL));
     NULL_POINTER(sins_scene_create_builtin(NULL, &made));
     NULL_POINTER(sins_scene_create_builtin("patrol", NULL));
@@ -161,6 +164,11 @@ static void null_pointers_of_scenes(sins_sim *sim)
     NULL_POINTER(sins_scene_get_failure_count(scene, NULL));
     NULL_POINTER(sins_scene_get_failure(scene, 0, NULL));
     NULL_POINTER(sins_scene_add_failure(scene, NULL));
+    NULL_POINTER(sins_scene_builtin_name(0, NULL, 100, NULL));
+    NULL_POINTER(sins_scene_get_manoeuvres(scene, &start, NULL, 4, &count, NULL));
+    NULL_POINTER(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, NULL, NULL));
+    NULL_POINTER(sins_scene_set_manoeuvres(scene, NULL, manoeuvres, 4, 1));
+    NULL_POINTER(sins_scene_set_manoeuvres(scene, &start, NULL, 4, 1));
     NULL_POINTER(sins_log_parse(NULL, 1, &made_log, NULL));
     NULL_POINTER(sins_log_parse(scene_log_text, 1, NULL, NULL));
     NULL_POINTER(sins_log_get_info(log, NULL));

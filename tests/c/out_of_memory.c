@@ -53,6 +53,43 @@ static sins_status budget(void)
     return status;
 }
 
+/* Functions of scenes, and the parser of logs, ask for their memory first: without any they say so and change nothing. */
+static void starve_scenes(void)
+{
+    sins_scene *scene = scene_of_text(), *made = NULL;
+    sins_log *log = NULL;
+    sins_sim *sim = NULL;
+    sins_flight *flight = NULL;
+    sins_scene_setup setup = {.struct_size = sizeof setup};
+    sins_flight_start start = {.struct_size = sizeof start};
+    sins_manoeuvre manoeuvres[2] = {{.struct_size = sizeof manoeuvres[0]}};
+    sins_planned_failure failure = {.struct_size = sizeof failure, .kind = SINS_FAILURE_DEAD, .from_s = 1.0};
+    static char before[8192], after[8192];
+    size_t count;
+    long living;
+    CHECK(sins_scene_get_setup(scene, &setup) == SINS_OK);
+    CHECK(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 2, &count, NULL) == SINS_OK);
+    CHECK(sins_scene_write(scene, before, sizeof before, NULL) == SINS_OK);
+    living = allocator_living;
+    allocator_good = 0;
+    CHECK(sins_scene_create(&made) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_create_builtin("patrol", &made) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_parse(scene_text, sizeof scene_text - 1, &made) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_write(scene, after, sizeof after, NULL) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_write_keys(after, sizeof after, NULL) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_create_simulator(scene, &sim) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_create_flight(scene, &flight) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_set_setup(scene, &setup) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_set_manoeuvres(scene, &start, manoeuvres, count, 2) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another") == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_add_failure(scene, &failure) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL) == SINS_ERROR_OUT_OF_MEMORY);
+    allocator_good = -1;
+    CHECK(allocator_living == living && made == NULL && log == NULL && sim == NULL && flight == NULL);
+    CHECK(sins_scene_write(scene, after, sizeof after, NULL) == SINS_OK && strcmp(before, after) == 0);
+    CHECK(sins_scene_destroy(scene) == SINS_OK);
+}
+
 /* The number of allocations of `call`; each of them fails once, with all that follow. */
 static int starve(sins_status (*call)(void))
 {
@@ -114,6 +151,7 @@ int main(void)
             printf("%d of a budget fail in turn\n", allocations);
         }
     }
+    starve_scenes();
     CHECK(memcmp(found, expected, sizeof expected) == 0);
     CHECK(sins_destroy(sim) == SINS_OK);
     return 0;

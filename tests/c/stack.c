@@ -204,6 +204,20 @@ static void call_without_a_simulator(void)
     MEASURE(sins_flight_destroy(flight));
 }
 
+/* A text that opens what it never closes, as deep as it may. */
+static void parse_deep(const char *begin, const char *open)
+{
+    static char deep[1 << 20];
+    sins_scene *scene = NULL;
+    size_t size = strlen(begin), step = strlen(open);
+    memcpy(deep, begin, size);
+    for (; size + step <= sizeof deep; size += step) {
+        memcpy(deep + size, open, step);
+    }
+    CHECK(TRY(sins_scene_parse(deep, size, &scene)) == SINS_SCENE_HAS_FAULTS);
+    MEASURE(sins_scene_destroy(scene));
+}
+
 static void call_with_scenes(void)
 {
     sins_options options = {.struct_size = sizeof options};
@@ -222,7 +236,15 @@ static void call_with_scenes(void)
     sins_log *log = NULL;
     sins_sim *sim = NULL;
     sins_flight *flight = NULL;
+    sins_flight_start start = {.struct_size = sizeof start};
+    static sins_manoeuvre manoeuvres[4];
     size_t count;
+    parse_deep("a = ", "[");
+    parse_deep("a = ", "{ a = ");
+    parse_deep("", "a.");
+    parse_deep("[", "a.");
+    parse_deep("a = [", "[],");
+    manoeuvres[0].struct_size = sizeof manoeuvres[0];
     MEASURE(sins_scene_create(&other));
     MEASURE(sins_scene_destroy(other));
     MEASURE(sins_scene_create_builtin("aerobatics", &other));
@@ -255,6 +277,9 @@ static void call_with_scenes(void)
     MEASURE(sins_scene_get_gravity_disturbance(scene, &gravity));
     MEASURE(sins_scene_get_setup(scene, &setup));
     MEASURE(sins_scene_set_setup(scene, &setup));
+    MEASURE(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, &count, NULL));
+    MEASURE(sins_scene_set_manoeuvres(scene, &start, manoeuvres, count, 1));
+    MEASURE(sins_scene_builtin_name(0, text, sizeof text, NULL));
     MEASURE(sins_scene_set_text(scene, SINS_SCENE_TEXT_BUILTIN, "patrol"));
     MEASURE(sins_scene_get_text(scene, SINS_SCENE_TEXT_BUILTIN, text, sizeof text, NULL));
     MEASURE(sins_scene_get_failure_count(scene, &count));

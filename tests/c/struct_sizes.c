@@ -185,6 +185,21 @@ static sins_status fault_of_log(sins_fault *fault)
     return status == SINS_ERROR_INVALID_ARGUMENT ? SINS_OK : status;
 }
 
+/* The flight of the scene, whose single manoeuvre is a rest; what is NULL is good. */
+static sins_status set_manoeuvres(sins_scene *scene, const sins_flight_start *start, const sins_manoeuvre *manoeuvre)
+{
+    sins_flight_start good_start = {.struct_size = sizeof good_start};
+    sins_manoeuvre rest = {.struct_size = sizeof rest, .duration_s = 1.0};
+    return sins_scene_set_manoeuvres(scene, start ? start : &good_start, manoeuvre ? manoeuvre : &rest, 1, 1);
+}
+
+static sins_status get_manoeuvres(sins_scene *scene, sins_flight_start *start, sins_manoeuvre *manoeuvre)
+{
+    sins_manoeuvre good = {.struct_size = sizeof good};
+    size_t count;
+    return sins_scene_get_manoeuvres(scene, start, manoeuvre ? manoeuvre : &good, 1, &count, NULL);
+}
+
 static void struct_sizes_of_scenes(sins_sim *sim)
 {
     sins_scene *scene = NULL, *faulty = NULL;
@@ -198,8 +213,12 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
     INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
     INPUT_SIZES(sins_gravity_params, sins_scene_set_gravity_disturbance(scene, pointer));
+    INPUT_SIZES(sins_flight_start, set_manoeuvres(scene, pointer, NULL));
+    INPUT_SIZES(sins_manoeuvre, set_manoeuvres(scene, NULL, pointer));
     INPUT_SIZES(sins_scene_setup, sins_scene_set_setup(scene, pointer));
     INPUT_SIZES(sins_planned_failure, add_failure(scene, pointer));
+    OUTPUT_SIZES(sins_flight_start, get_manoeuvres(scene, pointer, NULL));
+    OUTPUT_SIZES(sins_manoeuvre, get_manoeuvres(scene, NULL, pointer));
     OUTPUT_SIZES(sins_options, sins_scene_get_options(scene, pointer));
     OUTPUT_SIZES(sins_gyro_params, sins_scene_get_gyro(scene, pointer));
     OUTPUT_SIZES(sins_accel_params, sins_scene_get_accel(scene, pointer));

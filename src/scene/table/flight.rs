@@ -1,9 +1,8 @@
 //! The true motion: `[flight]`, `[[manoeuvre]]`, `[[manoeuvre.sinusoid]]`.
 
-use super::super::draft::KINDS;
 use super::super::key::{Key, Section, Shape, Target, one};
 use super::{PURE, choice, first_words, numbers, unit, within};
-use crate::flight::Channel;
+use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::units::DEG;
 
 const F: Section = Section::Flight;
@@ -120,7 +119,7 @@ pub const MANOEUVRE: &[Key] = &[
         doc: "what is flown",
         target: Target::Choice {
             field: "manoeuvre.kind",
-            words: &first_words(KINDS),
+            words: &first_words(MANOEUVRE_KINDS),
             get: |d| d.manoeuvre.kind,
             set: |d, kind| d.manoeuvre.kind = kind,
         },

@@ -246,7 +246,8 @@ impl Host {
 
     pub fn change_scene(&mut self) {
         let input = &mut self.input;
-        match input.below(12) {
+        match input.below(13) {
+            12 => self.change_manoeuvres(),
             0 => {
                 let options = some_options(input);
                 self.setting_scene(
@@ -306,7 +307,8 @@ impl Host {
             7 => {
                 let setup = sins_scene_setup {
                     has_temperature: i32::from(input.one_in(2)),
-                    duration_s: input.pick(&[0.0, 60.0, 1e-2, 1e9]),
+                    quiet: i32::from(input.one_in(2)),
+                    duration_s: input.pick(&[0.0, 60.0, 1e-2, 3.6e8]),
                     rate_hz: input.pick(&[100.0, 1e-3, 2e4, 50.0]),
                     temperature_c: input.within((-273.15, 1000.0)),
                     temperature_change_c_s: input.within((-1.0, 1.0)),
@@ -323,6 +325,37 @@ impl Host {
             9 => self.changing_scene(|scene| call!(sins_scene_clear_failures(scene))),
             _ => self.plan_failure(),
         }
+    }
+
+    fn change_manoeuvres(&mut self) {
+        let start = sins_flight_start {
+            latitude_rad: self.input.pick(&[0.7, 1.57, -1.2]),
+            speed_m_s: self.input.pick(&[200.0, 0.0, 8000.0]),
+            ..init()
+        };
+        let (start, manoeuvre) = (self.input.argument(start), some_manoeuvre(&mut self.input));
+        let (mut start, mut manoeuvre) = (start, self.input.argument(manoeuvre));
+        let repeat = self.input.pick(&[1, 1, 2, 4096, 4097, 0]);
+        let (from, list) = (start.pointer(), manoeuvre.pointer());
+        self.changing_scene(|scene| call!(sins_scene_set_manoeuvres(scene, from, list, 1, repeat)));
+        let (scene, mut count, mut again) = (self.scene, 0, 0);
+        let status =
+            call!(sins_scene_get_manoeuvres(scene, null_mut(), null_mut(), 0, &mut count, &mut again));
+        if status != SINS_OK || count == 0 {
+            return;
+        }
+        let mut start = init::<sins_flight_start>();
+        let mut list = vec![init::<sins_manoeuvre>(); count];
+        let places = list.as_mut_ptr();
+        let status =
+            call!(sins_scene_get_manoeuvres(scene, &mut start, places, count, &mut count, &mut again));
+        assert_eq!(status, SINS_OK);
+        // What is read is taken, and the same flight.
+        let before = text_of(scene);
+        let status = call!(sins_scene_set_manoeuvres(scene, &start, places, count, again));
+        assert_eq!(status, SINS_OK, "manoeuvres that were read are refused");
+        let is_builtin = before.as_ref().is_some_and(|text| text.windows(7).any(|part| part == b"builtin"));
+        assert!(is_builtin || text_of(scene) == before, "manoeuvres that were read are others");
     }
 
     fn change_text(&mut self) {
@@ -397,6 +430,11 @@ impl Host {
         assert_eq!(call!(sins_scene_destroy(self.sims[0].handle.cast())), SINS_ERROR_BAD_HANDLE);
         assert_eq!(call!(sins_log_destroy(self.scene.cast())), SINS_ERROR_BAD_HANDLE);
         assert_eq!(call!(sins_scene_parse(null(), 1, &mut null_mut())), SINS_ERROR_NULL_POINTER);
+        let index = self.input.below(16);
+        let name = written(|buffer, capacity, needed| {
+            call!(sins_scene_builtin_name(index, buffer, capacity, needed))
+        });
+        assert_eq!(name.is_some(), index < BUILTIN_SCENES.len());
         written(|buffer, capacity, needed| call!(sins_scene_write_keys(buffer, capacity, needed)));
     }
 }

@@ -1,0 +1,98 @@
+//! What holds of a whole scene: every part within its limits, and all of them go together.
+
+use super::draft::Draft;
+use super::key::Target;
+use super::table::KEYS;
+use super::{Output, Scene};
+use crate::error::{Error, Rule, check_range};
+use crate::mechanization::VerticalMode;
+use crate::sensors::{AltimeterParameters, Sensor, SensorOutput};
+
+/// A field that is at odds with another.
+fn at_odds(field: &'static str, words: &'static str) -> Error {
+    Error { value: None, ..Error::invalid(field, 0.0, Rule::Words(words)) }
+}
+
+impl Output {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        if self.name.contains(['/', '\\']) {
+            return Err(at_odds("output.name", "must be a name without a folder; output.folder has that"));
+        }
+        Ok(())
+    }
+}
+
+impl Scene {
+    /// Checks every part, and whether they go together: such a scene can be written, read back and flown. The parts can be
+    /// set in any order, so that a scene in the making may not be one.
+    pub fn check(&self) -> Result<(), Error> {
+        self.check_limits()?;
+        self.options.validate()?;
+        self.gyro.validate(Sensor::Gyro)?;
+        self.accel.validate(Sensor::Accelerometer)?;
+        self.altimeter.validate()?;
+        self.initial.validate()?;
+        self.mounting.validate()?;
+        self.gravity.validate()?;
+        self.output.validate()?;
+        if let Some(error) = self.conflicts().into_iter().next() {
+            return Err(error);
+        }
+        self.simulator_options().validate()?;
+        if self.is_log() { Ok(()) } else { self.flown_s().map(|_| ()) }
+    }
+
+    /// The limits that are the scene's own.
+    pub(crate) fn check_limits(&self) -> Result<(), Error> {
+        let change_c_s = self.temperature.map(|temperature| temperature.change_c_s);
+        let any = [
+            ("flight.rate_hz", Some(self.rate_hz)),
+            ("flight.duration_s", self.duration_s),
+            ("flight.temperature_c", self.temperature.map(|temperature| temperature.at_start_c)),
+            ("flight.temperature_change_c_s", change_c_s),
+            ("output.every_s", self.output.every_s),
+        ];
+        // In a draft NaN is what is missing.
+        if let Some(&(field, _)) = any.iter().find(|(_, number)| number.is_some_and(f64::is_nan)) {
+            return Err(Error::invalid(field, f64::NAN, Rule::Finite));
+        }
+        let mut draft = Draft::from(self);
+        for key in KEYS {
+            let Target::Numbers { field, place, .. } = key.target else { continue };
+            let Some((low, high)) = key.limits_si() else { continue };
+            for number in place.of(&mut draft).into_iter().filter(|number| !number.is_nan()) {
+                check_range(field, *number, low, high)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Settings that do not go together, each with the field that would have to be another.
+    pub(super) fn conflicts(&self) -> Vec<Error> {
+        let mut conflicts = Vec::new();
+        if !self.is_log() && self.options.intake.period_s.is_some() {
+            let words = "only of a log; this flight is sampled at flight.rate_hz";
+            conflicts.push(at_odds("options.sample_period_s", words));
+        }
+        if self.is_log() && self.rate_hz != Self::default().rate_hz {
+            conflicts.push(at_odds("flight.rate_hz", "not of a flight log, which has its own time stamps"));
+        }
+        if !self.is_log() && self.rate_hz * self.options.intake.max_gap_s < 1.0 {
+            let words = "samples would be farther apart than options.max_gap_s =";
+            let rule = Rule::WordsAnd(words, self.options.intake.max_gap_s);
+            conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
+        }
+        if self.options.vertical != VerticalMode::Damped {
+            if self.altimeter != AltimeterParameters::default() {
+                let words = "acts in the damped vertical channel alone; options.vertical is another";
+                conflicts.push(at_odds("altimeter", words));
+            }
+            if self.failures.iter().any(|planned| planned.output == SensorOutput::Altimeter) {
+                let words = "must be the damped channel: a failure of the altimeter acts in that alone";
+                conflicts.push(at_odds("options.vertical", words));
+            }
+        }
+        conflicts
+    }
+}

@@ -1,0 +1,186 @@
+//! What is wrong with the values of a text: limits, and what does not go together, each at its place.
+
+use super::draft::Draft;
+use super::fault::{Fault, excerpt, nearest};
+use super::key::{Key, Section, Target};
+use super::read::{Item, Reader};
+use super::table::KEYS;
+use super::{BUILTIN_SCENES, Scene};
+use crate::error::{Error, Rule};
+use crate::sensors::Sensor;
+
+impl Reader<'_> {
+    /// What single keys cannot tell: whether they go together.
+    pub(super) fn check_together(&mut self) {
+        let flight = self.section(Section::Flight).clone();
+        let sources = [flight.key("file").is_some(), flight.key("builtin").is_some(), !self.items.is_empty()];
+        let head = if flight.keys.is_empty() { &(0..0) } else { &flight.head };
+        match sources.iter().filter(|is_there| **is_there).count() {
+            0 => self.faults.add(head, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
+            1 => {}
+            _ => self.faults.add(head, "[flight]: expected one alone of file, builtin and [[manoeuvre]]s"),
+        }
+        if let Some(span) = flight.key("builtin")
+            && !BUILTIN_SCENES.iter().any(|(name, _)| *name == self.draft.builtin)
+        {
+            let names = || BUILTIN_SCENES.iter().map(|(name, _)| *name);
+            let near = nearest(&self.draft.builtin, names());
+            let listed = near.map_or(names().collect::<Vec<_>>().join(", "), |near| format!("{near}?"));
+            let sentence =
+                format!("flight.builtin = \"{}\": no such flight; {listed}", excerpt(&self.draft.builtin));
+            self.faults.add(span, sentence);
+        }
+        if !sources[2] {
+            for (index, span) in &flight.keys {
+                let key = &KEYS[*index];
+                if key.field().starts_with("start.") || key.name == "repeat" {
+                    self.faults.add(
+                        span,
+                        format!("{}: only with [[manoeuvre]]s; this flight has its own start", key.path()),
+                    );
+                }
+            }
+        }
+        if flight.key("temperature_c").is_none()
+            && let Some(span) = flight.key("temperature_change_c_h")
+        {
+            self.faults
+                .add(span, "flight.temperature_change_c_h: only with temperature_c, from which it goes on");
+        }
+        if let Some(span) = self.section(Section::Options).key("closed_loop_time_s").cloned()
+            && !self.draft.closed_loop
+        {
+            self.faults.add(&span, "options.closed_loop_time_s: only with signal = \"closed-loop\"");
+        }
+    }
+
+    /// The limits of the library, each fault in turn: a value that is refused is put back to its default and the rest checked.
+    pub(super) fn check_values(&mut self) {
+        self.check(Section::Options, |draft| draft.clone().into_scene(Vec::new()).options.validate());
+        self.check(Section::Gyro, |draft| draft.scene.gyro.validate(Sensor::Gyro));
+        self.check(Section::Accelerometer, |draft| draft.scene.accel.validate(Sensor::Accelerometer));
+        self.check(Section::Altimeter, |draft| draft.scene.altimeter.validate());
+        self.check(Section::Start, |draft| draft.scene.initial.validate());
+        self.check(Section::Mounting, |draft| draft.scene.mounting.validate());
+        self.check(Section::Gravity, |draft| draft.scene.gravity.validate());
+        self.check(Section::Flight, |draft| draft.start.validate());
+        self.check(Section::Output, |draft| draft.scene.output.validate());
+    }
+
+    /// The section that the field of an error belongs to.
+    fn item_of(&self, error: &Error) -> Item {
+        let name = error.field.split('.').next();
+        let section = Section::ALL.into_iter().find(|section| Some(section.name()) == name);
+        section.map_or_else(Item::default, |section| self.section(section).clone())
+    }
+
+    /// Settings that do not go together, each at the key or else at the section that would have to be another.
+    fn check_conflicts(&mut self, scene: &Scene) {
+        for error in scene.conflicts() {
+            let item = self.item_of(&error);
+            if error.field.contains('.') {
+                self.add_error(&error, &item);
+            } else {
+                self.faults.add(&item.head, error.to_string());
+            }
+        }
+    }
+
+    fn check(&mut self, section: Section, validate: impl Fn(&Draft) -> Result<(), Error>) {
+        let item = self.section(section).clone();
+        while let Err(error) = validate(&self.draft) {
+            self.add_error(&error, &item);
+            let Some((key, _)) = item.of_field(error.field) else { return };
+            if self.faults.are_many() || !self.put_back(key) {
+                return;
+            }
+        }
+    }
+
+    /// The default in place of the value of a key; whether that was another value.
+    fn put_back(&mut self, key: &Key) -> bool {
+        let mut default = Draft::from(&Scene::default());
+        match key.target {
+            Target::Numbers { place, .. } => {
+                let mut has_changed = false;
+                for (number, default) in place.of(&mut self.draft).into_iter().zip(place.of(&mut default)) {
+                    has_changed |= number.to_bits() != default.to_bits();
+                    *number = *default;
+                }
+                has_changed
+            }
+            Target::Count { get, set, .. } => {
+                let has_changed = get(&self.draft) != get(&default);
+                set(&mut self.draft, get(&default));
+                has_changed
+            }
+            _ => false,
+        }
+    }
+
+    /// Notes an error of the library at the key that set the field.
+    pub(super) fn add_error(&mut self, error: &Error, item: &Item) {
+        match item.of_field(error.field) {
+            Some((key, span)) => self.faults.add(span, sentence(error, key)),
+            None => self.faults.add(&item.head, error.to_string()),
+        }
+    }
+
+    /// The flight, as far as it can be checked without integrating it.
+    fn check_flight(&mut self, scene: &Scene) {
+        if scene.is_log() {
+            return;
+        }
+        if let Err(error) = scene.flown_s() {
+            let of_manoeuvre = error.index.map(|index| index % self.items.len().max(1));
+            let item = match of_manoeuvre.and_then(|index| self.items.get(index)) {
+                Some(item) => item.clone(),
+                None => self.section(Section::Flight).clone(),
+            };
+            self.add_error(&Error { index: None, ..error }, &item);
+        }
+    }
+
+    pub(super) fn into_scene(mut self) -> Result<Scene, Vec<Fault>> {
+        let manoeuvres = core::mem::take(&mut self.manoeuvres);
+        let scene = self.draft.clone().into_scene(manoeuvres);
+        self.check_conflicts(&scene);
+        if self.faults.is_empty() {
+            self.check_flight(&scene);
+        }
+        // Nothing more, where everything above is complete: a scene that is read is one that can be written.
+        if self.faults.is_empty()
+            && let Err(error) = scene.check()
+        {
+            let item = self.item_of(&error);
+            self.add_error(&error, &item);
+        }
+        if self.faults.is_empty() { Ok(scene) } else { Err(self.faults.into_list()) }
+    }
+}
+
+/// The library's error in the words and the unit of `key`.
+fn sentence(error: &Error, key: &Key) -> String {
+    let Target::Numbers { unit, .. } = key.target else { return error.to_string() };
+    let in_unit = |number: f64| if unit.si == 1.0 { number } else { rounded(number / unit.si) };
+    let rule = match error.rule {
+        Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
+        Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
+        Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
+        Rule::Below(limit) => Rule::Below(in_unit(limit)),
+        Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),
+        Rule::AtMost(words, number) => Rule::AtMost(words, in_unit(number)),
+        Rule::Exactly(words, number) => Rule::Exactly(words, in_unit(number)),
+        Rule::WordsAnd(words, number) => Rule::WordsAnd(words, in_unit(number)),
+        other => other,
+    };
+    let in_units = Error { field: "", value: None, rule, ..*error };
+    let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
+    let value = error.value.map_or(String::new(), |value| format!(" = {}", in_unit(value.as_f64())));
+    format!("{}{index}{value}: {in_units}", key.path())
+}
+
+/// Six digits: enough for a limit, and none that rounding made.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
+}
