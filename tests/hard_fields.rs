@@ -256,31 +256,6 @@ fn flights(tried: &mut Tried) {
     destroy();
 }
 
-/// What a scene is told of its flight and of failures.
-fn scenes(tried: &mut Tried) {
-    let mut scene = null_mut();
-    let setup = Cell::new(output::<sins_scene_setup>().0);
-    // SAFETY: of all calls: words are as many as the struct has, handles are of this test.
-    unsafe {
-        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
-        let read = || {
-            let (mut count, mut words) = (0, setup.take());
-            assert_eq!(sins_scene_get_failure_count(scene, &mut count), SINS_OK);
-            assert_eq!(sins_scene_get_setup(scene, words.as_mut_ptr().cast()), SINS_OK);
-            setup.set(words.clone());
-            words.push(count as u64);
-            words
-        };
-        // Of the first pair the kind of flight, and the length flown, are passed over.
-        let good = Words::new::<sins_scene_setup>(0).with_pair(1, 0, 1).with(2, 10.0).with(4, 100.0);
-        tried.each_word(&good, &[3], &read, null(), &|words| sins_scene_set_setup(scene, words));
-        // Sensor and axis, from, until, kind, then as a failure.
-        let good = Words::new::<sins_planned_failure>(0).with_pair(4, SINS_FAILURE_DEAD as u32, 0);
-        tried.each_word(&good, &[], &read, null(), &|words| sins_scene_add_failure(scene, words));
-        assert_eq!(sins_scene_destroy(scene), SINS_OK);
-    }
-}
-
 /// What options and budgets are asked for with.
 fn questions(tried: &mut Tried) {
     let samples: Vec<u64> = (0..20).flat_map(|k| sample(f64::from(k)).0).collect();
@@ -329,11 +304,11 @@ fn scenes(tried: &mut Tried) {
         // Duration, rate, temperature, its change, spacing; how long it is flown is read only.
         let setup = output::<sins_scene_setup>().with_pair(1, 0, 1).with(3, 60.0).with(5, 50.0);
         let setup = setup.with(6, 20.0).with(7, 0.01).with(8, 1.0);
-        tried.each_word(&setup, &[4], &text, &|words| sins_scene_set_setup(scene, words));
+        tried.each_word(&setup, &[4], &text, null(), &|words| sins_scene_set_setup(scene, words));
         // From, until, kind, size.
         let failure = output::<sins_planned_failure>().with(2, 1.0).with(3, 2.0);
         let failure = failure.with_pair(4, SINS_FAILURE_BIAS_STEP as u32, 0).with(5, 1.0);
-        tried.each_word(&failure, &[], &text, &|words| sins_scene_add_failure(scene, words));
+        tried.each_word(&failure, &[], &text, null(), &|words| sins_scene_add_failure(scene, words));
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
     }
 }
@@ -364,7 +339,6 @@ fn every_field_of_every_struct() {
     let mut tried = Tried::default();
     simulators(&mut tried);
     flights(&mut tried);
-    scenes(&mut tried);
     questions(&mut tried);
     #[cfg(feature = "scenes")]
     scenes(&mut tried);
