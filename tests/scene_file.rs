@@ -32,7 +32,14 @@ fn a_scene_flies_as_the_same_options_do_to_the_bit() {
     let short = ["--hours", "0.05", "--every", "1"];
     let patrol = fly(&folder, &[&[scene.to_str().unwrap()], &short[..]].concat(), "file");
     assert!(patrol.iter().filter(|&&byte| byte == b'\n').count() == 1 + 181);
-    assert!(patrol == fly(&folder, &[&["simulation2"], &short[..]].concat(), "options"));
+    assert!(
+        patrol
+            == fly(
+                &folder,
+                &[&["simulation2", "--vertical", "follow", "--error-model", "rk4"], &short[..]].concat(),
+                "options"
+            )
+    );
 
     // Every number and word that is an option as well, in another order.
     let text = "[options]\nsignal = 'closed-loop'\nclosed_loop_time_s = 20\nseed = 5\nrun = 6\nscheme = 'paper'\n\

@@ -21,8 +21,6 @@ int settings_begin(struct settings *set, const int32_t *grades)
     SINS_INIT(set->gravity);
     SINS_INIT(set->failure);
     SINS_INIT(set->start);
-    set->options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
-    set->options.error_model = SINS_ERROR_MODEL_RK4;
     return (grades[0] != 0 && refused(NULL, sins_gyro_preset(grades[0], &set->gyro)))
                 || (grades[1] != 0 && refused(NULL, sins_accel_preset(grades[1], &set->accel)))
              ? -1

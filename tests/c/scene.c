@@ -369,7 +369,7 @@ static void presets_come_first_and_the_command_line_last(void)
     CHECK(set.gyro.range_rad_s[0] == consumer.range_rad_s[0] && consumer.range_rad_s[0] > 0);
     CHECK(is_near(set.gyro.bias_sigma_rad_s[2], 7 * PI / 180 / 3600));
     CHECK(is_near(set.gyro.bias_rad_s[2], PI / 180 / 3600) && set.options.seed == 0);
-    CHECK(set.options.vertical == SINS_VERTICAL_FOLLOW_TRUTH && set.options.error_model == SINS_ERROR_MODEL_RK4);
+    CHECK(set.options.vertical == SINS_VERTICAL_DAMPED && set.options.error_model == SINS_ERROR_MODEL_OFF);
     CHECK(strcmp(set.name, "scene_test") == 0);
 
     /* The file's preset is replaced, its other keys stay, but for those that the command line sets. */
