@@ -50,11 +50,12 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 30] = [
+const SOURCES: [&str; 31] = [
     "version",
     "failure",
     "options",
     "simulator",
+    "last_error",
     "gyro",
     "accel",
     "altimeter",

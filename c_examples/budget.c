@@ -33,6 +33,7 @@ static sins_status make_flight(sins_flight **flight)
 static sins_status ask(const sins_flight_sample *samples)
 {
     sins_options options;
+    sins_sim *sim = NULL;
     sins_gyro_params gyro;
     sins_accel_params accel;
     sins_mounting mounting;
@@ -60,8 +61,17 @@ static sins_status ask(const sins_flight_sample *samples)
     request.position_m = 10.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* tells how large all of them are */
-    status = sins_error_budget(samples, COUNT, &options, &gyro, &accel, NULL, NULL, &mounting, &gravity, &request,
-                               rows, sizeof rows / sizeof rows[0], &count, &budget);
+    status = sins_create(&options, &sim);
+    if (status != SINS_OK) {
+        return status;
+    }
+    /* A host has set these long since: any simulator as it flies will do. */
+    sins_set_gyro(sim, &gyro);
+    sins_set_accel(sim, &accel);
+    sins_set_mounting(sim, &mounting);
+    sins_set_gravity_disturbance(sim, &gravity);
+    status = sins_error_budget(sim, samples, COUNT, &request, rows, sizeof rows / sizeof rows[0], &count, &budget);
+    sins_destroy(sim);
     if (status != SINS_OK) {
         return status;
     }

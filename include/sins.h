@@ -33,12 +33,13 @@
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
  *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
- *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
+ *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
+ *   sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
- *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE, without a sentence. A signal handler gets
- *     this answer if it interrupted a call on that handle. It may call every function that takes a simulator, except
- *     sins_destroy() and sins_snapshot_load(), which use the allocator.
+ *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE; sins_last_error(NULL, ...) has the
+ *     sentence. A signal handler gets this answer if it interrupted a call on that handle. It may call every function that
+ *     takes a simulator, except sins_destroy() and sins_snapshot_load(), which use the allocator.
  *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
  *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
  *     ever; on Windows they get SINS_ERROR_BAD_STATE if the thread was terminated. The floating-point state is not put back.
@@ -105,6 +106,7 @@
 
 #if defined(_MSC_VER) && _MSC_VER < 1600
 typedef __int32 int32_t;
+typedef __int64 int64_t;
 typedef unsigned __int32 uint32_t;
 typedef unsigned __int64 uint64_t;
 #else
@@ -287,6 +289,18 @@ enum sins_signal {
      * navigator is the simulator's own and nothing is computed twice.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
+};
+
+/* Flags of a sins_error_info. */
+enum sins_error_info_flags {
+    /* A value is at fault, and is in value. */
+    SINS_ERROR_INFO_VALUE = 1,
+    /* There is a least value, and minimum has it. */
+    SINS_ERROR_INFO_MINIMUM = 2,
+    /* There is a greatest value, and maximum has it. */
+    SINS_ERROR_INFO_MAXIMUM = 4,
+    /* The field is an integer. */
+    SINS_ERROR_INFO_INTEGER = 8
 };
 
 /* Sensors that can fail. */
@@ -628,6 +642,30 @@ typedef struct sins_flight_sample {
      */
     double temperature_c;
 } sins_flight_sample;
+
+/* Why a call failed: what the sentence of sins_last_error() is made of. */
+typedef struct sins_error_info {
+    /* sizeof(sins_error_info) */
+    uint32_t struct_size;
+    /* Flags of enum sins_error_info_flags, or'ed. */
+    uint32_t flags;
+    /* What the call returned, of enum sins_status_code; SINS_OK if none failed. */
+    sins_status status;
+    /* 0 */
+    uint32_t reserved;
+    /* The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself. */
+    char field[96];
+    /* Element of the field, from 0; -1: the field is no array, or all of it is at fault. */
+    int64_t index;
+    /* Sample of the array that the call took, from 0; -1: none. */
+    int64_t sample;
+    /* With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double. */
+    double value;
+    /* With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused. */
+    double minimum;
+    /* With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused. */
+    double maximum;
+} sins_error_info;
 
 /*
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
@@ -1591,6 +1629,7 @@ typedef struct sins_budget {
 enum sins_sizeof {
     SINS_SIZEOF_OPTIONS = 104,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,
+    SINS_SIZEOF_ERROR_INFO = 152,
     SINS_SIZEOF_GYRO_PARAMS = 736,
     SINS_SIZEOF_ACCEL_PARAMS = 736,
     SINS_SIZEOF_ALTIMETER_PARAMS = 56,
@@ -1649,16 +1688,6 @@ SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, s
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
-
-/*
- * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
- * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
- * simulator (create, presets, flights, scenes, logs, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
- *
- * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
- * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
- */
-SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
 /*
  * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
@@ -1739,6 +1768,23 @@ SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_
  * seed or run; to come back to a moment in flight, see sins_snapshot_save().
  */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
+
+/*
+ * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
+ * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
+ * (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
+ * Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+ *
+ * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+ * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+ */
+SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
+ * sentence.
+ */
+SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
 
 /*
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
@@ -2323,16 +2369,19 @@ SINS_API sins_status SINS_CALL sins_recommend(
 /*
  * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
  * out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
- * of the rows anything. NULL for options is the recommended simulator, for gyro, accel, altimeter or initial an ideal one,
- * for mounting a block at the reference point, for gravity the normal one, for request 16 runs and no limits; written and
- * budget may be NULL.
+ * of the rows anything.
+ *
+ * configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros, the
+ * accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the call
+ * and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
+ * limits; written and budget may be NULL.
  *
  * An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
  * none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
  * runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
  * run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
  * instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
- * options.run, options.run + 1 and so on (SINS_BUDGET_RANDOM).
+ * sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
  *
  * rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
  * position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
@@ -2354,10 +2403,7 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * tells why, and at which sample.
  */
 SINS_API sins_status SINS_CALL sins_error_budget(
-    const struct sins_flight_sample *samples, size_t count, const struct sins_options *options,
-    const struct sins_gyro_params *gyro, const struct sins_accel_params *accel,
-    const struct sins_altimeter_params *altimeter, const struct sins_initial_errors *initial,
-    const struct sins_mounting *mounting, const struct sins_gravity_params *gravity,
+    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
     const struct sins_budget_request *request, struct sins_budget_row *rows, size_t capacity, size_t *written,
     struct sins_budget *budget);
 

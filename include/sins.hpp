@@ -31,15 +31,20 @@
 
 namespace sins {
 
-/* A call that failed: its status, and in what() the sentence of sins_last_error(). */
+/* A call that failed: its status, in what() the sentence of sins_last_error(), in info() what that is made of. */
 class Error : public std::runtime_error {
 public:
-    Error(sins_status status, const std::string &sentence) : std::runtime_error(sentence), status_(status) {}
+    Error(sins_status status, const std::string &sentence, const sins_error_info &info)
+        : std::runtime_error(sentence), status_(status), info_(info)
+    {
+    }
 
     sins_status status() const noexcept { return status_; }
+    const sins_error_info &info() const noexcept { return info_; }
 
 private:
     sins_status status_;
+    sins_error_info info_;
 };
 
 /* An interface struct: all zero, which is off or recommended, with struct_size set. */
@@ -68,8 +73,11 @@ namespace detail {
 
 [[noreturn]] inline void fail(sins_status status, const sins_sim *sim)
 {
-    /* A handle that is none has no sentence. */
-    throw Error(status, status == SINS_ERROR_BAD_HANDLE ? status_string(status) : last_error(sim));
+    /* A handle that is none remembers nothing; the thread does. */
+    const sins_sim *place = status == SINS_ERROR_BAD_HANDLE ? nullptr : sim;
+    sins_error_info info = make<sins_error_info>();
+    sins_last_error_info(place, &info);
+    throw Error(status, last_error(place), info);
 }
 
 /* Whether there is a result; an error is thrown. */
@@ -125,36 +133,6 @@ inline bool recommend(const sins_flight_sample *samples, std::size_t count, cons
                       sins_options &options, sins_cost &cost)
 {
     return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
-}
-
-/* What errs, as sins_error_budget() takes it; NULL is an ideal one, no mounting, normal gravity. */
-struct BudgetErrors {
-    const sins_gyro_params *gyro;
-    const sins_accel_params *accel;
-    const sins_altimeter_params *altimeter;
-    const sins_initial_errors *initial;
-    const sins_mounting *mounting;
-    const sins_gravity_params *gravity;
-};
-
-/* The budget, its rows in rows: the first and one for each effect. */
-inline sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_options &options,
-                                const BudgetErrors &errors, const sins_budget_request &request,
-                                std::vector<sins_budget_row> &rows)
-{
-    sins_budget budget = make<sins_budget>();
-    std::size_t number = 0;
-    const auto ask = [&] {
-        return sins_error_budget(samples, count, &options, errors.gyro, errors.accel, errors.altimeter, errors.initial,
-                                 errors.mounting, errors.gravity, &request, rows.empty() ? nullptr : rows.data(),
-                                 rows.size(), &number, &budget);
-    };
-    rows.clear();
-    if (ask() == SINS_ERROR_BUFFER_TOO_SMALL) {
-        rows.assign(number, make<sins_budget_row>());
-    }
-    detail::done(ask(), nullptr);
-    return budget;
 }
 
 /* An embedded flight. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
@@ -257,6 +235,27 @@ public:
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
         }
         return detail::done(sins_recommend(sim_, samples, count, &requirement, &options, &cost), nullptr);
+    }
+
+    /* Of all that errs in this simulator: the budget, its rows in rows, the first and one for each effect. */
+    sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
+                             std::vector<sins_budget_row> &rows) const
+    {
+        if (sim_ == nullptr) { /* which sins_error_budget() takes for the recommended simulator */
+            detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
+        }
+        sins_budget budget = make<sins_budget>();
+        std::size_t number = 0;
+        const auto ask = [&] {
+            return sins_error_budget(sim_, samples, count, &request, rows.empty() ? nullptr : rows.data(), rows.size(),
+                                     &number, &budget);
+        };
+        rows.clear();
+        if (ask() == SINS_ERROR_BUFFER_TOO_SMALL) {
+            rows.assign(number, make<sins_budget_row>());
+        }
+        detail::done(ask(), nullptr);
+        return budget;
     }
 
     void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }

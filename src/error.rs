@@ -42,11 +42,84 @@ pub enum Rule {
     NeededBy(f64, f64, &'static str),
     /// value < limit.
     Below(f64),
+    /// value ≥ limit: words that the limit ends.
+    AtLeast(&'static str, f64),
+    /// value ≤ limit: words that the limit ends.
+    AtMost(&'static str, f64),
+    /// value = limit: words that the limit ends.
+    Exactly(&'static str, f64),
+    /// value = 0: what follows "must be 0".
+    Zero(&'static str),
+    /// A value of this enumeration of the C interface: all integers from the first to the last.
+    OneOf(&'static str, i32, i32),
     /// A sentence, for limits that need words.
     Words(&'static str),
-    /// A sentence and the number that ends it.
+    /// A sentence and the number that ends it, which is no limit of the value itself.
     WordsAnd(&'static str, f64),
 }
+
+impl Rule {
+    /// The least and the greatest value, where the rule has them. The limit of [`Rule::Below`] is no value itself.
+    pub fn limits(&self) -> (Option<f64>, Option<f64>) {
+        match *self {
+            Self::Finite | Self::Words(_) | Self::WordsAnd(..) => (None, None),
+            Self::Between(low, high) | Self::OffOr(low, high) | Self::NeededBy(low, high, _) => {
+                (Some(low), Some(high))
+            }
+            Self::OneOf(_, low, high) => (Some(low.into()), Some(high.into())),
+            Self::AtLeast(_, low) => (Some(low), None),
+            Self::Below(high) | Self::AtMost(_, high) => (None, Some(high)),
+            Self::Exactly(_, only) => (Some(only), Some(only)),
+            Self::Zero(_) => (Some(0.0), Some(0.0)),
+        }
+    }
+}
+
+/// A value at fault, with every digit of an integer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// Of a field that is a floating-point number.
+    Real(f64),
+    /// Of an integer field.
+    Signed(i64),
+    /// Of an integer field without sign.
+    Unsigned(u64),
+}
+
+impl Value {
+    /// Whether the field is an integer.
+    pub fn is_integer(self) -> bool {
+        !matches!(self, Self::Real(_))
+    }
+
+    /// The nearest floating-point number.
+    pub fn as_f64(self) -> f64 {
+        match self {
+            Self::Real(value) => value,
+            Self::Signed(value) => value as f64,
+            Self::Unsigned(value) => value as f64,
+        }
+    }
+}
+
+macro_rules! value_from {
+    ($($number:ty as $kind:ident),*) => {
+        $(impl From<$number> for Value {
+            fn from(number: $number) -> Self {
+                Self::$kind(number as _)
+            }
+        })*
+    };
+}
+value_from!(
+    f64 as Real,
+    i32 as Signed,
+    u8 as Unsigned,
+    u16 as Unsigned,
+    u32 as Unsigned,
+    u64 as Unsigned,
+    usize as Unsigned
+);
 
 /// A refused call. Nothing was changed by it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,19 +131,19 @@ pub struct Error {
     /// Place in the field, if that is an array.
     pub index: Option<usize>,
     /// The value at fault, if it is one.
-    pub value: Option<f64>,
+    pub value: Option<Value>,
     /// The limit.
     pub rule: Rule,
 }
 
 impl Error {
     /// An error about the value of a field.
-    pub fn of(kind: ErrorKind, field: &'static str, value: f64, rule: Rule) -> Self {
-        Self { kind, field, index: None, value: Some(value), rule }
+    pub fn of(kind: ErrorKind, field: &'static str, value: impl Into<Value>, rule: Rule) -> Self {
+        Self { kind, field, index: None, value: Some(value.into()), rule }
     }
 
     /// A value out of its range.
-    pub fn invalid(field: &'static str, value: f64, rule: Rule) -> Self {
+    pub fn invalid(field: &'static str, value: impl Into<Value>, rule: Rule) -> Self {
         Self::of(ErrorKind::InvalidArgument, field, value, rule)
     }
 
@@ -93,41 +166,73 @@ impl fmt::Display for Error {
                 write!(f, "[{index}]")?;
             }
             match self.value {
-                Some(value) => write!(f, " = {}: ", Number(value))?,
+                Some(value) => write!(f, " = {value}: ")?,
                 None => f.write_str(": ")?,
             }
         }
+        let is_integer = self.value.is_some_and(Value::is_integer);
+        let limit = |number| Number { number, is_integer };
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
-            Rule::Between(low, high) => write!(f, "must be from {} to {}", Number(low), Number(high)),
+            Rule::Between(low, high) => write!(f, "must be from {} to {}", limit(low), limit(high)),
             Rule::OffOr(low, high) => {
-                write!(f, "must be 0 for none, or from {} to {}", Number(low), Number(high))
+                write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
             }
             Rule::NeededBy(low, high, field) => {
-                write!(f, "must be from {} to {} where {field} is not 0", Number(low), Number(high))
+                write!(f, "must be from {} to {} where {field} is not 0", limit(low), limit(high))
             }
-            Rule::Below(limit) => write!(f, "must be less than {}", Number(limit)),
+            Rule::Below(high) => write!(f, "must be less than {}", limit(high)),
+            Rule::OneOf(name, first, last) => write!(f, "must be of enum {name}, {first} to {last}"),
+            Rule::Zero(why) => write!(f, "must be 0{why}"),
             Rule::Words(words) => f.write_str(words),
-            Rule::WordsAnd(words, number) => write!(f, "{words} {}", Number(number)),
+            Rule::AtLeast(words, number)
+            | Rule::AtMost(words, number)
+            | Rule::Exactly(words, number)
+            | Rule::WordsAnd(words, number) => write!(f, "{words} {}", limit(number)),
         }
     }
 }
 
 impl core::error::Error for Error {}
 
-/// Integers as integers, very large and very small numbers with an exponent.
-struct Number(f64);
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Real(number) => Number { number, is_integer: false }.fmt(f),
+            Self::Signed(integer) => integer.fmt(f),
+            Self::Unsigned(integer) => integer.fmt(f),
+        }
+    }
+}
+
+/// Every digit of an integer; very large and very small numbers with an exponent.
+struct Number {
+    number: f64,
+    is_integer: bool,
+}
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(value) = *self;
-        let size = value.abs();
-        if size != 0.0 && value.is_finite() && !(1e-4..1e7).contains(&size) {
-            write!(f, "{value:e}")
+        let Self { number, is_integer } = *self;
+        let size = number.abs();
+        if !is_integer && size != 0.0 && number.is_finite() && !(1e-4..1e7).contains(&size) {
+            write!(f, "{number:e}")
         } else {
-            write!(f, "{value}")
+            write!(f, "{number}")
         }
     }
+}
+
+/// Checks that an integer is one from `low` to `high`.
+pub(crate) fn check_integer(
+    field: &'static str,
+    value: impl Into<Value>,
+    low: i64,
+    high: i64,
+) -> Result<(), Error> {
+    let (value, low, high) = (value.into(), low as f64, high as f64);
+    let is_within = (low..=high).contains(&value.as_f64());
+    if is_within { Ok(()) } else { Err(Error::invalid(field, value, Rule::Between(low, high))) }
 }
 
 /// Checks that `value` is a finite number from `low` to `high`.
@@ -168,5 +273,11 @@ mod tests {
             "height_m = NaN: must be a finite number"
         );
         assert_eq!(Error::bad_state("too late").to_string(), "too late");
+        assert_eq!(
+            check_integer("count", u64::MAX, 2, 1_000_000_000).unwrap_err().to_string(),
+            "count = 18446744073709551615: must be from 2 to 1000000000"
+        );
+        let size = Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712.0));
+        assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");
     }
 }

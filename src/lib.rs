@@ -1,5 +1,6 @@
 //! A strapdown inertial navigation system (SINS) in simulation: true motion in, the navigation of an INS with the sensor
-//! errors that were set out, and its errors twice.
+//! errors that were set out, and its errors in two ways: navigation minus truth, and by the error differential equations
+//! ([`Options::error_model`], off by default).
 //!
 //! C and C++ hosts link the shared library and read `include/sins.h`; what they call is in [`abi`]. Rust hosts use
 //! [`Simulator`].
@@ -180,7 +181,7 @@ pub mod truth;
 #[forbid(unsafe_code)]
 pub mod units;
 
-pub use error::{Error, ErrorKind, Rule};
+pub use error::{Error, ErrorKind, Rule, Value};
 pub use simulator::{
     ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
     TrimFigures,

@@ -233,7 +233,7 @@ fn heights_that_no_sample_may_have_are_refused_with_their_manoeuvre() {
         let error = climb(from_m, change_m).unwrap_err();
         assert_eq!((error.field, error.index), ("height reached in manoeuvre", Some(1)), "{error}");
         assert!(error.to_string().ends_with(": must be from -20000 to 2000000"), "{error}");
-        let (reached_m, end_m) = (error.value.unwrap(), from_m + change_m);
+        let (reached_m, end_m) = (error.value.unwrap().as_f64(), from_m + change_m);
         // The end of the climb, or of the first piece of it that goes too far.
         assert!(reached_m.abs() <= end_m.abs() + 1e-6, "{error}");
         assert!(change_m.abs() == 1e7 || (reached_m - end_m).abs() < 1e-6, "{error}");

@@ -61,6 +61,47 @@ fn outputs(sim: *mut sins_sim) -> Vec<u64> {
     all
 }
 
+/// The sentence of the last failure is made of what the struct says.
+fn sentence_and_struct_agree(sim: *const sins_sim) {
+    let mut info = output::<sins_error_info>();
+    let mut text = [0_u8; 512];
+    // SAFETY: a struct and a buffer of their sizes; a handle of this test.
+    let info = unsafe {
+        assert_eq!(sins_last_error_info(sim, info.0.as_mut_ptr().cast()), SINS_OK);
+        assert_eq!(sins_last_error(sim, text.as_mut_ptr().cast(), text.len(), null_mut()), SINS_OK);
+        *info.pointer::<sins_error_info>()
+    };
+    let text_of =
+        |bytes: &[u8]| std::ffi::CStr::from_bytes_until_nul(bytes).unwrap().to_str().unwrap().to_owned();
+    let (sentence, field) = (text_of(&text), text_of(&info.field.map(|byte| byte as u8)));
+    let has = |flag: sins_error_info_flags| info.flags & flag != 0;
+    assert!(info.status == SINS_ERROR_INVALID_ARGUMENT && !field.is_empty(), "{sentence}");
+    let number = |value: f64| match has(SINS_ERROR_INFO_INTEGER) {
+        true => format!("{value}"),
+        false => sins::Value::Real(value).to_string(),
+    };
+    let index = if info.index < 0 { String::new() } else { format!("[{}]", info.index) };
+    let (place, rest) = sentence.split_once(": ").unwrap();
+    if has(SINS_ERROR_INFO_VALUE) {
+        let (place, value) = place.split_once(" = ").unwrap();
+        let digits: f64 = value.parse().unwrap();
+        assert_eq!(place, format!("{field}{index}"), "{sentence}");
+        assert!(digits == info.value || digits.is_nan() && info.value.is_nan(), "{sentence}: {}", info.value);
+        assert!(!(value.contains(['.', 'e', 'N', 'f']) && has(SINS_ERROR_INFO_INTEGER)), "{sentence}");
+    } else {
+        assert_eq!(place, format!("{field}{index}"), "{sentence}");
+    }
+    let limits = match (has(SINS_ERROR_INFO_MINIMUM), has(SINS_ERROR_INFO_MAXIMUM)) {
+        (true, true) if info.minimum == info.maximum => number(info.minimum),
+        (true, true) => format!("{} to {}", number(info.minimum), number(info.maximum)),
+        (true, false) => number(info.minimum),
+        (false, true) => number(info.maximum),
+        (false, false) => String::new(),
+    };
+    assert!(rest.contains(&limits), "{sentence}: not {limits}");
+    assert_eq!(info.sample >= 0, sentence.contains(" (samples["), "{sentence}");
+}
+
 /// The structs that were tried, and how many bad values were refused.
 #[derive(Default)]
 struct Tried {
@@ -70,12 +111,13 @@ struct Tried {
 
 impl Tried {
     /// Puts no number, infinity and the largest numbers into each word of `good`, a `T`, but the first and those `free` to hold
-    /// anything: refused, and `read` gives the same.
+    /// anything: refused, and `read` gives the same. The simulator `remembers` why, or if it is null the thread.
     fn each_word<T>(
         &mut self,
         good: &Words,
         free: &[usize],
         read: &dyn Fn() -> Vec<u64>,
+        remembers: *const sins_sim,
         call: &dyn Fn(*const T) -> sins_status,
     ) {
         let name = std::any::type_name::<T>().rsplit("::").next().unwrap();
@@ -89,6 +131,7 @@ impl Tried {
                     "{name}, word {word} = {value}, of {:x?}",
                     good.0
                 );
+                sentence_and_struct_agree(remembers);
                 self.refused += 1;
             }
         }
@@ -121,13 +164,13 @@ fn simulators(tried: &mut Tried) {
             assert_eq!(sins_push_sample(sim, sample(f64::from(k)).pointer()), SINS_OK);
             sins_step(sim);
         }
-        tried.each_word(&sample(3.0), &[], &read, &|words| sins_push_sample(sim, words));
+        tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_push_sample(sim, words));
         let good = Words::new::<sins_gyro_params>(0);
-        tried.each_word(&good, &[], &read, &|words| sins_set_gyro(sim, words));
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_gyro(sim, words));
         let good = Words::new::<sins_accel_params>(0);
-        tried.each_word(&good, &[], &read, &|words| sins_set_accel(sim, words));
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_accel(sim, words));
         let good = Words::new::<sins_altimeter_params>(0);
-        tried.each_word(&good, &[], &read, &|words| sins_set_altimeter(sim, words));
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_altimeter(sim, words));
         // Kind, then size, density, interval, duration, probability.
         let failure = |kind: i32| Words::new::<sins_failure>(0).with_pair(1, kind as u32, 0);
         for good in [
@@ -140,29 +183,31 @@ fn simulators(tried: &mut Tried) {
             failure(SINS_FAILURE_DROP_OUTS).with(6, 0.5),
             failure(SINS_FAILURE_NONE),
         ] {
-            tried.each_word(&good, &[], &read, &|words| sins_set_failure(sim, SINS_SENSOR_GYRO, 1, words));
+            tried.each_word(&good, &[], &read, sim, &|words| {
+                sins_set_failure(sim, SINS_SENSOR_GYRO, 1, words)
+            });
         }
-        tried.each_word(&sample(3.0), &[], &read, &|words| sins_move_truth(sim, words));
-        tried.each_word(&sample(3.0), &[], &read, &|words| sins_reposition(sim, words));
+        tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_move_truth(sim, words));
+        tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_reposition(sim, words));
         let good = Words::new::<sins_initial_errors>(0);
-        tried.each_word(&good, &[], &read, &|words| sins_set_initial_errors(sim, words));
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_initial_errors(sim, words));
         sins_reset(sim);
         let good = Words::new::<sins_mounting>(0);
-        tried.each_word(&good, &[], &read, &|words| sins_set_mounting(sim, words));
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_mounting(sim, words));
         let good = Words::new::<sins_gravity_params>(0);
-        tried.each_word(&good, &[], &read, &|words| sins_set_gravity_disturbance(sim, words));
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_gravity_disturbance(sim, words));
         // Its angles are not read.
         let start = Words::new::<sins_navigation>(0).with(2, 0.7).with(11, 1.0);
-        tried.each_word(&start, &[8, 9, 10], &read, &|words| sins_start_navigation(sim, words));
+        tried.each_word(&start, &[8, 9, 10], &read, sim, &|words| sins_start_navigation(sim, words));
         let parts = Words::new::<sins_imu_increment>(0).with(1, 0.01).with_pair(2, 5, 0);
-        tried.each_word(&parts, &[], &read, &|words| sins_push_imu(sim, words));
+        tried.each_word(&parts, &[], &read, sim, &|words| sins_push_imu(sim, words));
         assert_eq!(sins_destroy(sim), SINS_OK);
 
         // Seed and run may be anything.
         let made = Cell::new(null_mut());
         let good = Words::new::<sins_options>(0);
         let address = || vec![made.get() as u64];
-        tried.each_word(&good, &[6, 7], &address, &|words| sins_create(words, made.as_ptr()));
+        tried.each_word(&good, &[6, 7], &address, null(), &|words| sins_create(words, made.as_ptr()));
         assert_eq!(sins_destroy(made.get()), SINS_OK);
     }
 }
@@ -205,10 +250,10 @@ fn flights(tried: &mut Tried) {
     };
     for (kind, manoeuvre) in good.iter().enumerate() {
         let start = start(if kind == 0 { 0.0 } else { 100.0 });
-        tried.each_word(manoeuvre, &[], &address, &|words| create(start.pointer(), words));
+        tried.each_word(manoeuvre, &[], &address, null(), &|words| create(start.pointer(), words));
         destroy();
     }
-    tried.each_word(&start(100.0), &[], &address, &|words| create(words, good[1].pointer()));
+    tried.each_word(&start(100.0), &[], &address, null(), &|words| create(words, good[1].pointer()));
     destroy();
 }
 
@@ -221,7 +266,7 @@ fn questions(tried: &mut Tried) {
     let requirement = Words::new::<sins_requirement>(0).with(2, 100.0);
     let (options, cost) = (Cell::new(output::<sins_options>().0), Cell::new(output::<sins_cost>().0));
     let answer = || [&options, &cost].into_iter().flat_map(copied).collect::<Vec<u64>>();
-    tried.each_word(&requirement, &[], &answer, &|words| {
+    tried.each_word(&requirement, &[], &answer, null(), &|words| {
         written(&options, |options| {
             // SAFETY: as many samples; outputs of their structs' sizes.
             written(&cost, |cost| unsafe {
@@ -234,26 +279,11 @@ fn questions(tried: &mut Tried) {
     let request = Words::new::<sins_budget_request>(0).with_pair(1, 8, 0).with(2, 1.0);
     let (rows, budget) = (Cell::new(output::<sins_budget_row>().0), Cell::new(output::<sins_budget>().0));
     let answer = || [&rows, &budget].into_iter().flat_map(copied).collect::<Vec<u64>>();
-    tried.each_word(&request, &[], &answer, &|words| {
+    tried.each_word(&request, &[], &answer, null(), &|words| {
         written(&rows, |rows| {
             // SAFETY: as above; what may be null is.
             written(&budget, |budget| unsafe {
-                sins_error_budget(
-                    samples,
-                    count,
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    null(),
-                    words,
-                    rows.cast(),
-                    1,
-                    null_mut(),
-                    budget.cast(),
-                )
+                sins_error_budget(null(), samples, count, words, rows.cast(), 1, null_mut(), budget.cast())
             })
         })
     });
@@ -275,11 +305,11 @@ fn scenes(tried: &mut Tried) {
         // Duration, rate, temperature, its change, spacing; how long it is flown is read only.
         let setup = output::<sins_scene_setup>().with_pair(1, 0, 1).with(3, 60.0).with(5, 50.0);
         let setup = setup.with(6, 20.0).with(7, 0.01).with(8, 1.0);
-        tried.each_word(&setup, &[4], &text, &|words| sins_scene_set_setup(scene, words));
+        tried.each_word(&setup, &[4], &text, null(), &|words| sins_scene_set_setup(scene, words));
         // From, until, kind, size.
         let failure = output::<sins_planned_failure>().with(2, 1.0).with(3, 2.0);
         let failure = failure.with_pair(4, SINS_FAILURE_BIAS_STEP as u32, 0).with(5, 1.0);
-        tried.each_word(&failure, &[], &text, &|words| sins_scene_add_failure(scene, words));
+        tried.each_word(&failure, &[], &text, null(), &|words| sins_scene_add_failure(scene, words));
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
     }
 }

@@ -102,7 +102,7 @@ fn the_end_is_told_and_both_ways_back_are_open() {
             );
             assert_eq!(error.kind, ErrorKind::Diverged, "{error}");
             assert!(
-                error.field.contains("height_m") && error.value.unwrap().abs() > limit_m.abs(),
+                error.field.contains("height_m") && error.value.unwrap().as_f64().abs() > limit_m.abs(),
                 "{error}"
             );
             // Coriolis turns the way up to the west, where it is felt as weight: (2 W cos L)² of 2 g/R, 0.2 % of the rate.

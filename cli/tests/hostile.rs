@@ -201,7 +201,20 @@ fn a_file_does_not_steer_the_terminal() {
 #[test]
 fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
     let folder = with_log("numbers");
-    done(&folder, &["fly", "logs/mylog.csv", "-q", "--name", "run", "--set", "gyro.bias_deg_h=1"]);
+    done(
+        &folder,
+        &[
+            "fly",
+            "logs/mylog.csv",
+            "-q",
+            "--name",
+            "run",
+            "--preset",
+            "tactical",
+            "--set",
+            "options.error_model=rk4",
+        ],
+    );
     let (records, summary) = (folder.join("sins_out/run.csv"), folder.join("sins_out/run_summary.csv"));
     let good = read(&records);
     let (columns, rows) = numbers(&records);

@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::failure::{Failure, SINS_ERROR_INTERNAL, sins_status};
 use super::fpu::FloatState;
 use super::process::{is_inside_a_handle, is_prepared};
+use super::refusal;
 
 /// What is kept for a thread. No destructor, so that the library can be unloaded. Calls on a simulator do without: the first
 /// use in a thread may allocate.
@@ -48,6 +49,7 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
 /// Runs the inside of a function that has no simulator to remember its failure: it is kept for this thread.
 pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
     if !is_prepared() {
+        refusal::forget();
         return Failure::no_thread_locals().status;
     }
     silence_panics();
@@ -59,11 +61,15 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
         })
     });
     HERE.with(|here| here.inside.set(outer));
+    if status == SINS_ERROR_INTERNAL {
+        remember(Failure::internal());
+    }
     status
 }
 
 /// Keeps a failure for this thread.
 pub(super) fn remember(failure: Failure) {
+    refusal::forget();
     if is_prepared() {
         HERE.with(|here| here.last_failure.set(Some(failure)));
     }
@@ -71,6 +77,9 @@ pub(super) fn remember(failure: Failure) {
 
 /// The last failure on this thread that no simulator remembers.
 pub(super) fn last_failure() -> Option<Failure> {
+    if let Some(refused) = refusal::last() {
+        return Some(refused);
+    }
     if !is_prepared() {
         return Some(Failure::no_thread_locals());
     }

@@ -1,21 +1,18 @@
 //! `sins_error_budget`: which effects matter.
 
-use super::altimeter::sins_altimeter_params;
 use super::boundary::enter_without_simulator;
 use super::budget_answer::{sins_budget, sins_budget_row};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::gravity::sins_gravity_params;
-use super::initial::sins_initial_errors;
-use super::memory::{Array, Output, interface_struct, put, read_or_default};
-use super::mounting::sins_mounting;
-use super::options::{check_reserved, sins_options};
+use super::memory::{Array, Output, interface_struct, put, read};
+use super::options::check_reserved;
 use super::sample::sins_flight_sample;
-use super::sensor_params::{sins_accel_params, sins_gyro_params};
+use super::simulator::{look_at, sins_sim};
 use crate::budget::{
     BudgetRequest, Effect, ErrorParameters, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
 };
-use crate::error::{Error, check_range};
+use crate::error::{Error, check_integer};
 use crate::recommend::SolutionError;
+use crate::simulator::Simulator;
 
 /// What a budget is asked for. A limit of 0 is none.
 #[repr(C)]
@@ -39,16 +36,19 @@ interface_struct!(sins_budget_request, "request", 40);
 
 /// Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
 /// out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
-/// of the rows anything. NULL for options is the recommended simulator, for gyro, accel, altimeter or initial an ideal one,
-/// for mounting a block at the reference point, for gravity the normal one, for request 16 runs and no limits; written and
-/// budget may be NULL.
+/// of the rows anything.
+///
+/// configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros, the
+/// accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the call
+/// and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
+/// limits; written and budget may be NULL.
 ///
 /// An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
 /// none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
 /// runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
 /// run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
 /// instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-/// options.run, options.run + 1 and so on (SINS_BUDGET_RANDOM).
+/// sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
 ///
 /// rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
 /// position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
@@ -70,15 +70,9 @@ interface_struct!(sins_budget_request, "request", 40);
 /// tells why, and at which sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_error_budget(
+    configured: *const sins_sim,
     samples: *const sins_flight_sample,
     count: usize,
-    options: *const sins_options,
-    gyro: *const sins_gyro_params,
-    accel: *const sins_accel_params,
-    altimeter: *const sins_altimeter_params,
-    initial: *const sins_initial_errors,
-    mounting: *const sins_mounting,
-    gravity: *const sins_gravity_params,
     request: *const sins_budget_request,
     rows: *mut sins_budget_row,
     capacity: usize,
@@ -86,26 +80,21 @@ pub unsafe extern "C" fn sins_error_budget(
     budget: *mut sins_budget,
 ) -> sins_status {
     enter_without_simulator(|| {
-        // SAFETY: the host's promise, of each.
-        let (options, parameters, request, summary) = unsafe {
-            (
-                read_or_default(options, "options", sins_options::to_options)?,
-                ErrorParameters {
-                    gyro: read_or_default(gyro, "gyro", sins_gyro_params::to_parameters)?,
-                    accel: read_or_default(accel, "accel", sins_accel_params::to_parameters)?,
-                    altimeter: read_or_default(altimeter, "altimeter", sins_altimeter_params::to_parameters)?,
-                    initial: read_or_default(initial, "initial", sins_initial_errors::to_parameters)?,
-                    mounting: read_or_default(mounting, "mounting", sins_mounting::to_parameters)?,
-                    gravity: read_or_default(gravity, "gravity", sins_gravity_params::to_parameters)?,
-                },
-                read_or_default(request, "request", sins_budget_request::to_request)?,
-                if budget.is_null() { None } else { Some(Output::new(budget, "budget")?) },
-            )
+        let of = |simulator: &Simulator| (*simulator.options(), ErrorParameters::of(simulator));
+        let (options, parameters) = match configured.is_null() {
+            true => Default::default(),
+            false => look_at(configured, "configured", of)?,
         };
-        options.validate()?;
+        let request = if request.is_null() {
+            BudgetRequest::default()
+        } else {
+            // SAFETY: the host's promise.
+            unsafe { read(request, "request")? }.to_request()?
+        };
         request.validate()?;
-        parameters.validate()?;
-        check_range("count", count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
+        // SAFETY: the host's promise; written at the end alone.
+        let summary = if budget.is_null() { None } else { Some(unsafe { Output::new(budget, "budget")? }) };
+        check_integer("count", count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         let needed = 1 + Effect::set_in(&parameters).count();

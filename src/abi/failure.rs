@@ -1,6 +1,6 @@
 //! Status codes, and what a handle remembers of a failed call.
 
-use core::fmt::{self, Write};
+use core::fmt;
 
 use crate::error::{Error, ErrorKind, Rule};
 
@@ -55,9 +55,9 @@ pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Failure {
     pub status: sins_status,
-    error: Error,
+    pub error: Error,
     /// Which sample of an array it concerns.
-    sample: Option<usize>,
+    pub sample: Option<usize>,
 }
 
 impl Failure {
@@ -85,7 +85,11 @@ impl Failure {
         match status {
             SINS_ERROR_BAD_HANDLE => Self::bad_handle(name),
             SINS_ERROR_INTERNAL => Self::internal(),
-            _ => Self::words(status, name, "takes no call now"),
+            _ => Self::words(
+                status,
+                name,
+                "is inside a call of this thread, or held for ever by one that never returns",
+            ),
         }
     }
 
@@ -106,15 +110,15 @@ impl Failure {
     }
 
     pub fn struct_size(name: &'static str, size: usize, rule: Rule) -> Self {
-        let error = Error::invalid(name, size as f64, rule);
+        let error = Error::invalid(name, size, rule);
         Self { status: SINS_ERROR_STRUCT_SIZE, error, sample: None }
     }
 
     pub fn buffer(name: &'static str, capacity: usize, needed: usize) -> Self {
-        let rule = Rule::WordsAnd("is too small; needed:", needed as f64);
+        let rule = Rule::AtLeast("is too small; needed:", needed as f64);
         Self {
             status: SINS_ERROR_BUFFER_TOO_SMALL,
-            error: Error::invalid(name, capacity as f64, rule),
+            error: Error::invalid(name, capacity, rule),
             sample: None,
         }
     }
@@ -155,40 +159,5 @@ impl fmt::Display for Failure {
             Some(index) => write!(f, " (samples[{index}])"),
             None => Ok(()),
         }
-    }
-}
-
-/// A sentence in a fixed buffer: made without an allocation, cut at a character.
-pub(super) struct Sentence {
-    bytes: [u8; 512],
-    len: usize,
-}
-
-impl Sentence {
-    pub fn of(failure: Option<&Failure>) -> Self {
-        let mut sentence = Self { bytes: [0; 512], len: 0 };
-        // Writing never fails: what does not fit is cut.
-        let _ = match failure {
-            Some(failure) => write!(sentence, "{failure}"),
-            None => sentence.write_str("no error"),
-        };
-        sentence
-    }
-
-    pub fn as_bytes(&self) -> &[u8] {
-        &self.bytes[..self.len]
-    }
-}
-
-impl Write for Sentence {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        let room = self.bytes.len() - self.len;
-        let mut take = text.len().min(room);
-        while !text.is_char_boundary(take) {
-            take -= 1;
-        }
-        self.bytes[self.len..self.len + take].copy_from_slice(&text.as_bytes()[..take]);
-        self.len += take;
-        Ok(())
     }
 }

@@ -1,13 +1,13 @@
 //! `sins_flight`: embedded flights.
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::options::{check_reserved, sins_options};
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
-use crate::error::check_range;
+use crate::error::check_integer;
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
 
@@ -88,17 +88,7 @@ fn with_flight(
     flight: *const sins_flight,
     body: impl FnOnce(&mut Flight) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| {
-        told(FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
-    })
-}
-
-/// Leaves a sentence of a bad handle, which has no failure of its own.
-fn told(status: sins_status) -> sins_status {
-    if status == SINS_ERROR_BAD_HANDLE {
-        remember(Failure::bad_handle("flight"));
-    }
-    status
+    enter(|| FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
 }
 
 /// Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
@@ -140,7 +130,7 @@ pub(super) unsafe fn read_flight(
 ) -> Result<(FlightStart, Vec<Manoeuvre>), Failure> {
     // SAFETY: as this function.
     let start = unsafe { read(start, "start")? }.to_start()?;
-    check_range("count", count as f64, 1.0, MAX_MANOEUVRES as f64)?;
+    check_integer("count", count, 1, MAX_MANOEUVRES as i64)?;
     // SAFETY: as this function; manoeuvres are only read.
     let manoeuvres = unsafe { Array::new(manoeuvres.cast_mut(), count, "manoeuvres")? };
     let mut list = room(count)?;
@@ -196,5 +186,5 @@ pub unsafe extern "C" fn sins_flight_sample_at(
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_destroy(flight: *mut sins_flight) -> sins_status {
-    enter(|| told(FLIGHTS.remove(flight.addr())))
+    enter(|| FLIGHTS.remove(flight.addr()))
 }

@@ -79,7 +79,7 @@ impl sins_initial_errors {
                 (SINS_ALIGNMENT_GIVEN, Alignment::Given),
                 (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, Alignment::LevelAndGyrocompass),
             ],
-            "must be a SINS_ALIGNMENT_ constant, 0 or 1",
+            "sins_alignment",
         )?;
         Ok(InitialErrorParameters {
             position_n: Vector3::from(self.position_enu_m),

@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
 use super::fault_report::sins_fault;
 use super::memory::{Output, bytes_of, chars, interface_struct, put};
 use super::registry::Registry;
@@ -45,15 +45,7 @@ fn with_log(
     log: *const sins_log,
     body: impl FnOnce(&FlightLog) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| told(LOGS.with(log.addr(), |log| body(log).inspect_err(|&failure| remember(failure)))))
-}
-
-/// Leaves a sentence of a bad handle, which has no failure of its own.
-fn told(status: sins_status) -> sins_status {
-    if status == SINS_ERROR_BAD_HANDLE {
-        remember(Failure::bad_handle("log"));
-    }
-    status
+    enter(|| LOGS.with(log.addr(), |log| body(log).inspect_err(|&failure| remember(failure))))
 }
 
 /// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
@@ -97,7 +89,7 @@ pub unsafe extern "C" fn sins_log_parse(
                     output.write(&sins_fault::new(&found, 1));
                 }
                 let rule = Rule::Words("the text is no flight log; sins_fault tells why");
-                remember(Error::invalid("line", found.line as f64, rule).into());
+                remember(Error::invalid("line", found.line, rule).into());
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
         }
@@ -138,7 +130,7 @@ pub unsafe extern "C" fn sins_log_get_sample(
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
             let rule =
                 Rule::WordsAnd("must be less than the samples of the log:", log.samples().len() as f64);
-            return Err(Error::invalid("index", index as f64, rule).into());
+            return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_flight_sample::from_sample(found));
         if !line.is_null() {
@@ -154,5 +146,5 @@ pub unsafe extern "C" fn sins_log_get_sample(
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_destroy(log: *mut sins_log) -> sins_status {
-    enter(|| told(LOGS.remove(log.addr())))
+    enter(|| LOGS.remove(log.addr()))
 }

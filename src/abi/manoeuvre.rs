@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::memory::interface_struct;
 use super::options::{check_reserved, one_of};
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, Value, check_integer};
 use crate::flight::{
     Channel, DEFAULT_RAMP_S, MANOEUVRE_KINDS, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid,
 };
@@ -86,7 +86,7 @@ pub struct sins_manoeuvre {
 
 interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 
-const NOT_USED: Rule = Rule::Words("must be 0: it is not used here");
+const NOT_USED: Rule = Rule::Zero(": it is not used here");
 
 // A kind is its place in the table.
 const _: () =
@@ -151,8 +151,8 @@ impl sins_manoeuvre {
         check_reserved("manoeuvre.reserved", self.reserved)?;
         let kind = usize::try_from(self.kind).unwrap_or(usize::MAX);
         let Some((_, uses)) = MANOEUVRE_KINDS.get(kind) else {
-            let rule = Rule::Words("must be a SINS_MANOEUVRE_ constant, 0 to 8");
-            return Err(Error::invalid("manoeuvre.kind", f64::from(self.kind), rule).into());
+            let rule = Rule::OneOf("sins_manoeuvre_kind", 0, MANOEUVRE_KINDS.len() as i32 - 1);
+            return Err(Error::invalid("manoeuvre.kind", self.kind, rule).into());
         };
         for (field, value) in self.quantities() {
             if *value != 0.0 && !uses.contains(&field) {
@@ -175,34 +175,28 @@ impl sins_manoeuvre {
     }
 
     fn set_sinusoids(&self, fields: &mut ManoeuvreFields) -> Result<(), Failure> {
-        let count = f64::from(self.sinusoid_count);
         if self.kind == SINS_MANOEUVRE_SINUSOIDS {
-            check_range("manoeuvre.sinusoid_count", count, 1.0, MAX_SINUSOIDS as f64)?;
+            check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as i64)?;
             fields.sinusoid_count = self.sinusoid_count as usize;
         } else if self.sinusoid_count != 0 {
-            return Err(Error::invalid("manoeuvre.sinusoid_count", count, NOT_USED).into());
+            return Err(Error::invalid("manoeuvre.sinusoid_count", self.sinusoid_count, NOT_USED).into());
         }
         for (i, term) in fields.sinusoids.iter_mut().enumerate().take(fields.sinusoid_count) {
             *term = Sinusoid {
-                channel: one_of(
-                    "manoeuvre.channel",
-                    self.channel[i],
-                    &CHANNELS,
-                    "must be a SINS_CHANNEL_ constant, 0 to 5",
-                )?,
+                channel: one_of("manoeuvre.channel", self.channel[i], &CHANNELS, "sins_channel")?,
                 amplitude: self.amplitude[i],
                 frequency_hz: self.frequency_hz[i],
                 phase_rad: self.phase_rad[i],
             };
         }
         for i in fields.sinusoid_count..MAX_SINUSOIDS {
-            let unused = [
-                ("manoeuvre.channel", f64::from(self.channel[i])),
-                ("manoeuvre.amplitude", self.amplitude[i]),
-                ("manoeuvre.frequency_hz", self.frequency_hz[i]),
-                ("manoeuvre.phase_rad", self.phase_rad[i]),
+            let unused: [(_, Value); 4] = [
+                ("manoeuvre.channel", self.channel[i].into()),
+                ("manoeuvre.amplitude", self.amplitude[i].into()),
+                ("manoeuvre.frequency_hz", self.frequency_hz[i].into()),
+                ("manoeuvre.phase_rad", self.phase_rad[i].into()),
             ];
-            if let Some((field, value)) = unused.into_iter().find(|&(_, value)| value != 0.0) {
+            if let Some((field, value)) = unused.into_iter().find(|(_, value)| value.as_f64() != 0.0) {
                 return Err(Error::invalid(field, value, NOT_USED).into());
             }
         }

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 
-use super::failure::{Failure, SINS_ERROR_BUFFER_TOO_SMALL, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use crate::error::Rule;
 
 /// Larger struct sizes are garbage, not a later release.
@@ -35,7 +35,7 @@ pub(super) use interface_struct;
 /// Checks a struct size that a host states.
 fn check_size<T: Struct>(size: usize) -> Result<usize, Failure> {
     if size < T::FIRST_SIZE || size > MAX_STRUCT_SIZE || !size.is_multiple_of(8) {
-        let rule = Rule::WordsAnd("must be sizeof the struct; in this release", size_of::<T>() as f64);
+        let rule = Rule::Exactly("must be sizeof the struct; in this release", size_of::<T>() as f64);
         return Err(Failure::struct_size(T::NAME, size, rule));
     }
     Ok(size)
@@ -62,22 +62,6 @@ pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> R
     let size = unsafe { stated_size(pointer, name)? };
     // SAFETY: `size` bytes are readable.
     unsafe { read_sized(pointer, size) }
-}
-
-/// What a struct of the host says; the default where it gave none.
-///
-/// # Safety
-/// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
-pub(super) unsafe fn read_or_default<T: Struct, U: Default>(
-    pointer: *const T,
-    name: &'static str,
-    convert: impl FnOnce(T) -> Result<U, Failure>,
-) -> Result<U, Failure> {
-    if pointer.is_null() {
-        return Ok(U::default());
-    }
-    // SAFETY: as this function.
-    convert(unsafe { read(pointer, name)? })
 }
 
 /// # Safety
@@ -164,7 +148,7 @@ impl<T: Struct> Array<T> {
         // SAFETY: the head of an element.
         let size = unsafe { pointer.cast::<u32>().read_unaligned() } as usize;
         if size != self.stride && size != 0 {
-            let rule = Rule::WordsAnd("must be that of the first element, or 0; that is", self.stride as f64);
+            let rule = Rule::Exactly("must be that of the first element, or 0; that is", self.stride as f64);
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
         // SAFETY: an element has `stride` readable bytes.
@@ -252,6 +236,18 @@ pub(super) fn chars<const N: usize>(text: &str) -> [core::ffi::c_char; N] {
     chars
 }
 
+/// Length of the text that fits into `capacity` bytes, 1 at the least, with a terminator: not within a UTF-8 sequence.
+fn fitting(text: &[u8], capacity: usize) -> usize {
+    if text.len() < capacity {
+        return text.len();
+    }
+    let mut length = capacity - 1;
+    while length > 0 && text[length] & 0xc0 == 0x80 {
+        length -= 1;
+    }
+    length
+}
+
 /// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
 ///
 /// # Safety
@@ -261,30 +257,23 @@ pub(super) unsafe fn put_text(
     buffer: *mut core::ffi::c_char,
     capacity: usize,
     needed: *mut usize,
-) -> sins_status {
+) -> Result<sins_status, Failure> {
+    let size = text.len() + 1;
     if !needed.is_null() {
         // SAFETY: not null.
-        unsafe { needed.write_unaligned(text.len() + 1) };
+        unsafe { needed.write_unaligned(size) };
     }
-    if buffer.is_null() || capacity == 0 {
+    if buffer.is_null() {
         // Asked for the size alone, or nothing to answer into.
-        return match (buffer.is_null() && capacity == 0, needed.is_null()) {
-            (true, false) => SINS_OK,
-            (false, _) if !buffer.is_null() => SINS_ERROR_BUFFER_TOO_SMALL,
-            _ => super::SINS_ERROR_NULL_POINTER,
-        };
+        return if capacity == 0 && !needed.is_null() { Ok(SINS_OK) } else { Err(Failure::null("buffer")) };
     }
-    let mut length = text.len().min(capacity - 1);
-    if length < text.len() {
-        // Not within a UTF-8 sequence.
-        while length > 0 && text[length] & 0xc0 == 0x80 {
-            length -= 1;
+    if capacity > 0 {
+        let length = fitting(text, capacity);
+        // SAFETY: `length` < `capacity`.
+        unsafe {
+            core::ptr::copy_nonoverlapping(text.as_ptr(), buffer.cast::<u8>(), length);
+            buffer.add(length).write(0);
         }
     }
-    // SAFETY: `length` < `capacity`.
-    unsafe {
-        core::ptr::copy_nonoverlapping(text.as_ptr(), buffer.cast::<u8>(), length);
-        buffer.add(length).write(0);
-    }
-    if length == text.len() { SINS_OK } else { SINS_ERROR_BUFFER_TOO_SMALL }
+    if size <= capacity { Ok(SINS_OK) } else { Err(Failure::buffer("capacity", capacity, size)) }
 }

@@ -29,6 +29,8 @@ mod fpu;
 mod gravity;
 mod gyro;
 mod initial;
+mod key;
+mod last_error;
 mod lock;
 #[cfg(feature = "scenes")]
 mod log;
@@ -41,6 +43,7 @@ mod preset;
 mod process;
 mod recommend;
 mod record;
+mod refusal;
 mod registry;
 mod run;
 mod sample;
@@ -73,6 +76,7 @@ pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;
 pub use initial::*;
+pub use last_error::*;
 #[cfg(feature = "scenes")]
 pub use log::*;
 pub use manoeuvre::*;

@@ -8,7 +8,7 @@ use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
 use crate::earth::Geodetic;
-use crate::error::{Error, Rule, check_range, check_ranges};
+use crate::error::{Error, Rule, check_integer, check_range, check_ranges};
 use crate::mechanization::MAX_SUBSAMPLES;
 use crate::signal::Increment;
 use crate::state::Navigation;
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn sins_push_imu(
         let imu = unsafe { read(increment, "increment")? };
         check_reserved("imu.reserved", imu.reserved)?;
         check_reserved("imu.reserved2", imu.reserved2)?;
-        check_range("imu.count", f64::from(imu.count), 1.0, MAX_SUBSAMPLES as f64)?;
+        check_integer("imu.count", imu.count, 1, MAX_SUBSAMPLES as i64)?;
         let part = |values: &[f64; 15], index: usize| {
             Vector3::new(values[3 * index], values[3 * index + 1], values[3 * index + 2])
         };

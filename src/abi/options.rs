@@ -4,7 +4,7 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use crate::earth::{Ellipsoid, GravityModel};
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, check_integer};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::sensors::StreamKey;
 use crate::simulator::Options;
@@ -146,26 +146,26 @@ pub struct sins_options {
 
 interface_struct!(sins_options, "options", 104);
 
-/// The value of an enumeration field.
+/// The value of a field that holds a constant of `enumeration`; the constants are successive integers.
 pub(super) fn one_of<T: Copy>(
     field: &'static str,
     value: i32,
     choices: &[(i32, T)],
-    rule: &'static str,
+    enumeration: &'static str,
 ) -> Result<T, Failure> {
     match choices.iter().find(|(code, _)| *code == value) {
         Some((_, choice)) => Ok(*choice),
-        None => Err(Error::invalid(field, f64::from(value), Rule::Words(rule)).into()),
+        None => {
+            let codes = || choices.iter().map(|&(code, _)| code);
+            let (first, last) = (codes().min().unwrap_or(0), codes().max().unwrap_or(0));
+            Err(Error::invalid(field, value, Rule::OneOf(enumeration, first, last)).into())
+        }
     }
 }
 
 /// Refuses a reserved field that is not 0.
 pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
-    if value == 0 {
-        Ok(())
-    } else {
-        Err(Error::invalid(field, f64::from(value), Rule::Words("must be 0")).into())
-    }
+    if value == 0 { Ok(()) } else { Err(Error::invalid(field, value, Rule::Zero("")).into()) }
 }
 
 /// Time constant of the closed loop where the host gives none [s].
@@ -180,7 +180,7 @@ impl sins_options {
             (SINS_EARTH_GRS80, Ellipsoid::Grs80),
             (SINS_EARTH_KRASSOVSKY1940, Ellipsoid::Krassovsky1940),
         ];
-        one_of(field, value, &CHOICES, "must be a SINS_EARTH_ constant, 0 to 3")
+        one_of(field, value, &CHOICES, "sins_earth")
     }
 
     /// The value of the earth field.
@@ -252,7 +252,7 @@ impl sins_options {
             "options.frame",
             self.frame,
             &[(SINS_FRAME_EARTH_FIXED, Frame::EarthFixed), (SINS_FRAME_GEOGRAPHIC, Frame::Geographic)],
-            "must be a SINS_FRAME_ constant, 0 or 1",
+            "sins_frame",
         )?;
         let scheme = one_of(
             "options.scheme",
@@ -262,7 +262,7 @@ impl sins_options {
                 (SINS_SCHEME_PAPER, Scheme::Paper),
                 (SINS_SCHEME_POLYNOMIAL, Scheme::Polynomial),
             ],
-            "must be a SINS_SCHEME_ constant, 0 to 2",
+            "sins_scheme",
         )?;
         let vertical = one_of(
             "options.vertical",
@@ -272,13 +272,13 @@ impl sins_options {
                 (SINS_VERTICAL_FOLLOW_TRUTH, VerticalMode::FollowTruth),
                 (SINS_VERTICAL_FREE, VerticalMode::Free),
             ],
-            "must be a SINS_VERTICAL_ constant, 0 to 2",
+            "sins_vertical",
         )?;
         let error_model = one_of(
             "options.error_model",
             self.error_model,
             &[(SINS_ERROR_MODEL_OFF, false), (SINS_ERROR_MODEL_RK4, true)],
-            "must be a SINS_ERROR_MODEL_ constant, 0 or 1",
+            "sins_error_model",
         )?;
         let gravity = one_of(
             "options.gravity",
@@ -287,7 +287,7 @@ impl sins_options {
                 (SINS_GRAVITY_NORMAL, GravityModel::Normal),
                 (SINS_GRAVITY_SOMIGLIANA, GravityModel::Somigliana),
             ],
-            "must be a SINS_GRAVITY_ constant, 0 or 1",
+            "sins_gravity",
         )?;
         let axes = one_of(
             "options.axes",
@@ -296,20 +296,20 @@ impl sins_options {
                 (SINS_AXES_RIGHT_FORWARD_UP, BodyAxes::RightForwardUp),
                 (SINS_AXES_FORWARD_RIGHT_DOWN, BodyAxes::ForwardRightDown),
             ],
-            "must be a SINS_AXES_ constant, 0 or 1",
+            "sins_axes",
         )?;
         let closed_loop = one_of(
             "options.signal",
             self.signal,
             &[(SINS_SIGNAL_PHYSICAL, false), (SINS_SIGNAL_CLOSED_LOOP, true)],
-            "must be a SINS_SIGNAL_ constant, 0 or 1",
+            "sins_signal",
         )?;
         if !closed_loop && self.closed_loop_time_s != 0.0 {
-            let rule = Rule::Words("must be 0 without SINS_SIGNAL_CLOSED_LOOP");
+            let rule = Rule::Zero(" without SINS_SIGNAL_CLOSED_LOOP");
             return Err(Error::invalid("options.closed_loop_time_s", self.closed_loop_time_s, rule).into());
         }
-        check_range("options.subsamples", f64::from(self.subsamples), 0.0, 5.0)?;
-        check_range("options.updates_per_sample", f64::from(self.updates_per_sample), 0.0, 16.0)?;
+        check_integer("options.subsamples", self.subsamples, 0, 5)?;
+        check_integer("options.updates_per_sample", self.updates_per_sample, 0, 16)?;
         let defaults = Options::default();
         let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
         let count = |value: i32, default: usize| if value == 0 { default } else { value as usize };

@@ -33,12 +33,13 @@
  *   under Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
  *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
- *   sins_last_error() has the sentence: which field, which value, which limit; sins_status_string() the name.
+ *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
+ *   sins_status_string() the name.
  * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
  *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
- *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE, without a sentence. A signal handler gets
- *     this answer if it interrupted a call on that handle. It may call every function that takes a simulator, except
- *     sins_destroy() and sins_snapshot_load(), which use the allocator.
+ *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE; sins_last_error(NULL, ...) has the
+ *     sentence. A signal handler gets this answer if it interrupted a call on that handle. It may call every function that
+ *     takes a simulator, except sins_destroy() and sins_snapshot_load(), which use the allocator.
  *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
  *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
  *     ever; on Windows they get SINS_ERROR_BAD_STATE if the thread was terminated. The floating-point state is not put back.
@@ -105,6 +106,7 @@
 
 #if defined(_MSC_VER) && _MSC_VER < 1600
 typedef __int32 int32_t;
+typedef __int64 int64_t;
 typedef unsigned __int32 uint32_t;
 typedef unsigned __int64 uint64_t;
 #else

@@ -35,7 +35,7 @@ fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure>
         (SINS_GRADE_CONSUMER, Grade::Consumer),
         (SINS_GRADE_PAPER_SIMULATION2, Grade::PaperSimulation2),
     ];
-    one_of("grade", grade, &GRADES, "must be a SINS_GRADE_ constant, 1 to 6").map(Grade::parameters)
+    one_of("grade", grade, &GRADES, "sins_grade").map(Grade::parameters)
 }
 
 /// Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at turn-on

@@ -6,7 +6,7 @@ use super::memory::{Array, Output, interface_struct, read};
 use super::options::{check_reserved, sins_options};
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
-use crate::error::check_range;
+use crate::error::check_integer;
 use crate::memory::room;
 use crate::recommend::{
     MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, Setup, recommend, step_time_ns,
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn sins_recommend(
                 Output::new(cost, "cost")?,
             )
         };
-        check_range("count", count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
+        check_integer("count", count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = read_samples(&unsafe { Array::new(samples.cast_mut(), count, "samples")? })?;
         let answer = recommend(&setup, &samples, &requirement)?;

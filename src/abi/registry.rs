@@ -2,30 +2,21 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::failure::{
     Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
 };
+use super::key::{FirstGeneration, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
 use super::lock::{Guard, Lock};
-use crate::math::SPLIT_MIX_STEP;
+use super::refusal::refuse;
 use crate::memory::room;
-
-/// Handles of a kind that can live at once.
-const SLOTS: usize = 4096;
-const SLOT_BITS: u32 = SLOTS.trailing_zeros();
-const KIND_BITS: u32 = 3;
-/// Generations of a slot; one that has used them all is never used again, so that no key returns.
-const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
-/// Below every first generation: small made-up numbers are no keys.
-const LOWEST_GENERATION: usize = 0x2a5;
 
 /// In place of the key of a slot, and of no kind that keys have: nothing lives there.
 const FREE: usize = 0;
 /// Nothing lives there, and nothing may be put there: a handle is being made or destroyed, or the generations are used up.
 const CLAIMED: usize = usize::MAX;
 
-/// The living objects of one kind. A key is made of kind, slot and generation; each slot has its own lock, so calls on one
+/// The living objects of one kind. Each slot has its own lock, so calls on one
 /// handle are serialised and different handles never wait for each other. A call on a handle that its own thread is inside, or
 /// that no thread will ever leave, is `SINS_ERROR_BAD_STATE`.
 pub(super) struct Registry<T> {
@@ -33,8 +24,7 @@ pub(super) struct Registry<T> {
     slots: [Slot<T>; SLOTS],
     /// Where the search for a free slot begins.
     next: AtomicUsize,
-    /// 0 until it is drawn. Not a lock: a fork may come while another thread draws.
-    first_generation: AtomicUsize,
+    first_generation: FirstGeneration,
 }
 
 struct Slot<T> {
@@ -84,7 +74,7 @@ impl<T> Registry<T> {
             kind,
             slots: [const { Slot::empty() }; SLOTS],
             next: AtomicUsize::new(0),
-            first_generation: AtomicUsize::new(0),
+            first_generation: FirstGeneration::new(),
         }
     }
 
@@ -93,7 +83,7 @@ impl<T> Registry<T> {
         let mut memory = room(1)?;
         memory.push(Content { value, last_failure: None, broken: false });
         let content = memory.into_boxed_slice();
-        let first_generation = self.first_generation();
+        let first_generation = self.first_generation.get();
 
         let start = self.next.fetch_add(1, Ordering::Relaxed);
         for offset in 0..SLOTS {
@@ -108,7 +98,7 @@ impl<T> Registry<T> {
             };
             let generation = first_generation + place.used;
             if generation < LAST_GENERATION {
-                let key = ((generation << SLOT_BITS | index) << KIND_BITS) | self.kind;
+                let key = key_of(generation, index, self.kind);
                 place.content = Some(content);
                 slot.key.store(key, Ordering::Release);
                 return Ok(key);
@@ -122,11 +112,13 @@ impl<T> Registry<T> {
     pub fn with(&self, key: usize, body: impl FnOnce(&mut T) -> Result<sins_status, Failure>) -> sins_status {
         let mut place = match self.find(key) {
             Ok(place) => place,
-            Err(status) => return status,
+            Err(status) => return self.refused(status),
         };
-        let Some([content]) = place.content.as_deref_mut() else { return SINS_ERROR_BAD_HANDLE };
+        let Some([content]) = place.content.as_deref_mut() else {
+            return self.refused(SINS_ERROR_BAD_HANDLE);
+        };
         if content.broken {
-            return SINS_ERROR_INTERNAL;
+            return self.refused(SINS_ERROR_INTERNAL);
         }
         match catch_unwind(AssertUnwindSafe(|| body(&mut content.value))) {
             Ok(Ok(status)) => status,
@@ -137,7 +129,7 @@ impl<T> Registry<T> {
             Err(_) => {
                 content.broken = true;
                 content.last_failure = Some(Failure::internal());
-                SINS_ERROR_INTERNAL
+                self.refused(SINS_ERROR_INTERNAL)
             }
         }
     }
@@ -163,54 +155,36 @@ impl<T> Registry<T> {
 
     /// Destroys the object of `key`.
     pub fn remove(&self, key: usize) -> sins_status {
-        let Some(slot) = self.slot(key) else { return SINS_ERROR_BAD_HANDLE };
+        let Some(slot) = self.slot(key) else { return self.refused(SINS_ERROR_BAD_HANDLE) };
         let content = match slot.find(key) {
             Ok(mut place) => {
                 slot.key.store(CLAIMED, Ordering::Relaxed);
                 place.used += 1;
                 place.content.take()
             }
-            Err(status) => return status,
+            Err(status) => return self.refused(status),
         };
         drop(content);
         slot.key.store(FREE, Ordering::Release);
         SINS_OK
     }
 
+    /// The status of a call that found nothing to leave its failure with; this thread keeps it.
+    fn refused(&self, status: sins_status) -> sins_status {
+        refuse(self.kind, status);
+        status
+    }
+
     /// The slot that `key` names, if that is of this kind.
     #[inline]
     fn slot(&self, key: usize) -> Option<&Slot<T>> {
-        (key & ((1 << KIND_BITS) - 1) == self.kind).then(|| &self.slots[(key >> KIND_BITS) % SLOTS])
+        (kind_of(key) == self.kind).then(|| &self.slots[slot_of(key)])
     }
 
     /// The place of `key`, locked, if that lives here.
     #[inline]
     fn find(&self, key: usize) -> Result<Guard<'_, Place<T>>, sins_status> {
         self.slot(key).ok_or(SINS_ERROR_BAD_HANDLE)?.find(key)
-    }
-
-    fn first_generation(&self) -> usize {
-        match self.first_generation.load(Ordering::Relaxed) {
-            0 => {
-                let drawn = self.draw_first_generation();
-                let first =
-                    self.first_generation.compare_exchange(0, drawn, Ordering::Relaxed, Ordering::Relaxed);
-                first.err().unwrap_or(drawn)
-            }
-            first => first,
-        }
-    }
-
-    /// Of another table - a second copy of the library, or the one after an unload and a load - almost surely another, so
-    /// that its keys are none here: from the lower half, by the table's place and the time.
-    #[cold]
-    fn draw_first_generation(&self) -> usize {
-        const BITS: u32 = LAST_GENERATION.count_ones() - 1;
-        let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-        let mark = (since.as_nanos() as u64) ^ (core::ptr::from_ref(self).addr() as u64).rotate_left(32);
-        // Multiplicative hashing: the golden ratio of 2^64, the highest bits.
-        let mixed = mark.wrapping_mul(SPLIT_MIX_STEP) >> (u64::BITS - BITS);
-        LOWEST_GENERATION + mixed as usize
     }
 }
 

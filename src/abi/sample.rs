@@ -71,7 +71,7 @@ impl sins_flight_sample {
         let unknown = self.flags & !KNOWN_FLAGS;
         if unknown != 0 {
             let rule = Rule::Words("must be an or of SINS_SAMPLE_ flags; there are unknown bits");
-            return Err(Error::invalid("sample.flags", f64::from(self.flags), rule).into());
+            return Err(Error::invalid("sample.flags", self.flags, rule).into());
         }
         let given = |flag: u32, values: [f64; 3]| (self.flags & flag != 0).then_some(Vector3::from(values));
         let has_velocity = self.flags & SINS_SAMPLE_NO_VELOCITY == 0;

@@ -10,7 +10,7 @@ use super::memory::{Output, bytes_of, put, put_text, read, text_of};
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
 use super::simulator::{self, on_simulator, sins_sim};
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, check_integer};
 use crate::memory::probe;
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
@@ -32,9 +32,7 @@ fn with_content(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Content) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| {
-        told(SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
-    })
+    enter(|| SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
 }
 
 /// What a copy of a scene and its text take at the most, and with each manoeuvre and each failure more [bytes].
@@ -65,14 +63,6 @@ fn with_sound_scene(
             Err(Error::bad_state("the text of the scene has faults: sins_scene_get_fault()").into())
         }
     })
-}
-
-/// Leaves a sentence of a bad handle, which has no failure of its own.
-fn told(status: sins_status) -> sins_status {
-    if status == SINS_ERROR_BAD_HANDLE {
-        remember(Failure::bad_handle("scene"));
-    }
-    status
 }
 
 /// # Safety
@@ -149,7 +139,7 @@ pub unsafe extern "C" fn sins_scene_get_fault(
         };
         let Some(found) = faults.get(index) else {
             let rule = Rule::WordsAnd("must be less than the faults of the scene:", faults.len() as f64);
-            return Err(Error::invalid("index", index as f64, rule).into());
+            return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_fault::new(found, faults.len()));
         Ok(SINS_OK)
@@ -204,7 +194,7 @@ pub unsafe extern "C" fn sins_scene_builtin_name(
             return Err(Error::invalid("index", index as f64, rule).into());
         };
         // SAFETY: the host's promise.
-        Ok(unsafe { put_text(name.as_bytes(), buffer, capacity, needed) })
+        unsafe { put_text(name.as_bytes(), buffer, capacity, needed) }
     })
 }
 
@@ -223,9 +213,9 @@ pub unsafe extern "C" fn sins_scene_write(
     with_scene(scene, |scene| {
         scene.check()?;
         let text = scene.write();
-        check_range("bytes of the scene's text", text.len() as f64, 0.0, MAX_TEXT as f64)?;
+        check_integer("bytes of the scene's text", text.len(), 0, MAX_TEXT as i64)?;
         // SAFETY: the host's promise.
-        Ok(unsafe { put_text(text.as_bytes(), buffer, capacity, needed) })
+        unsafe { put_text(text.as_bytes(), buffer, capacity, needed) }
     })
 }
 
@@ -240,7 +230,7 @@ pub unsafe extern "C" fn sins_scene_write_keys(
     enter_without_simulator(|| {
         probe(ROOM)?;
         // SAFETY: the host's promise.
-        Ok(unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) })
+        unsafe { put_text(keys_text().as_bytes(), buffer, capacity, needed) }
     })
 }
 
@@ -323,5 +313,5 @@ pub unsafe extern "C" fn sins_scene_prepare(
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_destroy(scene: *mut sins_scene) -> sins_status {
-    enter(|| told(SCENES.remove(scene.addr())))
+    enter(|| SCENES.remove(scene.addr()))
 }

@@ -6,11 +6,11 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, put_text, read, text_of};
-use super::options::{check_reserved, one_of};
+use super::options::check_reserved;
 use super::scene::{sins_scene, with_scene};
 use super::sensor_failure::{output, sins_failure};
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, check_integer};
 use crate::scene::{self, Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
 use crate::sensors::SensorOutput;
 
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn sins_scene_set_setup(
         let setup = unsafe { read(setup, "setup")? };
         check_reserved("setup.reserved", setup.reserved)?;
         check_reserved("setup.reserved2", setup.reserved2)?;
-        let flag = |field, value| one_of(field, value, &[(0, false), (1, true)], "must be 0 or 1");
+        let flag = |field, value| check_integer(field, value, 0, 1).map(|()| value == 1);
         let some = |value: f64| (value != 0.0).then_some(value);
         let temperature =
             Temperature { at_start_c: setup.temperature_c, change_c_s: setup.temperature_change_c_s };
@@ -240,6 +240,10 @@ pub unsafe extern "C" fn sins_scene_set_manoeuvres(
     })
 }
 
+fn no_such_text(which: i32) -> Failure {
+    Error::invalid("which", which, Rule::OneOf("sins_scene_text", 0, 5)).into()
+}
+
 /// The text `which` of a scene.
 fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
     Ok(match which {
@@ -255,7 +259,7 @@ fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
         SINS_SCENE_TEXT_FOLDER => &scene.output.folder,
         SINS_SCENE_TEXT_NAME => &scene.output.name,
         SINS_SCENE_TEXT_IMU => &scene.output.imu,
-        _ => return one_of("which", which, &[], "must be a SINS_SCENE_TEXT_ constant, 0 to 5"),
+        _ => return Err(no_such_text(which)),
     })
 }
 
@@ -270,9 +274,10 @@ pub unsafe extern "C" fn sins_scene_get_text(
     capacity: usize,
     needed: *mut usize,
 ) -> sins_status {
-    // SAFETY: the host's promise.
     with_scene(scene, |scene| {
-        Ok(unsafe { put_text(text(scene, which)?.as_bytes(), buffer, capacity, needed) })
+        let text = text(scene, which)?;
+        // SAFETY: the host's promise.
+        unsafe { put_text(text.as_bytes(), buffer, capacity, needed) }
     })
 }
 
@@ -290,7 +295,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
         let bytes = unsafe { text_of(text, "text")? };
         let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Words(words)) };
         let Ok(text) = core::str::from_utf8(bytes) else { return Err(refused("must be UTF-8").into()) };
-        check_range("bytes of text", text.len() as f64, 0.0, 4096.0)?;
+        check_integer("bytes of text", text.len(), 0, 4096)?;
         if text.chars().any(char::is_control) {
             return Err(refused("must not have control characters").into());
         }
@@ -320,7 +325,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
                 scene.output = output;
             }
             SINS_SCENE_TEXT_IMU => scene.output.imu = text.to_owned(),
-            _ => return one_of("which", which, &[], "must be a SINS_SCENE_TEXT_ constant, 0 to 5"),
+            _ => return Err(no_such_text(which)),
         }
         Ok(SINS_OK)
     })
@@ -354,7 +359,7 @@ pub unsafe extern "C" fn sins_scene_get_failure(
         let Some(planned) = scene.failures.get(index) else {
             let rule =
                 Rule::WordsAnd("must be less than the failures of the scene:", scene.failures.len() as f64);
-            return Err(Error::invalid("index", index as f64, rule).into());
+            return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_planned_failure::new(planned));
         Ok(SINS_OK)
@@ -430,7 +435,7 @@ impl sins_planned_failure {
         let output = output(self.sensor, self.axis)?;
         let Some(failure) = failure.to_failure()? else {
             let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
-            return Err(Error::invalid("failure.kind", f64::from(kind), rule).into());
+            return Err(Error::invalid("failure.kind", kind, rule).into());
         };
         let until_s = match self.until_s {
             0.0 => f64::INFINITY,

@@ -121,7 +121,7 @@ impl sins_failure {
                 (SINS_FAILURE_NOISE, Some(sensors::Failure::Noise { density })),
                 (SINS_FAILURE_DROP_OUTS, Some(drop_outs)),
             ],
-            "must be a SINS_FAILURE_ constant, 0 to 6",
+            "sins_failure_kind",
         )?;
         self.check_unused(failure.as_ref())?;
         Ok(failure)
@@ -144,7 +144,7 @@ impl sins_failure {
         ];
         match fields.iter().find(|(_, value, is_used)| !is_used && *value != 0.0) {
             Some(&(field, value, _)) => {
-                let rule = Rule::Words("must be 0: not of this kind of failure");
+                let rule = Rule::Zero(": not of this kind of failure");
                 Err(Error::invalid(field, value, rule).into())
             }
             None => Ok(()),
@@ -154,15 +154,20 @@ impl sins_failure {
 
 /// The output that sensor and axis name.
 pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
-    const AXES: [(i32, Axis); 3] = [(0, Axis::X), (1, Axis::Y), (2, Axis::Z)];
-    let axis_of_triad = || one_of("axis", axis, &AXES, "must be 0, 1 or 2: x, y or z");
+    let axis_of_triad = || match axis {
+        0 => Ok(Axis::X),
+        1 => Ok(Axis::Y),
+        2 => Ok(Axis::Z),
+        _ => Err(Error::invalid("axis", axis, Rule::Between(0.0, 2.0))),
+    };
     match sensor {
         SINS_SENSOR_GYRO => Ok(SensorOutput::Gyro(axis_of_triad()?)),
         SINS_SENSOR_ACCEL => Ok(SensorOutput::Accelerometer(axis_of_triad()?)),
+        SINS_SENSOR_ALTIMETER if axis == 0 => Ok(SensorOutput::Altimeter),
         SINS_SENSOR_ALTIMETER => {
-            one_of("axis", axis, &[(0, SensorOutput::Altimeter)], "must be 0: the altimeter has one output")
+            Err(Error::invalid("axis", axis, Rule::Zero(": the altimeter has one output")).into())
         }
-        _ => one_of("sensor", sensor, &[], "must be a SINS_SENSOR_ constant, 0 to 2"),
+        _ => Err(Error::invalid("sensor", sensor, Rule::OneOf("sins_sensor", 0, 2)).into()),
     }
 }
 

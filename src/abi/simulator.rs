@@ -1,12 +1,8 @@
 //! `sins_sim`: the simulator's life, and its steps.
 
-use core::ffi::c_char;
-
-use super::boundary::{enter, enter_without_simulator, last_failure};
-use super::failure::{
-    Failure, SINS_ERROR_INTERNAL, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, Sentence, sins_status,
-};
-use super::memory::{put, put_text, read};
+use super::boundary::{enter, enter_without_simulator};
+use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::memory::{put, read};
 use super::options::sins_options;
 use super::registry::Registry;
 use super::sample::sins_flight_sample;
@@ -33,7 +29,7 @@ pub(super) fn with_simulator(
     enter(|| {
         SIMULATORS.with(sim.addr(), |place| match &mut **place {
             [simulator] => body(simulator),
-            _ => Ok(SINS_ERROR_INTERNAL),
+            _ => Err(Failure::internal()),
         })
     })
 }
@@ -46,7 +42,7 @@ pub(super) fn on_simulator(
 ) -> sins_status {
     SIMULATORS.with(sim.addr(), |place| match &mut **place {
         [simulator] => body(simulator),
-        _ => Ok(SINS_ERROR_INTERNAL),
+        _ => Err(Failure::internal()),
     })
 }
 
@@ -105,34 +101,6 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
     enter(|| SIMULATORS.remove(sim.addr()))
-}
-
-/// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
-/// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
-/// simulator (create, presets, flights, scenes, logs, recommend, budget, versions). SINS_ERROR_BAD_HANDLE of a simulator leaves no sentence.
-///
-/// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
-/// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_last_error(
-    sim: *const sins_sim,
-    buffer: *mut c_char,
-    capacity: usize,
-    needed: *mut usize,
-) -> sins_status {
-    enter(|| {
-        let failure = if sim.is_null() {
-            last_failure()
-        } else {
-            match SIMULATORS.last_failure(sim.addr()) {
-                Ok(failure) => failure,
-                Err(status) => return status,
-            }
-        };
-        let sentence = Sentence::of(failure.as_ref());
-        // SAFETY: the host's promise.
-        unsafe { put_text(sentence.as_bytes(), buffer, capacity, needed) }
-    })
 }
 
 /// Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.

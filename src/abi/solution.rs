@@ -328,7 +328,7 @@ pub unsafe extern "C" fn sins_get_errors(
             "source",
             source,
             &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
-            "must be SINS_ERRORS_NAVIGATION or SINS_ERRORS_MODEL",
+            "sins_errors_source",
         )?;
         Ok(write_or_need(&output, errors_of(simulator, source)?))
     })

@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use nalgebra::{SVector, Vector3};
 
 use super::ErrorParameters;
-use crate::error::{Error, check_range};
+use crate::error::{Error, check_integer};
 use crate::math::{relative_rotation, rotation_quaternion, rotation_vector};
 use crate::memory::room;
 use crate::recommend::{Refusal, fly_looking};
@@ -31,7 +31,7 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     pub(super) fn validate(&self) -> Result<(), Error> {
-        check_range("count", self.count as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)
+        check_integer("count", self.count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)
     }
 
     pub(super) fn samples(&self) -> impl Iterator<Item = Result<FlightSample, Error>> {

@@ -25,6 +25,18 @@ pub struct ErrorParameters {
 }
 
 impl ErrorParameters {
+    /// What is set in a simulator, at any moment of its life.
+    pub fn of(simulator: &Simulator) -> Self {
+        Self {
+            gyro: *simulator.gyro(),
+            accel: *simulator.accel(),
+            altimeter: *simulator.altimeter(),
+            initial: *simulator.initial_errors(),
+            mounting: simulator.mounting(),
+            gravity: *simulator.gravity_disturbance(),
+        }
+    }
+
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
         self.gyro.validate(Sensor::Gyro)?;

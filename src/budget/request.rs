@@ -1,6 +1,6 @@
 //! What a budget is asked for.
 
-use crate::error::{Error, check_range};
+use crate::error::{Error, check_integer, check_range};
 use crate::recommend::SolutionError;
 
 /// How many runs, and how much may be left out.
@@ -24,7 +24,7 @@ impl BudgetRequest {
 
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("request.runs", self.runs as f64, Self::RUNS.0 as f64, Self::RUNS.1 as f64)?;
+        check_integer("request.runs", self.runs, Self::RUNS.0 as i64, Self::RUNS.1 as i64)?;
         check_range("request.position_m", self.limits.position_m, 0.0, 1e12)?;
         check_range("request.velocity_m_s", self.limits.velocity_m_s, 0.0, 1e12)?;
         check_range("request.attitude_rad", self.limits.attitude_rad, 0.0, 1e12)

@@ -173,7 +173,7 @@ impl Manoeuvre {
         };
         match *self {
             Self::Rest { duration_s } => {
-                let rule = Rule::Words("must be 0 at rest; slow down first");
+                let rule = Rule::Zero(" at rest; slow down first");
                 if speed_m_s != 0.0 {
                     return Err(Error::invalid("speed_m_s", speed_m_s, rule));
                 }

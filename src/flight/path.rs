@@ -128,7 +128,7 @@ impl Path {
                     t = if length == to - t { to } else { t + length };
                     if pieces.len() == MAX_PIECES {
                         let rule = Rule::Words("the flight needs too much memory; shorten it");
-                        return Err(Error::of(ErrorKind::OutOfMemory, "pieces", pieces.len() as f64, rule));
+                        return Err(Error::of(ErrorKind::OutOfMemory, "pieces", pieces.len(), rule));
                     }
                     room_for_one_more(&mut pieces)?;
                     pieces.push(piece);

@@ -200,24 +200,26 @@ impl Geographic {
 
     /// Checks that the axes are well away from the poles, and were so on the way.
     pub fn check(&self) -> Result<(), Error> {
-        let singular = |field, value, words, limit| {
-            Err(Error::of(ErrorKind::Singular, field, value, Rule::WordsAnd(words, limit)))
-        };
+        let singular = |field, value: f64, rule| Err(Error::of(ErrorKind::Singular, field, value, rule));
         let latitude = self.place.value.x;
         let (cos, least) = (sin_cos(latitude).1, Mechanization::MIN_COS_LATITUDE);
         if cos < least {
             let words = "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least";
-            return singular("cosine of the navigated latitude", cos, words, least);
+            return singular("cosine of the navigated latitude", cos, Rule::AtLeast(words, least));
         }
         let (turn, most) = (self.turn2.sqrt(), Mechanization::MAX_TURN_RAD);
         if turn > most {
             let words = "this close to a pole needs shorter updates or Earth-fixed axes; must be at most";
-            return singular("turn of the geographic axes in an update", turn, words, most);
+            return singular("turn of the geographic axes in an update", turn, Rule::AtMost(words, most));
         }
         // An interval can be longer than the way over the pole.
         if !(latitude.abs() <= FRAC_PI_2 && self.place.value.y.abs() <= MAX_LONGITUDE_RAD) {
             let words = "the geographic mechanization cannot pass a pole; must be at most";
-            return singular("size of the navigated latitude_rad", latitude.abs(), words, FRAC_PI_2);
+            return singular(
+                "size of the navigated latitude_rad",
+                latitude.abs(),
+                Rule::AtMost(words, FRAC_PI_2),
+            );
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use core::fmt;
 
 use nalgebra::Vector3;
 
-use crate::error::{Error, check_range};
+use crate::error::{Error, check_integer};
 use crate::simulator::Options;
 use crate::truth::{FlightSample, Intake, TruthPoint};
 
@@ -55,7 +55,7 @@ impl Piece {
     /// Checks the samples each by itself and against the one before, as a simulator does.
     pub fn new(options: &Options, samples: &[FlightSample]) -> Result<Self, Refusal> {
         options.validate()?;
-        check_range("count", samples.len() as f64, MIN_SAMPLES as f64, MAX_SAMPLES as f64)?;
+        check_integer("count", samples.len(), MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
         let mut intake = Intake::new(options.earth(), options.axes, options.intake)?;
         let mut first: Option<(f64, Vector3<f64>)> = None;
         let mut piece = Self { duration_s: 0.0, speed_m_s: 0.0, velocity_change_m_s: 0.0 };

@@ -168,12 +168,15 @@ fn sentence(error: &Error, key: &Key) -> String {
         Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
         Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
         Rule::Below(limit) => Rule::Below(in_unit(limit)),
+        Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),
+        Rule::AtMost(words, number) => Rule::AtMost(words, in_unit(number)),
+        Rule::Exactly(words, number) => Rule::Exactly(words, in_unit(number)),
         Rule::WordsAnd(words, number) => Rule::WordsAnd(words, in_unit(number)),
         other => other,
     };
     let in_units = Error { field: "", value: None, rule, ..*error };
     let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
-    let value = error.value.map_or(String::new(), |value| format!(" = {}", in_unit(value)));
+    let value = error.value.map_or(String::new(), |value| format!(" = {}", in_unit(value.as_f64())));
     format!("{}{index}{value}: {in_units}", key.path())
 }
 

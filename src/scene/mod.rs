@@ -252,7 +252,7 @@ impl Scene {
         match self.duration_s.or_else(of_builtin) {
             // What a program's arithmetic may leave of the same duration.
             Some(wanted_s) if wanted_s > flight_s * (1.0 + 1e-9) => {
-                let rule = Rule::WordsAnd("must be at most the duration of the flight:", flight_s);
+                let rule = Rule::AtMost("must be at most the duration of the flight:", flight_s);
                 Err(Error::invalid("flight.duration_s", wanted_s, rule))
             }
             Some(wanted_s) => Ok(wanted_s.min(flight_s)),

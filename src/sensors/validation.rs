@@ -57,7 +57,7 @@ fn check_foreign(parameter: &Parameter, numbers: &[f64]) -> Result<(), Error> {
     for index in 0..numbers.len() {
         let value = numbers[parameter.shape.place(index)];
         if value != 0.0 {
-            let rule = Rule::Words("must be 0: of the other kind of sensor");
+            let rule = Rule::Zero(": of the other kind of sensor");
             return Err(Error::invalid(parameter.name, value, rule).at(index));
         }
     }

@@ -87,7 +87,7 @@ impl Options {
         if let Some(period) = self.intake.period_s {
             check_range("options.sample_period_s", period, 5e-5, MAX_GAP_S)?;
             if period > self.intake.max_gap_s {
-                let rule = Rule::WordsAnd("must be at most max_gap_s =", self.intake.max_gap_s);
+                let rule = Rule::AtMost("must be at most max_gap_s =", self.intake.max_gap_s);
                 return Err(Error::invalid("options.sample_period_s", period, rule));
             }
         }
@@ -96,7 +96,7 @@ impl Options {
             check_range("options.closed_loop_time_s", time_constant, 1.0, 1e4)?;
             if time_constant < 4.0 * self.intake.max_gap_s {
                 let rule =
-                    Rule::WordsAnd("must be at least four times max_gap_s:", 4.0 * self.intake.max_gap_s);
+                    Rule::AtLeast("must be at least four times max_gap_s:", 4.0 * self.intake.max_gap_s);
                 return Err(Error::invalid("options.closed_loop_time_s", time_constant, rule));
             }
         }

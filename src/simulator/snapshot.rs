@@ -29,8 +29,8 @@ impl Simulator {
         if length <= capacity {
             return Ok(length);
         }
-        let rule = Rule::WordsAnd("is too small for the snapshot; needed:", length as f64);
-        Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity as f64, rule))
+        let rule = Rule::AtLeast("is too small for the snapshot; needed:", length as f64);
+        Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
     }
 
     /// Becomes the simulator of a snapshot, options included, whatever this one was: the run goes on to the same bits. Only

@@ -28,9 +28,9 @@ pub fn seal(snapshot: &mut [u8]) {
 
 /// The words of a snapshot with a good header.
 pub(super) fn open(snapshot: &[u8]) -> Result<&[u8], Error> {
-    let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value as f64, rule));
+    let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value, rule));
     let Some(header) = snapshot.get(..HEADER_BYTES) else {
-        let rule = Rule::WordsAnd("is cut off; the header alone has bytes:", HEADER_BYTES as f64);
+        let rule = Rule::AtLeast("is cut off; the header alone has bytes:", HEADER_BYTES as f64);
         return damaged("snapshot size", snapshot.len(), rule);
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
@@ -42,12 +42,12 @@ pub(super) fn open(snapshot: &[u8]) -> Result<&[u8], Error> {
     }
     let version = number(8) as usize;
     if version != FORMAT_VERSION as usize {
-        let rule = Rule::WordsAnd("is of another release; this one reads version", f64::from(FORMAT_VERSION));
+        let rule = Rule::Exactly("is of another release; this one reads version", f64::from(FORMAT_VERSION));
         return damaged("snapshot format version", version, rule);
     }
     let length = number(12) as usize;
     if length != snapshot.len() {
-        let rule = Rule::WordsAnd("is not the size that was saved:", length as f64);
+        let rule = Rule::Exactly("is not the size that was saved:", length as f64);
         return damaged("snapshot size", snapshot.len(), rule);
     }
     if header[CHECKSUM] != checksum(snapshot).to_le_bytes() {

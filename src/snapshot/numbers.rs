@@ -63,7 +63,7 @@ impl Numbers for u64 {
     fn load(&mut self, from: &mut Reader<'_>, limit: f64) -> Result<(), Error> {
         let value = from.word()?;
         if value as f64 > limit {
-            return Err(from.refused(value as f64, Rule::Between(0.0, limit)));
+            return Err(from.refused(value, Rule::Between(0.0, limit)));
         }
         *self = value;
         Ok(())

@@ -2,7 +2,7 @@
 
 use super::envelope::open;
 use super::writer::{BYTE, GROUP, NOTHING, WHOLE};
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, ErrorKind, Rule, Value};
 
 /// Reads a snapshot.
 pub(crate) struct Reader<'a> {
@@ -37,10 +37,10 @@ impl<'a> Reader<'a> {
             NOTHING => (0, 0),
             BYTE => (u64::from(u8::from_le_bytes(self.bytes()?)), 1),
             WHOLE => (u64::from_le_bytes(self.bytes()?), 256),
-            _ => return Err(self.refused(f64::from(size), Rule::Words("is no size of a word"))),
+            _ => return Err(self.refused(size, Rule::Words("is no size of a word"))),
         };
         if word < smallest {
-            return Err(self.refused(word as f64, Rule::Words("takes more bytes than it needs")));
+            return Err(self.refused(word, Rule::Words("takes more bytes than it needs")));
         }
         Ok(word)
     }
@@ -55,7 +55,7 @@ impl<'a> Reader<'a> {
     pub fn count(&mut self, most: usize) -> Result<usize, Error> {
         let word = self.word()?;
         if word > most as u64 {
-            return Err(self.refused(word as f64, Rule::Between(0.0, most as f64)));
+            return Err(self.refused(word, Rule::Between(0.0, most as f64)));
         }
         Ok(word as usize)
     }
@@ -69,8 +69,8 @@ impl<'a> Reader<'a> {
         if self.rest.is_empty() && self.sizes == 0 {
             return Ok(());
         }
-        let rule = Rule::Words("must be 0: the snapshot goes on behind its end");
-        Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len() as f64, rule))
+        let rule = Rule::Zero(": the snapshot goes on behind its end");
+        Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len(), rule))
     }
 
     /// Refuses what is not `good`: `value` of the field at hand.
@@ -79,7 +79,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The value of the field at hand breaks `rule`.
-    pub fn refused(&self, value: f64, rule: Rule) -> Error {
+    pub fn refused(&self, value: impl Into<Value>, rule: Rule) -> Error {
         Error::of(ErrorKind::Snapshot, self.field, value, rule)
     }
 

@@ -61,7 +61,7 @@ macro_rules! codes {
                     $($code => Self::$variant,)*
                     code => {
                         let rule = $crate::error::Rule::Words("is none that this release knows");
-                        return Err(from.refused(code as f64, rule));
+                        return Err(from.refused(code as u64, rule));
                     }
                 };
                 Ok(())

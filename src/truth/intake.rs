@@ -196,7 +196,7 @@ impl Intake {
         if self.waiting() == QUEUE_CAPACITY {
             let rule =
                 Rule::WordsAnd("step before the next sample; samples that may wait:", QUEUE_CAPACITY as f64);
-            return Err(Error::of(ErrorKind::QueueFull, "queued samples", QUEUE_CAPACITY as f64, rule));
+            return Err(Error::of(ErrorKind::QueueFull, "queued samples", QUEUE_CAPACITY, rule));
         }
         let Some(last) = self.ring.pushed(0) else {
             self.restart(sample)?;

@@ -49,7 +49,7 @@ impl Steps<'_> {
             return jump(
                 "sample position: displacement that the velocity does not explain [m]",
                 unexplained.norm_squared().sqrt(),
-                Rule::WordsAnd(
+                Rule::AtMost(
                     "must be at most 10 m and what max_acceleration_m_s2 makes of the time:",
                     allowed,
                 ),
@@ -63,7 +63,7 @@ impl Steps<'_> {
             return jump(
                 "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
                 change2.sqrt() / interval,
-                Rule::WordsAnd("must be at most max_acceleration_m_s2 =", limit),
+                Rule::AtMost("must be at most max_acceleration_m_s2 =", limit),
             );
         }
         self.check_turn(point)
@@ -89,7 +89,7 @@ impl Steps<'_> {
             return jump(
                 "sample position: speed since the previous sample [m/s]",
                 speed2.sqrt(),
-                Rule::WordsAnd("must be at most", MAX_SPEED_M_S),
+                Rule::AtMost("must be at most", MAX_SPEED_M_S),
             );
         }
         let Some(far) = self.before[1].or(self.before[0]) else {

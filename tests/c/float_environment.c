@@ -130,6 +130,7 @@ typedef struct {
     uint32_t version, reserved;
     double duration_s;
     sins_flight_sample piece[COUNT];
+    sins_error_info info;
     char sentence[200], written[8192], keys[32768], name[32];
     sins_fault fault;
     sins_flight_sample of_log;
@@ -203,6 +204,7 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->cost);
     SINS_INIT(found->gyro);
     SINS_INIT(found->accel);
+    SINS_INIT(found->info);
 
     if (state != NULL) {
         set_state(*state);
@@ -226,6 +228,7 @@ static void fly(const float_state *state, results *found)
     }
     CHECK(sins_push_sample(sim, &found->piece[3]) == SINS_ERROR_TIME_ORDER);
     CHECK(sins_last_error(sim, found->sentence, sizeof found->sentence, NULL) == SINS_OK);
+    CHECK(sins_last_error_info(sim, &found->info) == SINS_OK);
     CHECK(sins_get_record(sim, &found->record) == SINS_OK);
     CHECK(sins_get_truth(sim, &found->truth) == SINS_OK);
     CHECK(sins_get_navigation(sim, &found->navigation) == SINS_OK);

@@ -23,6 +23,14 @@ AT(sins_options, closed_loop_time_s, 64);
 AT(sins_options, max_acceleration_m_s2, 88);
 AT(sins_options, truth_summary, 96);
 
+SIZE(sins_error_info, SINS_SIZEOF_ERROR_INFO, 152);
+AT(sins_error_info, flags, 4);
+AT(sins_error_info, status, 8);
+AT(sins_error_info, field, 16);
+AT(sins_error_info, index, 112);
+AT(sins_error_info, value, 128);
+AT(sins_error_info, maximum, 144);
+
 /* sins_gyro_params and sins_accel_params, as the library has them: written by the test from the table of sensor parameters. */
 #include "sensor_layout.h"
 

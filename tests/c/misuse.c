@@ -1,10 +1,11 @@
 /* Null pointers, and stale, made-up and wrong-kind handles, through every function: every answer is the right status, and
- * nothing is changed. */
+ * nothing is changed, and the call has left its own failure. */
 
 #include <stdint.h>
 #include <string.h>
 
 #include "every_call.h"
+#include "failure_is.h"
 
 /* A handle for every way to be wrong. */
 enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
@@ -49,23 +50,46 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     CHECK(sins_log_destroy(wrong_logs[STALE]) == SINS_OK);
 }
 
-/* Of all functions this one alone takes NULL for a simulator. */
+/* The two that read failures leave none. */
+#define NULL_POINTER(call)                              \
+    do {                                                \
+        plant(sim);                                     \
+        CHECK((call) == SINS_ERROR_NULL_POINTER);       \
+        left(sim, #call, SINS_ERROR_NULL_POINTER);      \
+    } while (0)
+
+/* An answer that must be that of a bad handle. */
+static void is_refused(const char *call, sins_status status, void *unused)
+{
+    (void)unused;
+    if (status != SINS_ERROR_BAD_HANDLE) {
+        fprintf(stderr, "%s gives %d\n", call, (int)status);
+    }
+    CHECK(status == SINS_ERROR_BAD_HANDLE);
+    left(NULL, call, status);
+    plant(NULL);
+}
+
+/* Of all functions these two alone take NULL for a simulator. */
 static sins_status wrong_configured(const sins_sim *sim)
 {
     sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}, {.time_s = 0.01}};
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1.0};
     sins_options options = {.struct_size = sizeof options};
     sins_cost cost = {.struct_size = sizeof cost};
+    sins_budget_row row[1] = {{.struct_size = sizeof row[0]}};
     sins_status status = sins_recommend(sim, piece, 2, &requirement, &options, &cost);
     char text[100];
     CHECK(options.subsamples == 0 && cost.tried == 0);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "configured: ") == text);
+    plant(NULL);
+    CHECK(sins_error_budget(sim, piece, 2, NULL, row, 1, NULL, NULL) == status && row[0].position_m == 0.0);
     CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "configured: ") == text);
     return status;
 }
 
 static void handles(sins_sim *living)
 {
-    sins_status refused = SINS_ERROR_BAD_HANDLE;
     sins_scene *scene = scene_of_text();
     int i;
     for (i = 0; i < WRONG_HANDLES; i++) {
@@ -74,17 +98,19 @@ static void handles(sins_sim *living)
         size_t written = 77, needed = 77;
         double duration = -1.0;
         char text[8] = "before";
+        sins_error_info info = {.struct_size = sizeof info};
 
-        every_call(sim, every_answer_is, &refused);
-        every_flight_call(wrong_flights[i], every_answer_is, &refused);
-        every_scene_call(wrong_scenes[i], living, every_answer_is, &refused);
-        every_fault_call(wrong_scenes[i], every_answer_is, &refused);
-        every_log_call(wrong_logs[i], every_answer_is, &refused);
-        CHECK(sins_scene_prepare(scene, sim, 0.0, &sample) == SINS_ERROR_BAD_HANDLE);
-        CHECK(sins_scene_destroy(wrong_scenes[i]) == SINS_ERROR_BAD_HANDLE);
-        CHECK(sins_log_destroy(wrong_logs[i]) == SINS_ERROR_BAD_HANDLE);
-        CHECK(sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
-        CHECK(sins_flight_destroy(wrong_flights[i]) == SINS_ERROR_BAD_HANDLE);
+        plant(NULL);
+        every_call(sim, is_refused, NULL);
+        every_flight_call(wrong_flights[i], is_refused, NULL);
+        every_scene_call(wrong_scenes[i], living, is_refused, NULL);
+        every_fault_call(wrong_scenes[i], is_refused, NULL);
+        every_log_call(wrong_logs[i], is_refused, NULL);
+        is_refused("sins_scene_prepare", sins_scene_prepare(scene, sim, 0.0, &sample), NULL);
+        is_refused("sins_scene_destroy", sins_scene_destroy(wrong_scenes[i]), NULL);
+        is_refused("sins_log_destroy", sins_log_destroy(wrong_logs[i]), NULL);
+        is_refused("sins_destroy", sins_destroy(sim), NULL);
+        is_refused("sins_flight_destroy", sins_flight_destroy(wrong_flights[i]), NULL);
 
         /* Nothing is written. */
         CHECK(i == NULL_HANDLE || wrong_configured(sim) == SINS_ERROR_BAD_HANDLE);
@@ -93,6 +119,7 @@ static void handles(sins_sim *living)
         if (i != NULL_HANDLE) {
             CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_ERROR_BAD_HANDLE);
             CHECK(needed == 77 && strcmp(text, "before") == 0);
+            CHECK(sins_last_error_info(sim, &info) == SINS_ERROR_BAD_HANDLE && info.index == 0);
         }
     }
     CHECK(sins_scene_destroy(scene) == SINS_OK);
@@ -105,47 +132,47 @@ static void null_pointers_of_scenes(sins_sim *sim)
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre manoeuvres[4] = {{.struct_size = sizeof manoeuvres[0]}};
     size_t count;
-    CHECK(sins_scene_create(NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_builtin(NULL, &made) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_builtin("patrol", NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_parse(NULL, 1, &made) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_parse(scene_text, 1, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_fault(scene, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_write(scene, NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_write_keys(NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_simulator(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_create_flight(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_prepare(scene, sim, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_options(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_options(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_gyro(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_gyro(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_accel(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_accel(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_altimeter(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_altimeter(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_initial_errors(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_initial_errors(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_mounting(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_mounting(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_gravity_disturbance(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_gravity_disturbance(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_setup(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_setup(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_failure_count(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_failure(scene, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_add_failure(scene, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_builtin_name(0, NULL, 100, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_manoeuvres(scene, &start, NULL, 4, &count, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_manoeuvres(scene, NULL, manoeuvres, 4, 1) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_scene_set_manoeuvres(scene, &start, NULL, 4, 1) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_parse(NULL, 1, &made_log, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_parse(scene_log_text, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_get_info(log, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_log_get_sample(log, 0, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_scene_create(NULL));
+    NULL_POINTER(sins_scene_create_builtin(NULL, &made));
+    NULL_POINTER(sins_scene_create_builtin("patrol", NULL));
+    NULL_POINTER(sins_scene_parse(NULL, 1, &made));
+    NULL_POINTER(sins_scene_parse(scene_text, 1, NULL));
+    NULL_POINTER(sins_scene_get_fault(scene, 0, NULL));
+    NULL_POINTER(sins_scene_write(scene, NULL, 100, NULL));
+    NULL_POINTER(sins_scene_write_keys(NULL, 100, NULL));
+    NULL_POINTER(sins_scene_create_simulator(scene, NULL));
+    NULL_POINTER(sins_scene_create_flight(scene, NULL));
+    NULL_POINTER(sins_scene_prepare(scene, sim, 0.0, NULL));
+    NULL_POINTER(sins_scene_get_options(scene, NULL));
+    NULL_POINTER(sins_scene_set_options(scene, NULL));
+    NULL_POINTER(sins_scene_get_gyro(scene, NULL));
+    NULL_POINTER(sins_scene_set_gyro(scene, NULL));
+    NULL_POINTER(sins_scene_get_accel(scene, NULL));
+    NULL_POINTER(sins_scene_set_accel(scene, NULL));
+    NULL_POINTER(sins_scene_get_altimeter(scene, NULL));
+    NULL_POINTER(sins_scene_set_altimeter(scene, NULL));
+    NULL_POINTER(sins_scene_get_initial_errors(scene, NULL));
+    NULL_POINTER(sins_scene_set_initial_errors(scene, NULL));
+    NULL_POINTER(sins_scene_get_mounting(scene, NULL));
+    NULL_POINTER(sins_scene_set_mounting(scene, NULL));
+    NULL_POINTER(sins_scene_get_gravity_disturbance(scene, NULL));
+    NULL_POINTER(sins_scene_set_gravity_disturbance(scene, NULL));
+    NULL_POINTER(sins_scene_get_setup(scene, NULL));
+    NULL_POINTER(sins_scene_set_setup(scene, NULL));
+    NULL_POINTER(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, NULL, 100, NULL));
+    NULL_POINTER(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, NULL));
+    NULL_POINTER(sins_scene_get_failure_count(scene, NULL));
+    NULL_POINTER(sins_scene_get_failure(scene, 0, NULL));
+    NULL_POINTER(sins_scene_add_failure(scene, NULL));
+    NULL_POINTER(sins_scene_builtin_name(0, NULL, 100, NULL));
+    NULL_POINTER(sins_scene_get_manoeuvres(scene, &start, NULL, 4, &count, NULL));
+    NULL_POINTER(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, NULL, NULL));
+    NULL_POINTER(sins_scene_set_manoeuvres(scene, NULL, manoeuvres, 4, 1));
+    NULL_POINTER(sins_scene_set_manoeuvres(scene, &start, NULL, 4, 1));
+    NULL_POINTER(sins_log_parse(NULL, 1, &made_log, NULL));
+    NULL_POINTER(sins_log_parse(scene_log_text, 1, NULL, NULL));
+    NULL_POINTER(sins_log_get_info(log, NULL));
+    NULL_POINTER(sins_log_get_sample(log, 0, NULL, NULL));
     CHECK(made == NULL && made_log == NULL);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }
@@ -164,54 +191,55 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     rest.duration_s = 1.0;
     piece[1].time_s = 0.01;
 
-    CHECK(sins_create(NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_create(NULL, NULL));
     CHECK(sins_last_error(sim, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_set_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_gyro(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_accel(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_altimeter(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_failure(sim, SINS_SENSOR_GYRO, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_mounting(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_gravity_disturbance(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_initial_errors(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_push_sample(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_run(sim, NULL, 1, 0, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_run(sim, &next, 1, 1, NULL, 1, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_truth(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_accuracy(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_record(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_options(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_start_navigation(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_push_imu(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_get_truth_summary(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_move_truth(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_reposition(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_snapshot_size(sim, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_snapshot_save(sim, NULL, 10000, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_snapshot_load(sim, NULL, 0) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_create(NULL, &rest, 1, &made) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_create(&start, NULL, 1, &made) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_create(&start, &rest, 1, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_duration(flight, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_flight_sample_at(flight, 0.0, NULL) == SINS_ERROR_NULL_POINTER);
+    CHECK(sins_last_error_info(sim, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_set_gyro(sim, NULL));
+    NULL_POINTER(sins_set_accel(sim, NULL));
+    NULL_POINTER(sins_set_altimeter(sim, NULL));
+    NULL_POINTER(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, NULL));
+    NULL_POINTER(sins_set_mounting(sim, NULL));
+    NULL_POINTER(sins_set_gravity_disturbance(sim, NULL));
+    NULL_POINTER(sins_set_initial_errors(sim, NULL));
+    NULL_POINTER(sins_get_gyro(sim, NULL));
+    NULL_POINTER(sins_get_accel(sim, NULL));
+    NULL_POINTER(sins_get_altimeter(sim, NULL));
+    NULL_POINTER(sins_get_failure(sim, SINS_SENSOR_GYRO, 0, NULL));
+    NULL_POINTER(sins_get_mounting(sim, NULL));
+    NULL_POINTER(sins_get_gravity_disturbance(sim, NULL));
+    NULL_POINTER(sins_get_initial_errors(sim, NULL));
+    NULL_POINTER(sins_push_sample(sim, NULL));
+    NULL_POINTER(sins_run(sim, NULL, 1, 0, NULL, 0, NULL));
+    NULL_POINTER(sins_run(sim, &next, 1, 1, NULL, 1, NULL));
+    NULL_POINTER(sins_get_truth(sim, NULL));
+    NULL_POINTER(sins_get_navigation(sim, NULL));
+    NULL_POINTER(sins_get_imu(sim, NULL));
+    NULL_POINTER(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, NULL));
+    NULL_POINTER(sins_get_accuracy(sim, NULL));
+    NULL_POINTER(sins_get_record(sim, NULL));
+    NULL_POINTER(sins_get_options(sim, NULL));
+    NULL_POINTER(sins_start_navigation(sim, NULL));
+    NULL_POINTER(sins_push_imu(sim, NULL));
+    NULL_POINTER(sins_get_truth_summary(sim, NULL));
+    NULL_POINTER(sins_move_truth(sim, NULL));
+    NULL_POINTER(sins_reposition(sim, NULL));
+    NULL_POINTER(sins_snapshot_size(sim, NULL));
+    NULL_POINTER(sins_snapshot_save(sim, NULL, 10000, NULL));
+    NULL_POINTER(sins_snapshot_load(sim, NULL, 0));
+    NULL_POINTER(sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, NULL));
+    NULL_POINTER(sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, NULL));
+    NULL_POINTER(sins_flight_create(NULL, &rest, 1, &made));
+    NULL_POINTER(sins_flight_create(&start, NULL, 1, &made));
+    NULL_POINTER(sins_flight_create(&start, &rest, 1, NULL));
+    NULL_POINTER(sins_flight_duration(flight, NULL));
+    NULL_POINTER(sins_flight_sample_at(flight, 0.0, NULL));
     CHECK(made == NULL);
-    CHECK(sins_recommend(sim, NULL, 2, &requirement, &options, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(sim, piece, 2, NULL, &options, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(sim, piece, 2, &requirement, NULL, &cost) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_recommend(sim, piece, 2, &requirement, &options, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_error_budget(NULL, 2, 0, 0, 0, 0, 0, 0, 0, 0, row, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
-    CHECK(sins_error_budget(piece, 2, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 1, NULL, NULL) == SINS_ERROR_NULL_POINTER);
+    NULL_POINTER(sins_recommend(sim, NULL, 2, &requirement, &options, &cost));
+    NULL_POINTER(sins_recommend(sim, piece, 2, NULL, &options, &cost));
+    NULL_POINTER(sins_recommend(sim, piece, 2, &requirement, NULL, &cost));
+    NULL_POINTER(sins_recommend(sim, piece, 2, &requirement, &options, NULL));
+    NULL_POINTER(sins_error_budget(sim, NULL, 2, NULL, row, 1, NULL, NULL));
+    NULL_POINTER(sins_error_budget(sim, piece, 2, NULL, NULL, 1, NULL, NULL));
 }
 
 int main(void)

@@ -94,6 +94,7 @@ static void read_everything(sins_sim *sim, int flown)
     sins_truth_summary summary = {.struct_size = sizeof summary};
     char text[200];
     size_t needed;
+    sins_error_info info = {.struct_size = sizeof info};
     FRAME_CHECK(sins_get_options(sim, &options) == SINS_OK);
     if (options.truth_summary == SINS_SUMMARY_ON) {
         FRAME_CHECK(is_answer(sins_get_truth_summary(sim, &summary), flown));
@@ -116,6 +117,7 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(sins_get_mounting(sim, &mounting) == SINS_OK);
     FRAME_CHECK(sins_get_gravity_disturbance(sim, &gravity) == SINS_OK);
     FRAME_CHECK(sins_last_error(sim, text, sizeof text, &needed) == SINS_OK);
+    FRAME_CHECK(sins_last_error_info(sim, &info) == SINS_OK);
 }
 
 /* What may be set and saved in flight. */

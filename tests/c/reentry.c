@@ -35,7 +35,7 @@ static int is_held(sins_sim *sim)
 {
     static const sins_status bad_state = SINS_ERROR_BAD_STATE;
     sins_options options = {.struct_size = sizeof options};
-    char text[10];
+    char text[100];
     sins_status status = sins_get_options(sim, &options);
     if (status == SINS_OK) {
         return 0;
@@ -43,6 +43,7 @@ static int is_held(sins_sim *sim)
     CHECK(status == SINS_ERROR_BAD_STATE);
     every_call(sim, every_answer_is, (void *)&bad_state);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_ERROR_BAD_STATE);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "sim: is inside") == text);
     CHECK(sins_destroy(sim) == SINS_ERROR_BAD_STATE);
     return 1;
 }

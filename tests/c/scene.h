@@ -191,12 +191,19 @@ static inline sins_status scene_budget(const sins_flight_sample *samples, size_t
 {
     sins_gyro_params gyro = {.struct_size = sizeof gyro};
     sins_budget_request request = {.struct_size = sizeof request, .runs = 8, .position_m = 1.0};
+    sins_sim *sim = NULL;
+    sins_status status;
     gyro.bias_rad_s[0] = 1e-6;
     gyro.random_walk_rad_sqrt_s[1] = 1e-5;
     rows[0].struct_size = sizeof rows[0];
     budget->struct_size = sizeof *budget;
-    return sins_error_budget(samples, count, NULL, &gyro, NULL, NULL, NULL, NULL, NULL, &request, rows,
-                             SCENE_BUDGET_ROWS, NULL, budget);
+    status = sins_create(NULL, &sim);
+    if (status == SINS_OK) {
+        CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);
+        status = sins_error_budget(sim, samples, count, &request, rows, SCENE_BUDGET_ROWS, NULL, budget);
+        CHECK(sins_destroy(sim) == SINS_OK);
+    }
+    return status;
 }
 
 #endif

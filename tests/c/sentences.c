@@ -60,13 +60,13 @@ static void failures(void)
     int32_t axis;
 
     CHECK(sins_create(NULL, &sim) == SINS_OK);
-    bad_failure(sim, 3, 0, &failure, "sensor = 3: must be a SINS_SENSOR_ constant, 0 to 2");
-    bad_failure(sim, -1, 0, &failure, "sensor = -1: must be a SINS_SENSOR_ constant, 0 to 2");
-    bad_failure(sim, SINS_SENSOR_GYRO, 3, &failure, "axis = 3: must be 0, 1 or 2: x, y or z");
-    bad_failure(sim, SINS_SENSOR_ACCEL, -1, &failure, "axis = -1: must be 0, 1 or 2: x, y or z");
+    bad_failure(sim, 3, 0, &failure, "sensor = 3: must be of enum sins_sensor, 0 to 2");
+    bad_failure(sim, -1, 0, &failure, "sensor = -1: must be of enum sins_sensor, 0 to 2");
+    bad_failure(sim, SINS_SENSOR_GYRO, 3, &failure, "axis = 3: must be from 0 to 2");
+    bad_failure(sim, SINS_SENSOR_ACCEL, -1, &failure, "axis = -1: must be from 0 to 2");
     bad_failure(sim, SINS_SENSOR_ALTIMETER, 1, &failure, "axis = 1: must be 0: the altimeter has one output");
     failure.kind = 7;
-    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.kind = 7: must be a SINS_FAILURE_ constant, 0 to 6");
+    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.kind = 7: must be of enum sins_failure_kind, 0 to 6");
     failure.kind = SINS_FAILURE_DEAD;
     failure.reserved2 = 1;
     bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.reserved2 = 1: must be 0");

@@ -132,6 +132,7 @@ static void fly(const sins_options *options)
     sins_imu_increment increment = {.struct_size = sizeof increment, .interval_s = 0.01, .count = 5};
     sins_gyro_params ideal = {.struct_size = sizeof ideal};
     char text[200];
+    sins_error_info info = {.struct_size = sizeof info};
     sins_sim *sim = NULL;
     int k;
     MEASURE(sins_create(options, &sim));
@@ -142,6 +143,7 @@ static void fly(const sins_options *options)
             read_all(sim);
             TRY(sins_push_sample(sim, &samples[k])); /* refused */
             MEASURE(sins_last_error(sim, text, sizeof text, NULL));
+            MEASURE(sins_last_error_info(sim, &info));
         }
         TRY(sins_step(sim));
     }
@@ -179,10 +181,12 @@ static void ask(const sins_options *options)
     sins_sim *sim = NULL;
     CHECK(sins_create(options, &sim) == SINS_OK && sins_set_mounting(sim, &mounting) == SINS_OK);
     CHECK(TRY(sins_recommend(sim, samples, SAMPLES, &requirement, &answer, &cost)) == SINS_REQUIREMENT_NOT_MET);
-    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(sins_set_gyro(sim, &gyro) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
+    CHECK(sins_set_altimeter(sim, &altimeter) == SINS_OK && sins_set_initial_errors(sim, &initial) == SINS_OK);
+    CHECK(sins_set_gravity_disturbance(sim, &gravity) == SINS_OK);
     rows[0].struct_size = sizeof rows[0];
-    MEASURE(sins_error_budget(samples, SAMPLES, options, &gyro, &accel, &altimeter, &initial, &mounting, &gravity, &request,
-                              rows, 64, NULL, &budget));
+    MEASURE(sins_error_budget(sim, samples, SAMPLES, &request, rows, 64, NULL, &budget));
+    CHECK(sins_destroy(sim) == SINS_OK);
 }
 
 static void call_without_a_simulator(void)

@@ -95,28 +95,13 @@ static sins_status recommend(const sins_requirement *requirement, sins_options *
 }
 
 /* The budget of that second; what is NULL is a good one, or none. */
-struct question {
-    const sins_options *options;
-    const sins_gyro_params *gyro;
-    const sins_accel_params *accel;
-    const sins_altimeter_params *altimeter;
-    const sins_initial_errors *initial;
-    const sins_mounting *mounting;
-    const sins_gravity_params *gravity;
-    const sins_budget_request *request;
-    sins_budget_row *row;
-    sins_budget *budget;
-};
-
-static sins_status budget_of(struct question of)
+static sins_status budget_of(const sins_budget_request *request, sins_budget_row *row, sins_budget *budget)
 {
     sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}};
     sins_budget_row good_row = {.struct_size = sizeof good_row};
     piece[1].time_s = 1.0;
-    return sins_error_budget(piece, 2, of.options, of.gyro, of.accel, of.altimeter, of.initial, of.mounting, of.gravity,
-                             of.request, of.row ? of.row : &good_row, 1, NULL, of.budget);
+    return sins_error_budget(NULL, piece, 2, request, row ? row : &good_row, 1, NULL, budget);
 }
-#define BUDGET_OF(member) budget_of((struct question){.member = pointer})
 
 /* A flight of one manoeuvre; what is NULL is good. */
 static sins_status create_flight(const sins_flight_start *start, const sins_manoeuvre *manoeuvre)
@@ -276,17 +261,10 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_manoeuvre, create_flight(NULL, pointer));
     INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
 
-    INPUT_SIZES(sins_options, BUDGET_OF(options));
-    INPUT_SIZES(sins_gyro_params, BUDGET_OF(gyro));
-    INPUT_SIZES(sins_accel_params, BUDGET_OF(accel));
-    INPUT_SIZES(sins_altimeter_params, BUDGET_OF(altimeter));
-    INPUT_SIZES(sins_initial_errors, BUDGET_OF(initial));
-    INPUT_SIZES(sins_mounting, BUDGET_OF(mounting));
-    INPUT_SIZES(sins_gravity_params, BUDGET_OF(gravity));
-    INPUT_SIZES(sins_budget_request, BUDGET_OF(request));
+    INPUT_SIZES(sins_budget_request, budget_of(pointer, NULL, NULL));
 
-    OUTPUT_SIZES(sins_budget_row, BUDGET_OF(row));
-    OUTPUT_SIZES(sins_budget, BUDGET_OF(budget));
+    OUTPUT_SIZES(sins_budget_row, budget_of(NULL, pointer, NULL));
+    OUTPUT_SIZES(sins_budget, budget_of(NULL, NULL, pointer));
     OUTPUT_SIZES(sins_options, recommend(NULL, pointer, NULL));
     OUTPUT_SIZES(sins_cost, recommend(NULL, NULL, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
@@ -299,6 +277,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
+    OUTPUT_SIZES(sins_error_info, sins_last_error_info(sim, pointer));
     OUTPUT_SIZES(sins_gyro_params, sins_get_gyro(sim, pointer));
     OUTPUT_SIZES(sins_accel_params, sins_get_accel(sim, pointer));
     OUTPUT_SIZES(sins_altimeter_params, sins_get_altimeter(sim, pointer));

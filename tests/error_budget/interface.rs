@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 use sins::abi::{
     SINS_BUDGET_CAN_BE_LEFT_OUT, SINS_BUDGET_RANDOM, SINS_ERROR_BUFFER_TOO_SMALL, SINS_OK, sins_budget,
-    sins_budget_request, sins_budget_row, sins_error_budget, sins_flight_sample, sins_gyro_params,
-    sins_options, sins_status,
+    sins_budget_request, sins_budget_row, sins_create, sins_destroy, sins_error_budget, sins_flight_sample,
+    sins_gyro_params, sins_options, sins_set_gyro, sins_status,
 };
 use sins::budget::ErrorParameters;
 use sins::truth::FlightSample;
@@ -33,22 +33,20 @@ fn through_the_interface(
             first.struct_size = size_of::<sins_budget_row>() as u32;
         }
         let mut written = 77;
+        let mut sim = std::ptr::null_mut();
+        assert_eq!(sins_create(&options, &mut sim), SINS_OK);
+        assert_eq!(sins_set_gyro(sim, gyro), SINS_OK);
         let status = sins_error_budget(
+            sim,
             samples.as_ptr(),
             samples.len(),
-            &options,
-            gyro,
-            std::ptr::null(),
-            std::ptr::null(),
-            std::ptr::null(),
-            std::ptr::null(),
-            std::ptr::null(),
             request,
             if capacity == 0 { std::ptr::null_mut() } else { rows.as_mut_ptr() },
             capacity,
             &mut written,
             &mut budget,
         );
+        assert_eq!(sins_destroy(sim), SINS_OK);
         (status, written, rows, budget)
     }
 }

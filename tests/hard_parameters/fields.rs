@@ -41,7 +41,8 @@ fn each_field_of_a_triad_at_its_ends() {
                         let error = outcome.unwrap_err();
                         assert_eq!(error.kind, ErrorKind::InvalidArgument, "{name}");
                         assert_eq!((error.field, error.index), (name, index), "{error}");
-                        assert_eq!(error.value.map(f64::to_bits), Some(value.to_bits()), "{error}");
+                        let bits = error.value.map(|value| value.as_f64().to_bits());
+                        assert_eq!(bits, Some(value.to_bits()), "{error}");
                     }
                 }
                 if outcomes.iter().all(Result::is_err) {

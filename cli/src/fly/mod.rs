@@ -24,20 +24,14 @@ use flight::{Files, Flown};
 /// Folder of all outputs, where nothing else is said.
 pub const OUTPUT_FOLDER: &str = "sins_out";
 
-/// How a log is flown that comes without a scene: as the paper's simulation 1, with ideal sensors and both error data.
-pub const FOR_LOGS: &str = "\
-[flight]
-file = \"log\"
-[options]
-vertical = \"follow\"
-error_model = \"rk4\"
-";
+/// How a log is flown that comes without a scene: by the recommended simulator with ideal sensors.
+pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
 /// Flies a scene; writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv ("-": standard input), which is flown with
-    /// ideal sensors and both error data
+    /// ideal sensors
     #[arg(value_name = "SCENE")]
     pub scene: Option<OsString>,
     /// Flies this flight log in the place of the scene's own flight

@@ -121,6 +121,8 @@ impl Host {
         if status == SINS_OK && !text.is_empty() {
             assert!(std::str::from_utf8(&text[..needed - 1]).is_ok() && text[needed - 1] == 0);
         }
+        let mut info = crate::host::init::<sins_error_info>();
+        assert_eq!(call!(sins_last_error_info(sim, &mut info)), SINS_OK);
     }
 }
 

@@ -358,15 +358,8 @@ impl Host {
         let count = 2 + self.input.below(4);
         let (samples, _) = self.samples(place, count);
         let input = &mut self.input;
-        let (options, gyro, accel) = (some_options(input), some_gyro(input), some_accel(input));
-        let (altimeter, initial) = (some_altimeter(input), some_initial_errors(input));
-        let (mounting, gravity) = (some_mounting(input), some_gravity(input));
         let request =
             sins_budget_request { runs: 8, position_m: input.pick(&[0.0, 1.0, 1e-9, 1e300]), ..init() };
-        let (mut options, mut gyro, mut accel) =
-            (input.argument(options), input.argument(gyro), input.argument(accel));
-        let (mut altimeter, mut initial) = (input.argument(altimeter), input.argument(initial));
-        let (mut mounting, mut gravity) = (input.argument(mounting), input.argument(gravity));
         let mut request = input.argument(request);
         let mut budget = Argument::of(&init::<sins_budget>());
         let capacity = input.below(64);
@@ -375,15 +368,9 @@ impl Host {
         rows.bytes.resize(stride * capacity.max(1), 0);
         let mut written = 0;
         let status = call!(sins_error_budget(
+            self.sims[place].handle,
             samples.pointer(),
             count,
-            options.pointer(),
-            gyro.pointer(),
-            accel.pointer(),
-            altimeter.pointer(),
-            initial.pointer(),
-            mounting.pointer(),
-            gravity.pointer(),
             request.pointer(),
             rows.pointer(),
             capacity,

@@ -1,0 +1,62 @@
+//! What a handle is: a number made of kind, slot and generation, so that no key is ever used again.
+
+use core::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use crate::math::SPLIT_MIX_STEP;
+
+/// Handles of a kind that can live at once.
+pub(super) const SLOTS: usize = 4096;
+const SLOT_BITS: u32 = SLOTS.trailing_zeros();
+const KIND_BITS: u32 = 3;
+/// Generations of a slot; one that has used them all is never used again, so that no key returns.
+pub(super) const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
+/// Below every first generation: small made-up numbers are no keys.
+const LOWEST_GENERATION: usize = 0x2a5;
+
+pub(super) fn key_of(generation: usize, slot: usize, kind: usize) -> usize {
+    ((generation << SLOT_BITS | slot) << KIND_BITS) | kind
+}
+
+#[inline]
+pub(super) fn kind_of(key: usize) -> usize {
+    key & ((1 << KIND_BITS) - 1)
+}
+
+#[inline]
+pub(super) fn slot_of(key: usize) -> usize {
+    (key >> KIND_BITS) % SLOTS
+}
+
+/// The generation with which the keys of a table begin; 0 until it is drawn. Not a lock: a fork may come while another thread
+/// draws.
+pub(super) struct FirstGeneration(AtomicUsize);
+
+impl FirstGeneration {
+    pub const fn new() -> Self {
+        Self(AtomicUsize::new(0))
+    }
+
+    pub fn get(&self) -> usize {
+        match self.0.load(Ordering::Relaxed) {
+            0 => {
+                let drawn = self.draw();
+                let first = self.0.compare_exchange(0, drawn, Ordering::Relaxed, Ordering::Relaxed);
+                first.err().unwrap_or(drawn)
+            }
+            first => first,
+        }
+    }
+
+    /// Of another table - a second copy of the library, or the one after an unload and a load - almost surely another, so
+    /// that its keys are none here: from the lower half, by the table's place and the time.
+    #[cold]
+    fn draw(&self) -> usize {
+        const BITS: u32 = LAST_GENERATION.count_ones() - 1;
+        let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        let mark = (since.as_nanos() as u64) ^ (core::ptr::from_ref(self).addr() as u64).rotate_left(32);
+        // Multiplicative hashing: the golden ratio of 2^64, the highest bits.
+        let mixed = mark.wrapping_mul(SPLIT_MIX_STEP) >> (u64::BITS - BITS);
+        LOWEST_GENERATION + mixed as usize
+    }
+}

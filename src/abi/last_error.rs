@@ -1,0 +1,176 @@
+//! Why the last call failed: a sentence for people, a struct for programs.
+
+use core::ffi::c_char;
+use core::fmt::{self, Write};
+
+use super::boundary::{enter, last_failure};
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::{Output, chars, interface_struct, put_text};
+use super::simulator::{SIMULATORS, sins_sim};
+use crate::error::Value;
+
+/// Flags of a sins_error_info.
+pub type sins_error_info_flags = u32;
+
+/// A value is at fault, and is in value.
+pub const SINS_ERROR_INFO_VALUE: sins_error_info_flags = 1;
+/// There is a least value, and minimum has it.
+pub const SINS_ERROR_INFO_MINIMUM: sins_error_info_flags = 2;
+/// There is a greatest value, and maximum has it.
+pub const SINS_ERROR_INFO_MAXIMUM: sins_error_info_flags = 4;
+/// The field is an integer.
+pub const SINS_ERROR_INFO_INTEGER: sins_error_info_flags = 8;
+
+/// Why a call failed: what the sentence of sins_last_error() is made of.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_error_info {
+    /// sizeof(sins_error_info)
+    pub struct_size: u32,
+    /// Flags of enum sins_error_info_flags, or'ed.
+    pub flags: u32,
+    /// What the call returned, of enum sins_status_code; SINS_OK if none failed.
+    pub status: sins_status,
+    /// 0
+    pub reserved: u32,
+    /// The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself.
+    pub field: [c_char; 96],
+    /// Element of the field, from 0; -1: the field is no array, or all of it is at fault.
+    pub index: i64,
+    /// Sample of the array that the call took, from 0; -1: none.
+    pub sample: i64,
+    /// With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double.
+    pub value: f64,
+    /// With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused.
+    pub minimum: f64,
+    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
+    pub maximum: f64,
+}
+
+interface_struct!(sins_error_info, "info", 152);
+
+/// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
+/// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
+/// (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
+/// Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+///
+/// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+/// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_last_error(
+    sim: *const sins_sim,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    read_failure(sim, |failure| {
+        let sentence = Sentence::of(failure);
+        // SAFETY: the host's promise.
+        unsafe { put_text(sentence.as_bytes(), buffer, capacity, needed) }
+    })
+}
+
+/// Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
+/// sentence.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_last_error_info(
+    sim: *const sins_sim,
+    info: *mut sins_error_info,
+) -> sins_status {
+    read_failure(sim, |failure| {
+        // SAFETY: the host's promise.
+        unsafe { Output::new(info, "info")? }.write(&sins_error_info::of(failure));
+        Ok(SINS_OK)
+    })
+}
+
+/// Runs `body` on the last failure of a simulator, or of this thread; its own is not kept.
+fn read_failure(
+    sim: *const sins_sim,
+    body: impl FnOnce(Option<&Failure>) -> Result<sins_status, Failure>,
+) -> sins_status {
+    enter(|| {
+        let failure = match sim.is_null() {
+            true => Ok(last_failure()),
+            false => SIMULATORS.last_failure(sim.addr()),
+        };
+        match failure {
+            Ok(failure) => body(failure.as_ref()).unwrap_or_else(|failure| failure.status),
+            Err(status) => status,
+        }
+    })
+}
+
+impl sins_error_info {
+    fn of(failure: Option<&Failure>) -> Self {
+        let mut info = Self {
+            struct_size: size_of::<Self>() as u32,
+            flags: 0,
+            status: SINS_OK,
+            reserved: 0,
+            field: [0; 96],
+            index: -1,
+            sample: -1,
+            value: 0.0,
+            minimum: 0.0,
+            maximum: 0.0,
+        };
+        let Some(failure) = failure else { return info };
+        let error = &failure.error;
+        let place = |index: Option<usize>| index.map_or(-1, |index| index as i64);
+        info.status = failure.status;
+        info.field = chars(error.field);
+        info.index = place(error.index);
+        info.sample = place(failure.sample);
+        if error.value.is_some_and(Value::is_integer) {
+            info.flags |= SINS_ERROR_INFO_INTEGER;
+        }
+        let (minimum, maximum) = error.rule.limits();
+        for (flag, number, field) in [
+            (SINS_ERROR_INFO_VALUE, error.value.map(Value::as_f64), &mut info.value),
+            (SINS_ERROR_INFO_MINIMUM, minimum, &mut info.minimum),
+            (SINS_ERROR_INFO_MAXIMUM, maximum, &mut info.maximum),
+        ] {
+            if let Some(number) = number {
+                info.flags |= flag;
+                *field = number;
+            }
+        }
+        info
+    }
+}
+
+/// A sentence in a fixed buffer: made without an allocation, cut at a character.
+pub(super) struct Sentence {
+    bytes: [u8; 512],
+    len: usize,
+}
+
+impl Sentence {
+    pub fn of(failure: Option<&Failure>) -> Self {
+        let mut sentence = Self { bytes: [0; 512], len: 0 };
+        // Writing never fails: what does not fit is cut.
+        let _ = match failure {
+            Some(failure) => write!(sentence, "{failure}"),
+            None => sentence.write_str("no error"),
+        };
+        sentence
+    }
+
+    pub fn as_bytes(&self) -> &[u8] {
+        &self.bytes[..self.len]
+    }
+}
+
+impl Write for Sentence {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let room = self.bytes.len() - self.len;
+        let mut take = text.len().min(room);
+        while !text.is_char_boundary(take) {
+            take -= 1;
+        }
+        self.bytes[self.len..self.len + take].copy_from_slice(&text.as_bytes()[..take]);
+        self.len += take;
+        Ok(())
+    }
+}

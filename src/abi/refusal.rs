@@ -1,0 +1,111 @@
+//! The last handle that was refused to a thread: no object remembers that failure.
+//!
+//! Nothing here is thread-local in Rust, whose first use in a thread may allocate, and each step is atomic, as a signal handler may
+//! come here in the middle of another.
+
+use core::sync::atomic::{AtomicUsize, Ordering};
+
+use super::failure::{Failure, sins_status};
+use super::thread::this_thread;
+
+/// Threads to which a handle was refused; if there were more, the newest takes the place of another.
+const THREADS: usize = 1024;
+const FREE: usize = 0;
+const NONE: usize = 0;
+
+/// What the handles of each kind are in sentences: [`super::registry::Registry::new`].
+const NAMES: [&str; 8] = ["", "sim", "flight", "scene", "log", "", "", ""];
+
+struct Place {
+    /// The name of its thread, or `FREE`. No thread is named 0.
+    thread: AtomicUsize,
+    /// `NONE`, or kind and status; only its thread writes it.
+    refused: AtomicUsize,
+}
+
+static PLACES: [Place; THREADS] =
+    [const { Place { thread: AtomicUsize::new(FREE), refused: AtomicUsize::new(NONE) } }; THREADS];
+
+/// The place of this thread; with `taken` it gets one if it has none.
+fn place(taken: bool) -> Option<&'static Place> {
+    let me = this_thread();
+    // Names are addresses or multiples of 8: the low bits say nothing.
+    let home = (me >> 3) ^ (me >> 12);
+    for offset in 0..THREADS {
+        let place = &PLACES[home.wrapping_add(offset) % THREADS];
+        let owner = place.thread.load(Ordering::Relaxed);
+        if owner == me {
+            return Some(place);
+        }
+        if owner == FREE {
+            if !taken {
+                return None;
+            }
+            match place.thread.compare_exchange(FREE, me, Ordering::Relaxed, Ordering::Relaxed) {
+                Err(other) if other != me => {}
+                // This thread, or its signal handler just before.
+                _ => return Some(place),
+            }
+        }
+    }
+    let home = &PLACES[home % THREADS];
+    taken.then(|| {
+        home.thread.store(me, Ordering::Relaxed);
+        home
+    })
+}
+
+/// Keeps that a handle of `kind` was refused to this thread with `status`, which is negative.
+#[cold]
+pub(super) fn refuse(kind: usize, status: sins_status) {
+    if let Some(place) = place(true) {
+        place.refused.store(kind << 8 | status.unsigned_abs() as usize, Ordering::Relaxed);
+    }
+}
+
+/// This thread's last failure is another one.
+pub(super) fn forget() {
+    if let Some(place) = place(false) {
+        place.refused.store(NONE, Ordering::Relaxed);
+    }
+}
+
+/// The refusal, if it was the last failure on this thread that no simulator remembers.
+pub(super) fn last() -> Option<Failure> {
+    match place(false)?.refused.load(Ordering::Relaxed) {
+        NONE => None,
+        refused => {
+            let status = -((refused & 0xff) as sins_status);
+            Some(Failure::of_handle(status, NAMES[(refused >> 8) % NAMES.len()]))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::abi::{SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE};
+
+    #[test]
+    fn each_thread_has_its_own_until_it_forgets() {
+        let threads: Vec<_> = (0..16)
+            .map(|k| {
+                std::thread::spawn(move || {
+                    let status = if k % 2 == 0 { SINS_ERROR_BAD_HANDLE } else { SINS_ERROR_BAD_STATE };
+                    forget();
+                    assert_eq!(last(), None);
+                    for (kind, name) in NAMES.iter().enumerate().skip(1).take(4) {
+                        refuse(kind, status);
+                        std::thread::yield_now();
+                        assert_eq!(last(), Some(Failure::of_handle(status, name)));
+                    }
+                    forget();
+                    assert_eq!(last(), None);
+                })
+            })
+            .collect();
+        for thread in threads {
+            thread.join().unwrap();
+        }
+    }
+}
