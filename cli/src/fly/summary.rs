@@ -6,6 +6,7 @@ use sins::units::NMI_PER_HOUR;
 use super::figures::Figures;
 use crate::failure::Failure;
 use crate::rows;
+use crate::terminal::printable;
 use crate::units::six_digits;
 
 /// How every summary begins.
@@ -30,7 +31,7 @@ impl Rows {
     }
 
     fn text(&mut self, key: &str, value: &str, label: &str) {
-        self.add(key, value.to_owned(), "", label);
+        self.add(key, printable(value), "", label);
     }
 
     fn number(&mut self, key: &str, value: f64, unit: &str, label: &str) {
