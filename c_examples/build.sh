@@ -32,5 +32,4 @@ build harness ${CC:-cc} -std=c99 harness.c
 build recommend ${CC:-cc} -std=c99 recommend.c
 build budget ${CC:-cc} -std=c99 budget.c
 build cpp_host ${CXX:-c++} -std=c++11 cpp_host.cpp
-build sins_harness ${CC:-cc} -std=c99 sins_harness.c harness/*.c
-echo "built in target/c_examples: minimal harness recommend budget cpp_host sins_harness"
+echo "built in target/c_examples: minimal harness recommend budget cpp_host"

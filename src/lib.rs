@@ -79,7 +79,7 @@
 //! | an alignment is level to rounding with sensors of any quality, and says where it found no north | `tests/alignment.rs` |
 //! | gravity beyond the normal field acts as in closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
-//! | and comes out of its Allan deviation | `tests/allan_closure.rs`, the estimator `tests/allan_estimator.rs` |
+//! | and comes out of its Allan deviation | `cli/tests/allan_closure.rs`, the estimator `cli/tests/allan_estimator.rs` |
 //! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | nothing that a host does hurts the library, nor the library the host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
@@ -91,7 +91,7 @@
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
 //! | what every setter takes, its getter gives back | `tests/read_back.rs` |
-//! | a scene that is written reads back to the bit, and a faulty one tells every fault | `tests/scene_text.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |
+//! | a scene that is written reads back to the bit, and a faulty one tells every fault | `tests/scene_text.rs`, `tests/scene_settings.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |
 //! | hard cases are right, or told to be beyond it | `tests/hard_*.rs`, with their figures in `tests/README.md` |
 //! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
 //!

@@ -1,12 +1,11 @@
-//! The examples: clean and the same as C and as C++, and the harness beside the programs that fly the same another way.
+//! The examples: clean and the same as C and as C++, and the harness beside a program that flies the same another way.
 
 #[path = "support/c_side.rs"]
 mod c_side;
 
-use std::path::Path;
 use std::process::{Command, Output};
 
-use c_side::{C_AND_CPP, built_to, harness_sources, library_folder, prints_alike, project_file, succeed};
+use c_side::{C_AND_CPP, built_to, library_folder, prints_alike, project_file, succeed};
 
 fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
@@ -64,58 +63,6 @@ fn printed_end(output: &Output) -> EndErrors {
         [fields.next().unwrap(), model]
     })
     .collect()
-}
-
-/// The last row of the records that the old harness writes.
-fn recorded_end(csv: &Path) -> EndErrors {
-    let csv = std::fs::read_to_string(csv).unwrap();
-    let columns: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
-    let last: Vec<&str> = csv.lines().last().unwrap().split(',').collect();
-    let quantities = [("position", "m"), ("velocity", "m_s"), ("misalignment", "rad")];
-    let names = quantities
-        .into_iter()
-        .flat_map(|(quantity, unit)| ["east", "north", "up"].map(|axis| format!("{quantity}_{axis}_{unit}")));
-    let field = |name: String| last[columns.iter().position(|column| *column == name).unwrap()].to_owned();
-    names.map(|name| [2, 1].map(|data| field(format!("error{data}_{name}")))).collect()
-}
-
-/// Two programs that share no line: `harness.c` on the scene functions of the library, and `sins_harness`, which reads scenes
-/// itself and calls `sins_run`. The same errors at the end, to the bit.
-#[test]
-fn every_scene_ends_with_the_errors_of_the_old_harness() {
-    let folder = library_folder("both_harnesses");
-    let harness = built_to("c99", &["c_examples/harness.c"], &folder, "harness");
-    let old = harness_sources();
-    let old = built_to("c99", &old.iter().map(String::as_str).collect::<Vec<_>>(), &folder, "sins_harness");
-
-    // Shorter, to a time of a record, as the old one prints no other; or slower.
-    let changes = [
-        ("drone", "[flight]", "[flight]\nhours = 0.045"),
-        ("fighter", "\"../flights", &format!("\"{}", project_file("c_examples/flights").display())),
-        ("patrol", "rate_hz = 100", "rate_hz = 1"),
-        ("trainer", "[flight]", "[output]\nevery_s = 10\n[flight]\nhours = 0.85"),
-    ];
-    assert_eq!(std::fs::read_dir(project_file("c_examples/scenes")).unwrap().count(), changes.len());
-    for (name, from, to) in changes {
-        let scene =
-            std::fs::read_to_string(project_file("c_examples/scenes").join(name).with_extension("toml"))
-                .unwrap();
-        assert_eq!(scene.matches(from).count(), 1, "{name}");
-        let file = folder.join(name).with_extension("toml");
-        std::fs::write(&file, scene.replace(from, to)).unwrap();
-
-        let output = succeed(Command::new(&harness).arg(&file).current_dir(&folder));
-        let found = printed_end(&output);
-        assert_eq!(found.len(), 9, "{name}");
-        assert!(found[0].iter().all(|number| number.parse::<f64>().unwrap() != 0.0), "{name}");
-        succeed(
-            Command::new(&old)
-                .arg(&file)
-                .args(["--quiet", "--out", "out", "--name", name])
-                .current_dir(&folder),
-        );
-        assert_eq!(found, recorded_end(&folder.join("out").join(name).with_extension("csv")), "{name}");
-    }
 }
 
 /// The same scene by the few lines that a host needs, with the log named by its own path.

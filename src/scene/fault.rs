@@ -9,9 +9,9 @@ pub const MAX_FAULTS: usize = 200;
 /// One fault of a scene or of a flight log.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// Line, from 1.
+    /// Line, from 1; 0: of a setting beside the text ([`Scene::parse_with`](super::Scene::parse_with)).
     pub line: usize,
-    /// Column, in characters from 1.
+    /// Column, in characters from 1; of a setting its number, from 1.
     pub column: usize,
     /// Which key, which value, which limit.
     pub sentence: String,
@@ -33,6 +33,12 @@ pub struct Faults<'a> {
 impl<'a> Faults<'a> {
     pub fn new(text: &'a str) -> Self {
         Self { text, found: Vec::new() }
+    }
+
+    /// The span of setting `index`: behind the text.
+    pub fn setting_span(&self, index: usize) -> Range<usize> {
+        let start = self.text.len() + 1 + index;
+        start..start
     }
 
     /// Notes a fault of what stands at `span` [bytes].
@@ -58,6 +64,9 @@ impl<'a> Faults<'a> {
     }
 
     fn fault(&self, at: usize, sentence: &str) -> Fault {
+        if at > self.text.len() {
+            return Fault { line: 0, column: at - self.text.len(), sentence: sentence.to_owned() };
+        }
         let before = self.text.get(..at).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         Fault {

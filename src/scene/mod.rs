@@ -1,7 +1,7 @@
 //! Scenes: a flight, the simulator that flies it, and what goes wrong on the way, as a text in TOML.
 //!
 //! A scene is read by [`Scene::parse`], which tells every fault of a text at once, and written by [`Scene::write`], which
-//! gives a text that reads back as the same scene to the bit. The keys of a scene, with unit and meaning, are one table
+//! gives a text that reads back as the same scene to the bit; [`Scene::parse_with`] sets single keys beside the text. The keys of a scene, with unit and meaning, are one table
 //! (`table`): it makes the reading, the writing and the list of keys ([`keys`]).
 
 mod builtin;
@@ -13,14 +13,16 @@ mod key;
 mod list;
 mod read;
 mod schedule;
+mod setting;
 mod table;
 mod value;
 mod write;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
-pub use fault::{Fault, MAX_FAULTS};
-pub(crate) use fault::{excerpt, nearest};
+pub(crate) use fault::excerpt;
+pub use fault::{Fault, MAX_FAULTS, nearest};
 pub use list::{KeyLine, keys, keys_text};
+pub use write::ChangedKey;
 
 use crate::error::{Error, Rule, check_range};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};

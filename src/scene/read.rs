@@ -8,7 +8,8 @@ use toml_parser::lexer::TokenKind;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
 use super::fault::{Fault, Faults, excerpt, nearest};
-use super::key::{Key, Section};
+use super::key::{Key, Section, Target};
+use super::setting::Setting;
 use super::table::{self, KEYS};
 use super::value::{Value, put};
 use super::{MAX_TEXT, Scene};
@@ -41,7 +42,7 @@ impl Item {
 const MAX_NESTING: usize = 8;
 
 /// Where a text nests deeper than that [bytes].
-fn too_deep(text: &str) -> Option<usize> {
+pub(super) fn too_deep(text: &str) -> Option<usize> {
     let mut depth = 0_usize;
     for token in Source::new(text).lex() {
         match token.kind() {
@@ -59,6 +60,13 @@ fn too_deep(text: &str) -> Option<usize> {
 impl Scene {
     /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
     pub fn parse(text: &[u8]) -> Result<Self, Vec<Fault>> {
+        Self::parse_with(text, &[])
+    }
+
+    /// The scene of a text that has these keys with these values: `("gyro.bias_deg_h", "0.01")`. Keys and values are those of the
+    /// text, whose own values of the same keys do not count; a text needs no quotes; of a key that is set twice the last counts.
+    /// What stands in double brackets is the text's alone.
+    pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
         let whole = |sentence: String| vec![Fault { line: 1, column: 1, sentence }];
         if text.len() > MAX_TEXT {
             return Err(whole(format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
@@ -84,7 +92,9 @@ impl Scene {
             sections: Section::ALL.map(|_| Item::default()),
             manoeuvres: Vec::new(),
             items: Vec::new(),
+            settings: Vec::new(),
         };
+        reader.take_settings(settings);
         for error in &errors {
             reader.faults.add(&error.span().unwrap_or(0..0), error.message());
         }
@@ -104,6 +114,7 @@ pub(super) struct Reader<'t> {
     pub manoeuvres: Vec<Manoeuvre>,
     /// Where each manoeuvre stands.
     pub items: Vec<Item>,
+    pub settings: Vec<Setting>,
 }
 
 impl Reader<'_> {
@@ -112,6 +123,12 @@ impl Reader<'_> {
     }
 
     fn read_root(&mut self, root: &DeTable<'_>) {
+        for section in Section::ALL {
+            let is_set = self.settings.iter().any(|setting| setting.section == section);
+            if is_set && !root.contains_key(section.name()) {
+                self.sections[section as usize] = self.read_keys(section, 0..0, &DeTable::new());
+            }
+        }
         for (name, value) in root {
             if self.faults.are_many() {
                 return;
@@ -157,7 +174,26 @@ impl Reader<'_> {
     /// Reads the keys of a section in the order of the table, so that a preset comes before what differs from it.
     fn read_keys(&mut self, section: Section, head: Span, section_table: &DeTable<'_>) -> Item {
         let mut item = Item { head, keys: Vec::new() };
+        self.check_settings(section);
         for (index, key) in table::of_section(section) {
+            let is_of_key = |setting: &&Setting| {
+                setting.section == section
+                    && (setting.name == key.name || Some(setting.name.as_str()) == key.si_name())
+            };
+            // The last of them: the same quantity may be set in its unit and in SI.
+            if let Some(setting) = self.settings.iter().rfind(is_of_key) {
+                let value = match key.target {
+                    Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => {
+                        &Value::Text(setting.text.clone())
+                    }
+                    _ => &setting.value,
+                };
+                item.keys.push((index, setting.span.clone()));
+                if let Err(sentence) = put(&mut self.draft, key, setting.name != key.name, value) {
+                    self.faults.add(&setting.span, sentence);
+                }
+                continue;
+            }
             let mut first: Option<&str> = None;
             for (name, in_si) in [(Some(key.name), false), (key.si_name(), true)] {
                 let found =
@@ -287,7 +323,7 @@ impl Reader<'_> {
     }
 }
 
-fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
+pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
     let near = near.map_or(String::new(), |near| format!("; {near}?"));
     format!("no such {what}: {}{near}", excerpt(name))
 }

@@ -1,10 +1,11 @@
 //! Values of a scene's text, and how they get into a draft and out of it.
 
-use toml::de::{DeInteger, DeValue};
+use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::draft::Draft;
 use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
+use super::read::too_deep;
 
 /// What stands behind a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +39,20 @@ impl Value {
             }
             DeValue::Datetime(_) => Self::Other("a date"),
             DeValue::Table(_) => Self::Other("a table"),
+        }
+    }
+
+    /// Of a setting beside a text: a value of TOML, or else a text without quotes.
+    pub fn of_setting(text: &str) -> Self {
+        let line = format!("value = {text}");
+        if too_deep(&line).is_some() {
+            return Self::Text(text.to_owned());
+        }
+        let (table, errors) = DeTable::parse_recoverable(&line);
+        let table = table.get_ref();
+        match table.get("value") {
+            Some(value) if errors.is_empty() && table.len() == 1 => Self::of(value.get_ref()),
+            _ => Self::Text(text.to_owned()),
         }
     }
 

@@ -13,8 +13,7 @@ use crate::sensors::SensorOutput;
 impl Scene {
     /// The scene in TOML with comments: what is not default. [`Scene::parse`] reads the same scene from it, to the bit.
     pub fn write(&self) -> String {
-        let mut writer =
-            Writer { text: String::new(), draft: Draft::from(self), default: Draft::from(&Self::default()) };
+        let mut writer = Writer::new(self);
         for section in Section::ALL {
             match section {
                 Section::Manoeuvre => writer.manoeuvres(&self.flight),
@@ -30,6 +29,54 @@ impl Scene {
             }
         }
         writer.text
+    }
+}
+
+/// A key that is not at its default, as a reader sees it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ChangedKey {
+    /// Section: "gyro".
+    pub section: &'static str,
+    /// Name of the key: "bias_deg_h".
+    pub name: &'static str,
+    /// Its value in TOML.
+    pub value: String,
+    /// Its unit; empty: none.
+    pub unit: &'static str,
+    /// What it means.
+    pub doc: &'static str,
+}
+
+impl Scene {
+    /// The keys of all sections in single brackets that are not at their default, in the order of [`keys`](super::keys).
+    pub fn changed_keys(&self) -> Vec<ChangedKey> {
+        let mut writer = Writer::new(self);
+        let mut set = Vec::new();
+        for section in Section::ALL.into_iter().filter(|section| !section.is_list()) {
+            for (_, key) in of_section(section) {
+                if writer.is_default(key) {
+                    continue;
+                }
+                let (value, in_si) = written(&mut writer.draft, key);
+                let unit = match key.target {
+                    Target::Numbers { unit, .. } if !in_si => unit.text,
+                    Target::Numbers { .. } => "[SI]",
+                    _ => "",
+                };
+                set.push(ChangedKey { section: section.name(), name: key.name, value, unit, doc: key.doc });
+            }
+        }
+        set
+    }
+
+    /// The value of a key of a section in single brackets, default or not: `"options.scheme"`. As the text of a scene has it, a
+    /// text without its quotes.
+    pub fn value(&self, path: &str) -> Option<String> {
+        let (section, name) = path.rsplit_once('.')?;
+        let section = Section::ALL.into_iter().find(|known| known.name() == section && !known.is_list())?;
+        let (_, key) = of_section(section).find(|(_, key)| key.name == name)?;
+        let (value, _) = written(&mut Draft::from(self), key);
+        Some(value.trim_matches('"').to_owned())
     }
 }
 
@@ -50,6 +97,11 @@ struct Writer {
 }
 
 impl Writer {
+    fn new(scene: &Scene) -> Self {
+        let default = Draft::from(&Scene::default());
+        Self { text: String::new(), draft: Draft::from(scene), default }
+    }
+
     fn manoeuvres(&mut self, flight: &FlightSource) {
         let FlightSource::Path(path) = flight else { return };
         for manoeuvre in &path.manoeuvres {

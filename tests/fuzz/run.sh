@@ -4,8 +4,7 @@
 #
 #     tests/fuzz/run.sh [SECONDS [TARGET...]]
 #
-# A target is a program of fuzz_targets (Rust, the library) or a folder with NAME_fuzz.c (C, the harness), and its folder in
-# corpus. random_calls is none of libFuzzer's: it needs stable Rust alone, and runs at full speed, from seed FIRST (0).
+# A target is a program of fuzz_targets and its folder in corpus. random_calls is none of libFuzzer's: it needs stable Rust alone, and runs at full speed, from seed FIRST (0).
 # SANITIZER=none builds the Rust targets without one: twice as fast. SANITIZER=address builds random_calls with it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -13,7 +12,7 @@ cd "$(dirname "$0")/../.."
 
 seconds=${1:-20}
 shift || true
-targets=${*:-flight_csv scene scene_text log_text calls snapshots random_calls}
+targets=${*:-scene_text log_text calls snapshots random_calls}
 triple=x86_64-unknown-linux-gnu
 folder=$PWD/target/fuzz
 findings=$folder/findings
@@ -33,25 +32,6 @@ fuzz() {
         rm -f "$kept"/*
         cp "$folder"/fewest/* "$kept"
     fi
-}
-
-# In C, by clang, which has the engine.
-fuzz_c() {
-    local sources
-    if ! echo 'int LLVMFuzzerTestOneInput() { return 0; }' | clang -fsanitize=fuzzer -x c - -o "$folder/probe" 2>/dev/null; then
-        install clang libclang-rt-dev
-    fi
-    case $1 in
-        flight_csv) sources="flight_csv number" libraries= ;;
-        scene)
-            sources=$(cd c_examples/harness && echo *.c | sed 's/\.c//g')
-            cargo rustc --quiet --release --lib --crate-type staticlib
-            libraries="target/release/libsins.a -lpthread -ldl"
-            ;;
-    esac
-    clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DSINS_STATIC -I include \
-        "tests/fuzz/$1/$1_fuzz.c" $(printf 'c_examples/harness/%s.c ' $sources) $libraries -lm -o "$folder/$1"
-    fuzz "$1" "$folder/$1" -close_fd_mask=3 # the harness tells what is wrong
 }
 
 # build TOOLCHAIN FLAGS FOLDER OPTIONS...
@@ -94,9 +74,7 @@ for target in $targets; do
         continue
     fi
     need g++ g++
-    if [ -d "tests/fuzz/$target" ]; then
-        fuzz_c "$target"
-    elif ! has_nightly; then
+    if ! has_nightly; then
         could_not "fuzzing of $target" "no nightly Rust to be had"
     elif [ "$target" = random_calls ]; then
         random_calls

@@ -96,20 +96,6 @@ pub fn prints_alike(name: &str, sources: &[&str], standards: &[&str], arguments:
     first
 }
 
-/// The harness: its main file and the folder beside it.
-pub fn harness_sources() -> Vec<String> {
-    let folder = project_file("c_examples/harness");
-    let mut sources: Vec<String> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(".c"))
-        .map(|name| format!("c_examples/harness/{name}"))
-        .collect();
-    sources.sort();
-    sources.insert(0, "c_examples/sins_harness.c".to_owned());
-    sources
-}
-
 /// Builds and runs `tests/c/NAME.c`.
 pub fn run_test_program(name: &str) {
     let folder = library_folder(name);

@@ -4,7 +4,7 @@ use sins::Error;
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 
 /// Figure-eights of sums of sinusoids, at 200 m/s with banks to 30°, in which the aircraft rolls, pitches and yaws within seconds.
-/// It is livelier than the patrol of `sins_harness`, which climbs, gains speed and rocks more slowly.
+/// It is livelier than the built-in scene `patrol`, which climbs, gains speed and rocks more slowly.
 pub fn patrol_from(start: &FlightStart, duration_s: f64) -> Result<Flight, Error> {
     let term = |channel, amplitude, period_s: f64| Sinusoid {
         channel,

@@ -152,4 +152,53 @@ mod tests {
     fn keys_stand_in_the_order_of_their_sections() {
         assert!(KEYS.is_sorted_by_key(|key| key.section));
     }
+
+    /// The fields of a struct in the header that are no housekeeping.
+    fn fields(header: &str, name: &str) -> Vec<String> {
+        let (_, rest) = header.split_once(&format!("typedef struct {name} {{")).unwrap();
+        let (body, _) = rest.split_once('}').unwrap();
+        let kinds = ["int32_t ", "uint32_t ", "uint64_t ", "double "];
+        let members =
+            body.lines().map(str::trim).filter(|line| kinds.iter().any(|kind| line.starts_with(kind)));
+        let names = members.map(|line| {
+            let name = line.trim_end_matches(';').split_whitespace().last().unwrap();
+            name.split('[').next().unwrap().to_owned()
+        });
+        names.filter(|name| !["struct_size", "reserved", "reserved2"].contains(&name.as_str())).collect()
+    }
+
+    #[test]
+    fn every_field_of_the_structs_has_a_key() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("include/sins.h");
+        let header = std::fs::read_to_string(path).unwrap();
+        let mut count = 0;
+        for (name, prefix) in [
+            ("sins_options", "options"),
+            ("sins_gyro_params", "gyro"),
+            ("sins_accel_params", "accel"),
+            ("sins_altimeter_params", "altimeter"),
+            ("sins_initial_errors", "initial"),
+            ("sins_mounting", "mounting"),
+            ("sins_gravity_params", "gravity"),
+            ("sins_failure", "failure"),
+            ("sins_flight_start", "start"),
+            ("sins_manoeuvre", "manoeuvre"),
+        ] {
+            for field in fields(&header, name) {
+                // The flight is on the simulator's Earth; sinusoids have a section of their own, and so are counted.
+                let by_another =
+                    ["earth", "sinusoid_count", "channel", "amplitude", "frequency_hz", "phase_rad"];
+                let is_by_another =
+                    ["start", "manoeuvre"].contains(&prefix) && by_another.contains(&field.as_str());
+                // Of a failure the unit belongs to the sensor.
+                let path = format!("{prefix}.{field}");
+                let has_key = KEYS.iter().any(|key| {
+                    key.field() == path || (prefix == "failure" && key.field().starts_with(&path))
+                });
+                assert!(has_key || is_by_another, "{path} has no key");
+                count += 1;
+            }
+        }
+        assert!(count > 80, "{count}");
+    }
 }

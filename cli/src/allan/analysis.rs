@@ -1,0 +1,180 @@
+//! What the log says of one sensor: deviations, coefficients, and whether these explain those.
+
+use super::estimate::chi_square::chi_square_quantile;
+use super::estimate::covariance::Covariance;
+use super::estimate::deviation::{allan_variance, factors, integral};
+use super::estimate::fit::Fit;
+use super::estimate::interval::{self, Interval, Point, degrees_of_freedom};
+use super::estimate::terms::{TERMS, Term};
+use super::log::{Log, Series};
+use super::quantity::Sensor;
+use crate::failure::Failure;
+
+/// Of all intervals.
+pub const CONFIDENCE: f64 = 0.95;
+
+/// A deviation misses the fit where chance alone does so once in ten thousand times, and by more than a reader of the
+/// curve would overlook.
+const CERTAIN: f64 = 0.9999;
+const VISIBLE: f64 = 1.05;
+
+/// A deviation [rad/s] or [m/s²].
+#[derive(Debug, Clone, Copy)]
+pub struct Estimate {
+    pub tau_s: f64,
+    pub deviation: f64,
+    pub interval: Interval,
+    /// Equivalent degrees of freedom.
+    pub degrees: f64,
+    /// Of the fit.
+    pub fitted: f64,
+}
+
+/// A coefficient in SI.
+#[derive(Debug, Clone, Copy)]
+pub struct Coefficient {
+    pub term: Term,
+    pub value: f64,
+    pub interval: Interval,
+}
+
+impl Coefficient {
+    /// Whether the record tells it from nothing.
+    pub fn is_resolved(&self) -> bool {
+        self.interval.low > 0.0 && !self.is_at_bound()
+    }
+
+    /// Whether the estimate sits on an end of its own interval: it is what the constraint of the fit left, nothing that the record
+    /// shows.
+    pub fn is_at_bound(&self) -> bool {
+        let Interval { low, high } = self.interval;
+        self.value > 0.0 && (self.value <= low || self.value >= high)
+    }
+}
+
+/// Of one column.
+pub struct Analysis {
+    pub name: String,
+    pub sensor: Sensor,
+    pub estimates: Vec<Estimate>,
+    pub coefficients: [Coefficient; TERMS],
+    pub fit: Fit,
+}
+
+impl Analysis {
+    /// All columns of a log.
+    pub fn of_log(log: &Log) -> Result<Vec<Self>, Failure> {
+        let factors = factors(log.count());
+        let covariance = Covariance::new(log.count(), log.interval_s, &factors);
+        log.series
+            .iter()
+            .map(|series| Self::of_series(series, log.interval_s, &factors, &covariance))
+            .collect()
+    }
+
+    fn of_series(
+        series: &Series,
+        interval_s: f64,
+        factors: &[usize],
+        covariance: &Covariance,
+    ) -> Result<Self, Failure> {
+        let theta = integral(&series.increments);
+        let taus_s: Vec<f64> = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
+        let variances: Vec<f64> =
+            factors.iter().map(|factor| allan_variance(&theta, interval_s, *factor)).collect();
+        // The mean that is taken off leaves rounding errors where nothing moves.
+        let first = series.increments.first();
+        if variances.contains(&0.0) || series.increments.iter().all(|value| Some(value) == first) {
+            return Err(Failure::new(format!("column \"{}\": expected noise, found none", series.name)));
+        }
+        let fit = Fit::new(&taus_s, &variances, covariance);
+        let points: Vec<Point> = taus_s
+            .iter()
+            .zip(&variances)
+            .enumerate()
+            .map(|(i, (&tau_s, &variance))| Point {
+                tau_s,
+                variance,
+                degrees: degrees_of_freedom(&fit, covariance, i, tau_s),
+            })
+            .collect();
+        let coefficients = std::array::from_fn(|p| Coefficient {
+            term: Term::ALL[p],
+            value: fit.squares[p].sqrt(),
+            interval: root(interval::of_square(&fit, p, &points, CONFIDENCE)),
+        });
+        let estimates = points.iter().map(|point| estimate(point, &fit)).collect();
+        Ok(Self { name: series.name.clone(), sensor: series.sensor, estimates, coefficients, fit })
+    }
+
+    /// The deviation that the fit misses most, if it misses any: something else than the five terms is in the record.
+    pub fn unexplained(&self) -> Option<&Estimate> {
+        let ratio = |estimate: &&Estimate| (estimate.deviation / estimate.fitted).ln().abs();
+        let missed = self.estimates.iter().filter(|estimate| {
+            let sum = estimate.degrees * (estimate.deviation / estimate.fitted).powi(2);
+            let end = |probability: f64| chi_square_quantile(probability, estimate.degrees);
+            let usual = Interval { low: end(0.5 - 0.5 * CERTAIN), high: end(0.5 + 0.5 * CERTAIN) };
+            !usual.contains(sum) && ratio(estimate) > VISIBLE.ln()
+        });
+        missed.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))
+    }
+}
+
+fn estimate(point: &Point, fit: &Fit) -> Estimate {
+    Estimate {
+        tau_s: point.tau_s,
+        deviation: point.variance.sqrt(),
+        interval: root(interval::of_variance(point.variance, point.degrees, CONFIDENCE)),
+        degrees: point.degrees,
+        fitted: fit.variance(point.tau_s).sqrt(),
+    }
+}
+
+fn root(interval: Interval) -> Interval {
+    Interval { low: interval.low.sqrt(), high: interval.high.sqrt() }
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+
+    /// Noise enough for drawings: a sum of uniform numbers of a linear congruential generator, and a sinusoid.
+    pub fn made(count: usize, sinusoid: f64) -> Log {
+        let mut state = 1_u64;
+        let mut uniform = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        let increments = (0..count)
+            .map(|k| 1e-6 * ((0..12).map(|_| uniform()).sum::<f64>() + sinusoid * (k as f64 / 30.0).sin()))
+            .collect();
+        let series = vec![Series { name: "w<x>_rad".into(), sensor: Sensor::Gyro, increments }];
+        Log { name: "made.csv".into(), interval_s: 0.01, series }
+    }
+
+    #[test]
+    fn white_noise_is_recovered_and_nothing_else() {
+        let analysis = &Analysis::of_log(&made(20_000, 0.0)).unwrap()[0];
+        let [q, n, b, k, r] = analysis.coefficients;
+        // Twelve uniform numbers have a variance of 1: N is 1e-6 / √0.01.
+        assert!(n.is_resolved() && n.interval.contains(1e-5), "{n:?}");
+        assert!(n.interval.contains(n.value) && n.interval.high < 1.1 * n.interval.low, "{n:?}");
+        for absent in [q, b, k, r] {
+            assert!(!absent.is_resolved() && absent.interval.high > 0.0, "{absent:?}");
+        }
+        assert!(analysis.unexplained().is_none());
+    }
+
+    #[test]
+    fn a_sinusoid_is_not_explained() {
+        let log = made(20_000, 2.0);
+        assert!(Analysis::of_log(&log).unwrap()[0].unexplained().is_some());
+    }
+
+    #[test]
+    fn a_dead_column_is_told() {
+        let mut log = made(1000, 0.0);
+        log.series[0].increments.fill(9.81e-2);
+        assert!(Analysis::of_log(&log).err().unwrap().to_string().contains("w<x>_rad"));
+    }
+}

@@ -1,0 +1,124 @@
+//! The command line of `sins allan`.
+
+use std::path::PathBuf;
+
+use crate::failure::Failure;
+
+/// Draws the Allan deviation of an IMU log and finds the noises that explain it
+///
+/// Overlapping Allan deviation of gyro and accelerometer columns, up to six, with 95 % intervals; the coefficients of quantization
+/// Q, random walk N, bias instability B, rate random walk K and ramp R that explain it. Prints them as a table.
+///
+/// The unit of a column is the end of its name. Rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
+/// forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns all rates and forces are taken, and
+/// increments whose name has "increment" or "delta" in it. time_s (or _ms, _us, _ns) has the stamps: they may jitter by less than
+/// half an interval; a gap is refused.
+#[derive(Debug, PartialEq, clap::Args)]
+pub struct Order {
+    /// A log, as `sins fly --imu` writes it or of your own
+    #[arg(value_name = "LOG.csv")]
+    pub log: PathBuf,
+    /// Where to draw: OUT.svg or OUT.html
+    #[arg(short, long, value_name = "OUT")]
+    pub output: PathBuf,
+    /// Also averaging times and deviations; POINTS_fit.csv gets the coefficients
+    #[arg(long = "csv", value_name = "POINTS.csv")]
+    pub points: Option<PathBuf>,
+    /// Samples a second: not the mean of the stamps, or there are none
+    #[arg(long = "rate", value_name = "HZ", value_parser = rate)]
+    pub rate_hz: Option<f64>,
+    /// These columns alone; the unit as above without its first _, where the name has none
+    #[arg(long, value_name = "NAME[:UNIT]", value_delimiter = ',', value_parser = wanted)]
+    pub columns: Vec<Wanted>,
+    /// Replaces files that are not of this program's making
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// A column that is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    pub name: String,
+    /// Where the name has none.
+    pub unit: Option<String>,
+}
+
+impl Order {
+    /// Whether a page is wanted, not a picture.
+    pub fn is_page(&self) -> Result<bool, Failure> {
+        match self.output.extension().and_then(|ending| ending.to_str()) {
+            Some("svg") => Ok(false),
+            Some("html") => Ok(true),
+            _ => {
+                let what =
+                    format!("-o {}: expected a name that ends in .svg or .html", self.output.display());
+                Err(Failure::new(what))
+            }
+        }
+    }
+
+    /// Where the coefficients go.
+    pub fn fit(&self) -> Option<PathBuf> {
+        let points = self.points.as_ref()?;
+        let stem = points.file_stem().unwrap_or_default().to_string_lossy();
+        Some(points.with_file_name(format!("{stem}_fit.csv")))
+    }
+}
+
+fn rate(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(rate) if rate > 0.0 && rate.is_finite() => Ok(rate),
+        _ => Err("expected samples a second".to_owned()),
+    }
+}
+
+fn wanted(text: &str) -> Result<Wanted, String> {
+    let (name, unit) = match text.split_once(':') {
+        Some((name, unit)) => (name, Some(unit.trim().to_owned())),
+        None => (text, None),
+    };
+    Ok(Wanted { name: name.trim().to_owned(), unit })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Debug, Parser)]
+    struct Line {
+        #[command(flatten)]
+        order: Order,
+    }
+
+    fn parsed(arguments: &[&str]) -> Result<Order, String> {
+        let line = Line::try_parse_from([&["allan"], arguments].concat());
+        line.map(|line| line.order).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn columns_come_with_units_or_without() {
+        let arguments =
+            ["log.csv", "-o", "a.svg", "--rate", "200", "--columns", "wx:deg_s, f_z_g", "--csv", "p.csv"];
+        let order = parsed(&arguments).unwrap();
+        let columns = [("wx", Some("deg_s")), ("f_z_g", None)]
+            .map(|(name, unit)| Wanted { name: name.into(), unit: unit.map(str::to_owned) });
+        assert_eq!((order.columns.as_slice(), order.rate_hz), (&columns[..], Some(200.0)));
+        assert_eq!((order.log.as_os_str(), order.fit()), ("log.csv".as_ref(), Some("p_fit.csv".into())));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (arguments, named) in [
+            (&["-o", "a.svg"][..], "LOG.csv"),
+            (&["log.csv"], "--output"),
+            (&["log.csv", "-o", "a.svg", "--rate=-1"], "-1"),
+            (&["log.csv", "-o", "a.svg", "second.csv"], "second.csv"),
+        ] {
+            assert!(parsed(arguments).unwrap_err().contains(named), "{arguments:?}");
+        }
+        let failure = parsed(&["log.csv", "-o", "a.png"]).unwrap().is_page().unwrap_err();
+        assert!(failure.to_string().contains("a.png"));
+    }
+}

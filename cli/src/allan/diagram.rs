@@ -1,0 +1,152 @@
+//! The curve of one column on logarithmic axes: deviation, band, fit, and the asymptotes of the terms that are resolved.
+
+use super::analysis::{Analysis, Coefficient, Estimate};
+use super::estimate::terms::Term;
+use super::sheet;
+use crate::drawing::axis::Axis;
+use crate::drawing::figure::Legend;
+use crate::drawing::pen::Pen;
+use crate::drawing::plot::{Drawing, Note, PANEL_WIDTH, Panel, Trace, WIDTH};
+use crate::drawing::series::{Points, bounds};
+use crate::units::in_unit;
+
+/// Height of the axes [drawing units].
+const HEIGHT: f64 = 300.0;
+
+/// Room below the curve, for labels, and above it, as parts of the height of the curve.
+const ROOM_BELOW: f64 = 0.2;
+const ROOM_ABOVE: f64 = 0.04;
+
+/// An asymptote is drawn where its term is more than this part of the fitted deviation.
+const SHARE: f64 = 0.3;
+
+/// Points of a smooth line.
+const SMOOTH: usize = 100;
+
+/// From the middle of a label to the line that it stands below, the room it needs there, and the width of a letter [drawing
+/// units].
+const BELOW: f64 = 13.0;
+const LABEL: f64 = 24.0;
+const LETTER: f64 = 8.0;
+
+/// What the lines are.
+pub fn legend() -> Legend {
+    let entry = |pen, text: &str| (pen, text.to_owned());
+    vec![
+        entry(Pen::Computed, "deviation"),
+        entry(Pen::Band, "95 % interval"),
+        entry(Pen::Fit, "fit"),
+        entry(Pen::Asymptote, "one term"),
+    ]
+}
+
+/// The drawing; what it says in words is the table's.
+pub fn drawing(analysis: &Analysis) -> Drawing {
+    let unit = sheet::deviation(analysis.sensor);
+    let measured = curve(analysis, |estimate| estimate.deviation);
+    let (low, high) = (curve(analysis, |e| e.interval.low), curve(analysis, |e| e.interval.high));
+    let mut band = high.clone();
+    band.extend(low.iter().rev());
+    band.extend(high.first());
+    let (bottom, top) = bounds([&low, &high]);
+    let (bottom, top) = (bottom - ROOM_BELOW * (top - bottom), top + ROOM_ABOVE * (top - bottom));
+    let (left, right) = (measured[0].0, measured[measured.len() - 1].0);
+    let mut traces = vec![Trace::new(Pen::Band, band)];
+    let mut notes = Vec::new();
+    for coefficient in analysis.coefficients.iter().filter(|coefficient| coefficient.is_resolved()) {
+        let line = asymptote(analysis, coefficient, (left, right), bottom + LABEL / HEIGHT * (top - bottom));
+        notes.extend(label(analysis, coefficient, &line, (left, right)));
+        traces.push(Trace::new(Pen::Asymptote, line));
+    }
+    let fitted = |place: f64| (place, (analysis.fit.variance(10f64.powf(place)).sqrt() / unit.si).log10());
+    traces.push(Trace::new(Pen::Fit, places((left, right)).map(fitted).collect()));
+    traces.push(Trace::new(Pen::Computed, measured));
+    let caption = format!("Allan deviation [{}]", unit.name);
+    let mut panel = Panel::new(caption, Axis::decades(bottom, top, 6), HEIGHT, traces);
+    panel.notes = notes;
+    let x = Axis::decades(left, right, 8);
+    Drawing { width: WIDTH, x, x_label: "averaging time [s]".to_owned(), panels: vec![panel] }
+}
+
+/// Logarithms of averaging time and of `value` in the unit of the axis.
+fn curve(analysis: &Analysis, value: impl Fn(&Estimate) -> f64) -> Points {
+    let unit = sheet::deviation(analysis.sensor);
+    analysis.estimates.iter().map(|e| (e.tau_s.log10(), (value(e) / unit.si).log10())).collect()
+}
+
+fn places((left, right): (f64, f64)) -> impl Iterator<Item = f64> {
+    (0..=SMOOTH).map(move |k| left + (right - left) * k as f64 / SMOOTH as f64)
+}
+
+/// The line of one term, where it matters and above `bottom`.
+fn asymptote(analysis: &Analysis, coefficient: &Coefficient, ends: (f64, f64), bottom: f64) -> Points {
+    let unit = sheet::deviation(analysis.sensor);
+    let at = |place: f64| {
+        let tau_s = 10f64.powf(place);
+        let deviation = coefficient.value * coefficient.term.shape(tau_s).sqrt();
+        let is_seen = deviation > SHARE * analysis.fit.variance(tau_s).sqrt();
+        is_seen.then_some((place, (deviation / unit.si).log10())).filter(|point| point.1 > bottom)
+    };
+    places(ends).filter_map(at).collect()
+}
+
+/// The value, where the term makes most of the deviation or else at the low end of its line, on the empty side of that.
+fn label(
+    analysis: &Analysis,
+    coefficient: &Coefficient,
+    line: &Points,
+    (left, right): (f64, f64),
+) -> Option<Note> {
+    let term = coefficient.term;
+    let share = |place: f64| {
+        let tau_s = 10f64.powf(place);
+        coefficient.value.powi(2) * term.shape(tau_s) / analysis.fit.variance(tau_s)
+    };
+    let main: Vec<f64> = line.iter().map(|point| point.0).filter(|place| share(*place) > 0.5).collect();
+    let ends = [line.first()?, line.last()?];
+    let lowest = if ends[0].1 < ends[1].1 { ends[0].0 } else { ends[1].0 };
+    let wanted = main.get(main.len() / 2).copied().unwrap_or(lowest);
+    let value = in_unit(coefficient.value, sheet::coefficient(analysis.sensor, term));
+    let text = format!("{} {value}", term.letter());
+    let half = 0.5 * LETTER * text.chars().count() as f64;
+    let aside = match term {
+        Term::Quantization | Term::RandomWalk => -half,
+        Term::Flicker => 0.0,
+        Term::RateRandomWalk | Term::Ramp => half,
+    };
+    let at = *line.iter().min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()))?;
+    // The text stays within the axes.
+    let middle = (at.0 - left) / (right - left) * PANEL_WIDTH;
+    let aside = (middle + aside).clamp(half, PANEL_WIDTH - half) - middle;
+    Some(Note { at, shift: (aside, BELOW), pen: Pen::Text, text })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::analysis::tests::made;
+    use super::*;
+
+    #[test]
+    fn only_what_is_resolved_has_an_asymptote() {
+        let analysis = &Analysis::of_log(&made(20_000, 0.0)).unwrap()[0];
+        let drawing = drawing(analysis);
+        let panel = &drawing.panels[0];
+        let pens: Vec<Pen> = panel.traces.iter().map(|trace| trace.pen).collect();
+        assert_eq!(pens, [Pen::Band, Pen::Asymptote, Pen::Fit, Pen::Computed]);
+        // N = 1e-5 rad/√s is 0.0344 °/√h.
+        assert!(
+            panel.notes.len() == 1 && panel.notes[0].text.starts_with("N 0.034"),
+            "{}",
+            panel.notes[0].text
+        );
+        let line = &panel.traces[1].points;
+        let slope = (line[90].1 - line[10].1) / (line[90].0 - line[10].0);
+        assert!((slope + 0.5).abs() < 1e-9, "{slope}");
+        for trace in &panel.traces {
+            let is_inside = |(x, y): &(f64, f64)| {
+                (drawing.x.low..=drawing.x.high).contains(x) && (panel.y.low..=panel.y.high).contains(y)
+            };
+            assert!(trace.points.iter().all(is_inside), "{:?}", trace.pen);
+        }
+    }
+}

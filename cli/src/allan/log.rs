@@ -1,0 +1,160 @@
+//! An IMU log: columns of rates, forces or increments at equal intervals.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::command::Order;
+use super::estimate::deviation::FEWEST_SAMPLES;
+use super::quantity::{Quantity, Sensor, TIMES, choose};
+use crate::drawing::series::mean;
+use crate::failure::Failure;
+use crate::table::Table;
+
+/// A step between stamps may differ from the usual one by less than this part of it: a gap is a whole one.
+const JITTER: f64 = 0.5;
+
+/// A column.
+pub struct Series {
+    pub name: String,
+    pub sensor: Sensor,
+    /// Angles [rad] or velocities [m/s] over the intervals.
+    pub increments: Vec<f64>,
+}
+
+/// All columns of one log.
+pub struct Log {
+    /// Name of the file.
+    pub name: String,
+    pub interval_s: f64,
+    pub series: Vec<Series>,
+}
+
+impl Log {
+    /// Reads the log of `order`.
+    pub fn read(order: &Order) -> Result<Self, Failure> {
+        let path = &order.log;
+        let input =
+            File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+        Self::from_input(order, input)
+    }
+
+    fn from_input(order: &Order, input: impl Read) -> Result<Self, Failure> {
+        let path = &order.log;
+        let mut columns: Vec<(String, Quantity)> = Vec::new();
+        let mut time = None;
+        let mut table = Table::read_some(path, input, |names| {
+            columns = choose(names, &order.columns).map_err(|failure| Failure::of_line(path, 1, &failure))?;
+            time = TIMES.into_iter().find(|(name, _)| names.iter().any(|found| found == name));
+            let times = time.iter().map(|(name, _)| (*name).to_owned());
+            Ok(columns.iter().map(|(name, _)| name.clone()).chain(times).collect())
+        })?;
+        if table.rows() < FEWEST_SAMPLES {
+            let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
+            return Err(Failure::of_file(path, &what));
+        }
+        let interval_s = interval(path, &mut table, time, order.rate_hz)?;
+        let series = columns.into_iter().map(|(name, quantity)| {
+            let unit = quantity.si * if quantity.is_increment { 1.0 } else { interval_s };
+            let mut increments = table.take(&name)?;
+            increments.iter_mut().for_each(|value| *value *= unit);
+            Ok(Series { name, sensor: quantity.sensor, increments })
+        });
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Self { name, interval_s, series: series.collect::<Result<_, Failure>>()? })
+    }
+
+    pub fn count(&self) -> usize {
+        self.series.first().map_or(0, |series| series.increments.len())
+    }
+
+    pub fn duration_s(&self) -> f64 {
+        self.count() as f64 * self.interval_s
+    }
+}
+
+/// The interval that was ordered, or the mean of the stamps; refuses stamps that are not at equal steps.
+fn interval(
+    path: &Path,
+    table: &mut Table,
+    time: Option<(&str, f64)>,
+    rate_hz: Option<f64>,
+) -> Result<f64, Failure> {
+    let Some((name, unit)) = time else {
+        let missing = || Failure::of_line(path, 1, &"expected a column \"time_s\" in the header, or --rate");
+        return rate_hz.map(|rate_hz| 1.0 / rate_hz).ok_or_else(missing);
+    };
+    let stamps = table.take(name)?;
+    let steps: Vec<f64> = stamps.windows(2).map(|pair| (pair[1] - pair[0]) * unit).collect();
+    let usual = rate_hz.map_or_else(|| usual(&steps), |rate_hz| 1.0 / rate_hz);
+    if let Some(row) = steps.iter().position(|step| (step - usual).abs() >= JITTER * usual) {
+        let what = format!(
+            "column {name}: expected a step of about {usual:.6} s, found {:.6} s; an Allan deviation needs equal steps",
+            steps[row]
+        );
+        return Err(Failure::of_line(path, table.line(row + 1), &what));
+    }
+    let mean = (stamps[stamps.len() - 1] - stamps[0]) * unit / steps.len() as f64;
+    Ok(if rate_hz.is_some() { usual } else { mean })
+}
+
+/// The mean step but for gaps: stamps of few digits have steps of two lengths, of which the median is but one.
+fn usual(steps: &[f64]) -> f64 {
+    let mut sorted = steps.to_vec();
+    let middle = sorted.len() / 2;
+    let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let single: Vec<f64> = steps.iter().copied().filter(|step| *step < 1.75 * median).collect();
+    mean(&single)
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+
+    fn order(rate_hz: Option<f64>) -> Order {
+        let (log, output) = ("log.csv".into(), "out.svg".into());
+        Order { log, output, points: None, rate_hz, columns: Vec::new(), force: false }
+    }
+
+    /// A log with the rows `time(k)`, k.
+    fn read(header: &str, rate_hz: Option<f64>, time: impl Fn(u32) -> String) -> Result<Log, String> {
+        let rows: Vec<String> = (0..60).map(|k| format!("{},{k}\n", time(k))).collect();
+        let text = format!("{header}\n{}", rows.concat());
+        Log::from_input(&order(rate_hz), text.as_bytes()).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn rates_become_increments() {
+        let log = read("time_ms,gyro_x_deg_s", None, |k| (1000 + 5 * k).to_string()).unwrap();
+        assert!((log.interval_s - 0.005).abs() < 1e-15 && (log.duration_s() - 0.3).abs() < 1e-12);
+        let expected = 2f64.to_radians() * 0.005;
+        assert!((log.series[0].increments[2] - expected).abs() < 1e-15);
+    }
+
+    #[test]
+    fn increments_stay_and_a_rate_needs_no_stamps() {
+        let log = read("count,delta_v_m_s", Some(50.0), |k| format!("n{k}")).unwrap();
+        assert_eq!((log.interval_s, log.series[0].increments[7]), (0.02, 7.0));
+        let failure = read("count,delta_v_m_s", None, |k| k.to_string()).err().unwrap();
+        assert!(failure.starts_with("log.csv:1: ") && failure.contains("--rate"), "{failure}");
+    }
+
+    #[test]
+    fn jitter_is_taken_and_gaps_are_told() {
+        let stamps = |k: u32| format!("{:.3}", f64::from(k) * 0.0025);
+        let log = read("time_s,a_g", None, stamps).unwrap();
+        assert!((log.interval_s - 0.0025).abs() < 1e-5);
+        for (late, rate_hz) in [(1, None), (1, Some(100.0)), (-1, None)] {
+            let gap = |k: u32| format!("{:.2}", f64::from(k as i32 + if k < 30 { 0 } else { late }) * 0.01);
+            let failure = read("time_s,a_g", rate_hz, gap).err().unwrap();
+            assert!(failure.starts_with("log.csv:32: column time_s"), "{failure}");
+        }
+        assert!(read("time_s,a_g", Some(200.0), |k| format!("{:.2}", f64::from(k) * 0.01)).is_err());
+    }
+
+    #[test]
+    fn short_logs_are_told() {
+        let failure = Log::from_input(&order(Some(1.0)), "a_g\n1\n".as_bytes()).err().unwrap().to_string();
+        assert!(failure.contains("found 1"), "{failure}");
+    }
+}

@@ -1,0 +1,157 @@
+//! What a column holds, by the end of its name.
+
+use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
+
+use super::command::Wanted;
+use crate::failure::Failure;
+
+/// Which sensor a column is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sensor {
+    Gyro,
+    Accelerometer,
+}
+
+/// A sensor's output in a unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    unit: &'static str,
+    pub sensor: Sensor,
+    /// Angle or velocity over an interval, not their rate.
+    pub is_increment: bool,
+    /// The unit in rad/s, m/s², rad or m/s.
+    pub si: f64,
+}
+
+const fn rate(unit: &'static str, sensor: Sensor, si: f64) -> Quantity {
+    Quantity { unit, sensor, is_increment: false, si }
+}
+
+const fn increment(unit: &'static str, sensor: Sensor, si: f64) -> Quantity {
+    Quantity { unit, sensor, is_increment: true, si }
+}
+
+const QUANTITIES: [Quantity; 11] = [
+    rate("rad_s", Sensor::Gyro, 1.0),
+    rate("deg_s", Sensor::Gyro, DEG),
+    rate("deg_h", Sensor::Gyro, DEG_PER_HOUR),
+    rate("m_s2", Sensor::Accelerometer, 1.0),
+    rate("g", Sensor::Accelerometer, STANDARD_GRAVITY),
+    rate("mg", Sensor::Accelerometer, 1e-3 * STANDARD_GRAVITY),
+    rate("ug", Sensor::Accelerometer, MICRO_G),
+    increment("rad", Sensor::Gyro, 1.0),
+    increment("deg", Sensor::Gyro, DEG),
+    increment("arcsec", Sensor::Gyro, ARCSEC),
+    increment("m_s", Sensor::Accelerometer, 1.0),
+];
+
+/// Words in the name of a column of increments: latitude_rad is none.
+const INCREMENT_WORDS: [&str; 2] = ["increment", "delta"];
+
+/// Most columns that are analysed.
+const MOST: usize = 6;
+
+/// Units of the stamps and their seconds.
+pub const TIMES: [(&str, f64); 4] =
+    [("time_s", 1.0), ("time_ms", 1e-3), ("time_us", 1e-6), ("time_ns", 1e-9)];
+
+/// Of the unit that ends `name` behind an underline.
+fn by_name(name: &str) -> Option<Quantity> {
+    QUANTITIES
+        .into_iter()
+        .filter(|quantity| name.strip_suffix(quantity.unit).is_some_and(|stem| stem.ends_with('_')))
+        .max_by_key(|quantity| quantity.unit.len())
+}
+
+/// The columns to analyse of those in the header `names`.
+pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quantity)>, Failure> {
+    let chosen = if wanted.is_empty() {
+        let is_sensor = |name: &str, quantity: &Quantity| {
+            !quantity.is_increment || INCREMENT_WORDS.iter().any(|word| name.to_lowercase().contains(word))
+        };
+        let all = names.iter().filter_map(|name| Some((name.clone(), by_name(name)?)));
+        all.filter(|(name, quantity)| is_sensor(name, quantity)).collect()
+    } else {
+        wanted.iter().map(|wanted| find(names, wanted)).collect::<Result<Vec<_>, _>>()?
+    };
+    match chosen.len() {
+        1..=MOST => Ok(chosen),
+        0 => {
+            Err(Failure::new("no column of the header is a rate or force by its name; --columns names them"))
+        }
+        count => {
+            let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).collect();
+            let names = names.join(", ");
+            Err(Failure::new(format!(
+                "expected up to {MOST} columns, found {count}; --columns chooses: {names}"
+            )))
+        }
+    }
+}
+
+fn find(names: &[String], wanted: &Wanted) -> Result<(String, Quantity), Failure> {
+    let Wanted { name, unit } = wanted;
+    if !names.contains(name) {
+        return Err(Failure::new(format!("expected a column \"{name}\" in the header")));
+    }
+    let quantity = match unit {
+        Some(unit) => QUANTITIES.into_iter().find(|quantity| quantity.unit == unit),
+        None => by_name(name),
+    };
+    let units = || QUANTITIES.map(|quantity| quantity.unit).join(", ");
+    let quantity = quantity.ok_or_else(|| {
+        Failure::new(format!("column \"{name}\": expected its unit as NAME:UNIT, one of {}", units()))
+    })?;
+    Ok((name.clone(), quantity))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(header: &str) -> Vec<String> {
+        header.split(',').map(str::to_owned).collect()
+    }
+
+    fn chosen(header: &str, wanted: &[(&str, Option<&str>)]) -> Result<Vec<(String, Quantity)>, String> {
+        let wanted = wanted
+            .iter()
+            .map(|(name, unit)| Wanted { name: (*name).to_owned(), unit: unit.map(str::to_owned) });
+        choose(&names(header), &wanted.collect::<Vec<_>>()).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn units_are_told_by_the_end_of_the_name() {
+        for (name, unit) in [
+            ("gyro_x_rad_s", "rad_s"),
+            ("angle_increment_x_rad", "rad"),
+            ("w_deg_h", "deg_h"),
+            ("force_z_m_s2", "m_s2"),
+            ("velocity_increment_x_m_s", "m_s"),
+            ("a_mg", "mg"),
+            ("a_g", "g"),
+        ] {
+            assert_eq!(by_name(name).unwrap().unit, unit, "{name}");
+        }
+        for name in ["time_s", "rad_s", "heading", "omg", "temperature_c"] {
+            assert_eq!(by_name(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn attitudes_and_velocities_are_no_increments() {
+        let columns = chosen("time_s,roll_rad,velocity_up_m_s,gyro_x_deg_s,delta_v_m_s", &[]).unwrap();
+        let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["gyro_x_deg_s", "delta_v_m_s"]);
+    }
+
+    #[test]
+    fn columns_are_chosen_and_given_units() {
+        let columns = chosen("t,wx,roll_rad", &[("roll_rad", None), ("wx", Some("deg_h"))]).unwrap();
+        assert!(columns[0].1.is_increment && columns[1].1.si == DEG_PER_HOUR);
+        assert!(chosen("t,wx", &[("wx", None)]).unwrap_err().contains("NAME:UNIT"));
+        assert!(chosen("t,wx", &[("wy", None)]).unwrap_err().contains("\"wy\""));
+        assert!(chosen("t,wx", &[]).unwrap_err().contains("--columns"));
+        assert!(chosen("a_g,b_g,c_g,d_g,e_g,f_g,h_g", &[]).unwrap_err().contains("found 7"));
+    }
+}

@@ -1,0 +1,113 @@
+//! Coefficients in words, and as a table on the terminal.
+
+use super::analysis::{Analysis, Coefficient};
+use super::estimate::terms::Term;
+use super::log::Log;
+use super::sheet;
+use crate::units::{Unit, in_unit, significant, time_text};
+
+/// Value and interval in `unit`, or what it is below.
+pub fn value(coefficient: &Coefficient, unit: Unit) -> String {
+    let [value, low, high] = [coefficient.value, coefficient.interval.low, coefficient.interval.high]
+        .map(|value| significant(value / unit.si));
+    if coefficient.is_at_bound() {
+        "not shown by this record".to_owned()
+    } else if coefficient.is_resolved() {
+        format!("{value} ({low} to {high}) {}", unit.name)
+    } else {
+        format!("below {high} {}", unit.name)
+    }
+}
+
+/// The same in the unit of data sheets.
+pub fn on_sheet(analysis: &Analysis, coefficient: &Coefficient) -> String {
+    value(coefficient, sheet::coefficient(analysis.sensor, coefficient.term))
+}
+
+/// Random walk in its other unit.
+pub fn density(analysis: &Analysis, coefficient: &Coefficient) -> Option<String> {
+    let is_quoted = coefficient.term == Term::RandomWalk && coefficient.is_resolved();
+    is_quoted.then(|| in_unit(coefficient.value, sheet::density(analysis.sensor)))
+}
+
+/// What else is in the record.
+pub fn remark(analysis: &Analysis) -> Option<String> {
+    analysis.unexplained().map(|missed| {
+        format!(
+            "At {} the deviation is {} times the fit: something else is in the record, as a Gauss-Markov process or a \
+             vibration, and the coefficients have taken what they could of it.",
+            time_text(missed.tau_s),
+            significant(missed.deviation / missed.fitted),
+        )
+    })
+}
+
+/// What the log is.
+pub fn source(log: &Log) -> String {
+    let rate = significant(1.0 / log.interval_s);
+    format!("{}: {} samples at {rate} Hz, {}", log.name, log.count(), time_text(log.duration_s()))
+}
+
+/// All of it for the terminal.
+pub fn table(log: &Log, analyses: &[Analysis]) -> String {
+    let mut text = format!("{}; 95 % intervals\n", source(log));
+    for analysis in analyses {
+        text += &format!("\n{}\n", analysis.name);
+        for coefficient in &analysis.coefficients {
+            let term = coefficient.term;
+            let density = density(analysis, coefficient).map(|text| format!(", {text}")).unwrap_or_default();
+            text += &format!(
+                "  {} {:<25}{}{density}\n",
+                term.letter(),
+                sheet::name(analysis.sensor, term),
+                on_sheet(analysis, coefficient),
+            );
+        }
+        if let Some(remark) = remark(analysis) {
+            text += &format!("  {remark}\n");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::analysis::tests::made;
+    use super::*;
+
+    #[test]
+    fn what_is_not_resolved_is_told_as_below() {
+        let log = made(20_000, 0.0);
+        let text = table(&log, &Analysis::of_log(&log).unwrap());
+        assert!(text.starts_with("made.csv: 20000 samples at 100.0 Hz, 3.3 min; 95 % intervals\n"), "{text}");
+        assert_eq!(text.matches(" below ").count(), 4, "{text}");
+        assert!(text.contains("N angle random walk        0.034") && text.contains("°/h/√Hz"), "{text}");
+    }
+
+    /// A fit under the constraint that nothing is negative leaves some coefficients on an end of their interval.
+    #[test]
+    fn an_estimate_on_its_own_bound_is_no_finding() {
+        use super::super::estimate::interval::Interval;
+        let told = |value: f64, low: f64, high: f64| {
+            let interval = Interval { low, high };
+            on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval })
+        };
+        assert_eq!(told(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
+        assert_eq!(told(2.0, 2.0, 3.0), "not shown by this record");
+        assert_eq!(told(2.0, 0.0, 2.0), "not shown by this record");
+        assert_eq!(
+            (told(0.0, 0.0, 2.0), told(1.0, 0.0, 2.0)),
+            ("below 2.000 u".into(), "below 2.000 u".into())
+        );
+    }
+
+    fn on_sheet_unit(coefficient: &Coefficient) -> String {
+        value(coefficient, Unit { name: "u", si: 1.0 })
+    }
+
+    #[test]
+    fn what_is_not_explained_is_remarked() {
+        let log = made(20_000, 2.0);
+        assert!(table(&log, &Analysis::of_log(&log).unwrap()).contains(" times the fit: "));
+    }
+}

@@ -1,0 +1,145 @@
+//! Bars: position, velocity and attitude side by side, a line for each effect.
+
+use maud::{Markup, html};
+use sins::recommend::SolutionError;
+
+use super::survey::{Kind, Line, Survey};
+use crate::drawing::axis::Axis;
+use crate::drawing::figure::Legend;
+use crate::drawing::pen::Pen;
+use crate::drawing::plot::FINE;
+use crate::units::{ANGLE, Family, LENGTH, SPEED, short};
+
+/// Room for the names, width of a panel and of the value behind its longest bar, height of a line and of its bar, of the
+/// panels' titles and of the ticks below [drawing units].
+const NAMES: f64 = 222.0;
+const PANEL: f64 = 215.0;
+const VALUE: f64 = 95.0;
+const LINE: f64 = 22.0;
+const BAR: f64 = 13.0;
+const TITLE: f64 = 24.0;
+const TICKS: f64 = 26.0;
+
+/// Width of the chart.
+pub const WIDTH: f64 = NAMES + 3.0 * (PANEL + VALUE);
+
+/// Decades that a panel shows at the most.
+const DECADES: f64 = 9.0;
+
+/// Title, part of an error, units.
+type Quantity = (&'static str, fn(&SolutionError) -> f64, &'static Family);
+
+const QUANTITIES: [Quantity; 3] = [
+    ("position", |error| error.position_m, LENGTH),
+    ("velocity", |error| error.velocity_m_s, SPEED),
+    ("attitude", |error| error.attitude_rad, ANGLE),
+];
+
+/// Height of the chart of `survey`.
+pub fn height(survey: &Survey) -> f64 {
+    TITLE + survey.lines().len() as f64 * LINE + TICKS
+}
+
+pub fn legend(survey: &Survey) -> Legend {
+    let entry = |pen, text: &str| (pen, text.to_owned());
+    let mut legend = vec![
+        entry(Pen::Random, "random, 1σ"),
+        entry(Pen::Deterministic, "deterministic"),
+        entry(Pen::Own, "mechanization"),
+        entry(Pen::Together, "together"),
+    ];
+    if survey.request.has_limits() {
+        legend.push(entry(Pen::Limit, "limit; pale: can be left out"));
+    }
+    legend
+}
+
+/// The chart as the inside of an SVG element.
+pub fn chart(survey: &Survey) -> Markup {
+    let lines = survey.lines();
+    html! {
+        @for (k, line) in lines.iter().enumerate() {
+            text class=(label_class(line)) x=((NAMES - 8.0) * FINE) y=(text_y(k)) { (line.name) }
+        }
+        @for (k, quantity) in QUANTITIES.iter().enumerate() {
+            (panel(survey, &lines, quantity, NAMES + k as f64 * (PANEL + VALUE)))
+        }
+    }
+}
+
+fn label_class(line: &Line) -> &'static str {
+    if line.can_be_left_out { "label left-out" } else { "label" }
+}
+
+/// Base line of the text of line `k` [pixels].
+fn text_y(k: usize) -> f64 {
+    (TITLE + (k as f64 + 0.7) * LINE) * FINE
+}
+
+fn panel(survey: &Survey, lines: &[Line], (title, part, family): &Quantity, left: f64) -> Markup {
+    let limit = part(&survey.request.limits);
+    let axis = axis(lines.iter().map(|line| part(&line.worst)).chain([limit]));
+    let at = |value: f64| {
+        let share = (value.log10() - axis.low) / (axis.high - axis.low);
+        PANEL * share.clamp(0.0, 1.0)
+    };
+    let bottom = TITLE + lines.len() as f64 * LINE;
+    html! {
+        text class="title" x=(left * FINE) y=(0.65 * TITLE * FINE) { (title) " [" (family.si.name) "]" }
+        @for (place, tick) in &axis.ticks {
+            (upright(Pen::Grid, left + at(10f64.powf(*place)), TITLE, bottom))
+            text class="tick" x=((left + at(10f64.powf(*place))) * FINE) y=((bottom + 18.0) * FINE) { (tick) }
+        }
+        @if limit > 0.0 { (upright(Pen::Limit, left + at(limit), TITLE, bottom)) }
+        @for (k, line) in lines.iter().enumerate() {
+            (bar(line, at(part(&line.worst)), left, k))
+            text class="value" x=((left + at(part(&line.worst)) + 6.0) * FINE) y=(text_y(k)) {
+                (short(part(&line.worst)))
+            }
+        }
+        (upright(Pen::Axis, left, TITLE, bottom))
+    }
+}
+
+fn upright(pen: Pen, x: f64, top: f64, bottom: f64) -> Markup {
+    html! { line class=(pen.class()) x1=(x * FINE) x2=(x * FINE) y1=(top * FINE) y2=(bottom * FINE) {} }
+}
+
+fn bar(line: &Line, width: f64, left: f64, k: usize) -> Markup {
+    let pen = match line.kind {
+        Kind::Random => Pen::Random,
+        Kind::Deterministic => Pen::Deterministic,
+        Kind::Own => Pen::Own,
+        Kind::Together => Pen::Together,
+    };
+    let class =
+        if line.can_be_left_out { format!("{} left-out", pen.class()) } else { pen.class().to_owned() };
+    let top = TITLE + k as f64 * LINE + 0.5 * (LINE - BAR);
+    html! {
+        rect class=(class) x=(left * FINE) y=(top * FINE) width=(width * FINE) height=(BAR * FINE) {}
+    }
+}
+
+/// Powers of ten that hold all of `values` but those too small to be seen beside the largest.
+fn axis(values: impl Iterator<Item = f64>) -> Axis {
+    let positive = values.filter(|value| *value > 0.0 && value.is_finite());
+    let (low, high) = positive
+        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), value| (low.min(value), high.max(value)));
+    let (low, high) = if low <= high { (low.log10(), high.log10()) } else { (0.0, 0.0) };
+    // Half a decade for the smallest to have a bar at all.
+    Axis::decades((low - 0.5).max(high - DECADES), high.max(low + 1.0), 5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_axis_holds_what_can_be_seen() {
+        let decades = axis([3.0, 0.0, 2e-4, f64::INFINITY].into_iter());
+        assert!(decades.low < 2e-4f64.log10() && decades.high == 3f64.log10());
+        assert_eq!(axis([1.0, 1e-30].into_iter()).low, -DECADES);
+        let nothing = axis([0.0].into_iter());
+        assert!(nothing.low < nothing.high);
+    }
+}

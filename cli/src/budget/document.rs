@@ -1,0 +1,176 @@
+//! The charts as SVG files, and all of them as a page with their tables.
+
+use maud::{Markup, html};
+
+use super::survey::Survey;
+use super::{chart, table};
+use crate::drawing::document as page;
+use crate::drawing::figure::Figure;
+use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
+use crate::drawing::plot::FINE;
+
+/// The chart of a scene as a file.
+pub fn picture(survey: &Survey) -> String {
+    let (top, height) = (TITLE + LEGEND, chart::height(survey));
+    let content = html! {
+        text class="title" x=(MARGIN * FINE) y=(0.8 * TITLE * FINE) { (title(survey)) }
+        (legend_row(&chart::legend(survey), TITLE))
+        (placed(MARGIN, top, chart::WIDTH, height, &chart::chart(survey)))
+    };
+    file(chart::WIDTH + 2.0 * MARGIN, top + height + MARGIN, &content)
+}
+
+fn title(survey: &Survey) -> String {
+    format!("{}: {}", survey.name, survey.title)
+}
+
+/// The page.
+pub fn page(surveys: &[Survey]) -> String {
+    let body = html! {
+        header {
+            h1 { "Error budget" }
+            p {
+                "What each effect contributes to the errors of a scene: navigation less truth with this effect alone, less the "
+                "same with nothing set, the largest on the way. Times of a step are uncertain by 1 to 5 %."
+            }
+        }
+        main {
+            @for survey in surveys {
+                section {
+                    h2 { (survey.name) }
+                    p { (survey.title) "." }
+                    div.figures.wide { (page::figure(&figure(survey))) }
+                    div.table { (figures(survey)) }
+                }
+            }
+        }
+    };
+    page::document("Error budget", &body)
+}
+
+fn figure(survey: &Survey) -> Figure {
+    let view = format!("0 0 {} {}", chart::WIDTH * FINE, chart::height(survey) * FINE);
+    let alt = format!("Error budget. {}", title(survey));
+    let drawing = html! {
+        svg class="plot" role="img" aria-label=(alt) viewBox=(view) { (chart::chart(survey)) }
+    };
+    Figure {
+        title: "Which effects matter".to_owned(),
+        legend: chart::legend(survey),
+        drawings: vec![drawing.into_string()],
+        note: table::remark(survey),
+    }
+}
+
+fn figures(survey: &Survey) -> Markup {
+    let columns = table::Columns::of(survey);
+    html! {
+        table {
+            thead {
+                tr {
+                    @for head in columns.heads() { th scope="col" { (head) } }
+                    th scope="col" { "field" }
+                }
+            }
+            tbody {
+                @for line in survey.lines() {
+                    tr {
+                        th scope="row" { (line.name) }
+                        td { (table::kind(&line)) }
+                        @for cell in columns.cells(&line) { td.number { (cell) } }
+                        td.number { (columns.cost(&line)) }
+                        td { code { (line.field) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use sins::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, Interval};
+    use sins::recommend::SolutionError;
+
+    use super::*;
+
+    fn error(position_m: f64) -> SolutionError {
+        SolutionError { position_m, velocity_m_s: 1e-3 * position_m, attitude_rad: 0.0 }
+    }
+
+    fn made() -> Survey {
+        let row = |field: &str, position_m: f64, can_be_left_out| BudgetRow {
+            effect: EFFECTS.iter().find(|effect| effect.field == field).unwrap(),
+            worst: error(position_m),
+            end: error(position_m),
+            share: position_m,
+            can_be_left_out,
+        };
+        Survey {
+            name: "a<b".into(),
+            title: "made & flown".into(),
+            request: BudgetRequest { limits: error(1.0), ..Default::default() },
+            budget: Budget {
+                span_s: 600.0,
+                own: (error(1e-7), error(1e-8)),
+                rows: vec![row("gyro.bias_rad_s", 1234.0, false), row("gyro.bias_sigma_rad_s", 0.5, true)],
+                total: error(1234.1),
+                remainder: error(0.0),
+                left_out: error(0.5),
+                runs: 16,
+                interval: Interval::of(16),
+                flights: 51,
+            },
+            costs: Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] },
+        }
+    }
+
+    #[test]
+    fn picture_and_page_stand_alone() {
+        let surveys = [made()];
+        let (svg, page) = (picture(&surveys[0]), page(&surveys));
+        assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
+        assert!(page.starts_with("<!DOCTYPE html>") && page.contains("gyro.bias_sigma_rad_s"));
+        for (text, addresses) in [(&svg, 1), (&page, 0)] {
+            assert_eq!(text.matches("http").count(), addresses, "nothing from outside");
+            assert!(text.contains("a&lt;b") && !text.contains("a<b") && text.contains("made &amp; flown"));
+            for class in ["deterministic", "random left-out", "own", "together", "limit", "label left-out"] {
+                assert!(text.contains(&format!("class=\"{class}\"")), "{class}");
+            }
+        }
+    }
+
+    /// Clocks are noisy: what a step takes less without an effect may come out negative.
+    #[test]
+    fn a_cost_that_the_clock_cannot_tell_is_below_noise() {
+        let mut survey = made();
+        survey.costs.saved_ns = vec![-12.0, 6.3];
+        let tables = table::tables(&[survey]);
+        assert_eq!(tables.matches("| below noise |").count(), 2, "{tables}");
+        assert!(!tables.contains("-12"));
+    }
+
+    /// The line of the limit is drawn first, and the labels over it have a halo.
+    #[test]
+    fn a_limit_does_not_strike_its_labels_through() {
+        let svg = picture(&made());
+        let (limit, label) = (svg.find("<line class=\"limit\""), svg.find("class=\"value\""));
+        assert!(limit.is_some() && limit < label);
+        let rule = svg.split(".plot text.value {").nth(1).and_then(|rest| rest.split('}').next()).unwrap();
+        assert!(rule.contains("paint-order: stroke") && rule.contains("stroke: var(--halo)"), "{rule}");
+    }
+
+    #[test]
+    fn the_table_has_a_line_for_each_effect_and_three_more() {
+        let tables = table::tables(&[made()]);
+        let lines: Vec<&str> = tables.lines().filter(|line| line.starts_with("| ")).collect();
+        assert_eq!(lines.len(), 1 + 2 + 3);
+        assert_eq!(lines[0], "| effect |  | position [km] | velocity [m/s] | attitude [rad] | a step [ns] |");
+        assert_eq!(lines[1], "| gyro bias |  | 1.2 | 1.2 | 0 | 30 |");
+        assert_eq!(lines[2], "| gyro turn-on bias | 1σ, can be left out | 5.0×10⁻⁴ | 5.0×10⁻⁴ | 0 | 10 |");
+        assert!(
+            tables.contains("1σ is 0.74 to 1.52 times") && tables.contains("change by 500 mm"),
+            "{tables}"
+        );
+    }
+}

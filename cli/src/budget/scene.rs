@@ -1,0 +1,64 @@
+//! What is flown, sample by sample: a scene without its failures, or the first part of it.
+
+use sins::budget::ErrorParameters;
+use sins::truth::FlightSample;
+use sins::{Error, Options};
+
+use crate::given::Given;
+use crate::units::time_text;
+
+/// A scene.
+pub struct Scene {
+    pub name: String,
+    pub title: String,
+    pub options: Options,
+    pub parameters: ErrorParameters,
+    pub count: usize,
+    given: Given,
+}
+
+impl Scene {
+    /// At the most `most_s` [s] of `given`.
+    pub fn new(given: Given, most_s: f64) -> Self {
+        let most = (most_s / given.period_s).round() as usize + 1;
+        let count = given.count.min(most.max(2));
+        let scene = &given.scene;
+        let title = given.title.trim_end_matches('.');
+        let span_s = (count - 1) as f64 * given.period_s;
+        let failures = if scene.failures.is_empty() { "" } else { ", without its failures" };
+        let rate_hz = 1.0 / given.period_s;
+        Self {
+            name: given.name.clone(),
+            title: format!(
+                "{title}: {} at {} Hz{failures}",
+                time_text(span_s),
+                (rate_hz * 10.0).round() / 10.0
+            ),
+            options: scene.simulator_options(),
+            parameters: ErrorParameters {
+                gyro: scene.gyro,
+                accel: scene.accel,
+                altimeter: scene.altimeter,
+                initial: scene.initial,
+                mounting: scene.mounting,
+                gravity: scene.gravity,
+            },
+            count,
+            given,
+        }
+    }
+
+    /// The sample `index`, with the scene's temperature.
+    pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
+        let mut sample = self.given.sample(index)?;
+        if let Some(temperature) = &self.given.scene.temperature {
+            sample.temperature_c = Some(temperature.at(sample.time_s - self.given.start_s()));
+        }
+        Ok(sample)
+    }
+
+    /// Where a refused sample stands.
+    pub fn place(&self, index: Option<usize>) -> String {
+        index.map_or_else(|| self.given.origin.clone(), |index| self.given.place(index))
+    }
+}

@@ -1,0 +1,101 @@
+//! The budgets of the scenes.
+
+use sins::budget::{Budget, BudgetRequest, Costs, error_budget, step_costs_ns};
+use sins::recommend::{Refusal, SolutionError};
+
+use super::scene::Scene;
+use crate::failure::Failure;
+use crate::parallel::in_parallel;
+use crate::progress::Working;
+use crate::terminal::say;
+
+/// A scene's budget.
+pub struct Survey {
+    pub name: String,
+    pub title: String,
+    pub request: BudgetRequest,
+    pub budget: Budget,
+    pub costs: Costs,
+}
+
+/// What a line of chart and table is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    Deterministic,
+    Random,
+    /// The mechanization's.
+    Own,
+    /// Of all together, or what is left of them.
+    Together,
+}
+
+/// A line of chart and table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    pub name: &'static str,
+    pub field: &'static str,
+    pub kind: Kind,
+    pub worst: SolutionError,
+    /// At the end of the scene, where it is known.
+    pub end: Option<SolutionError>,
+    pub can_be_left_out: bool,
+    /// What leaving it out saves, or a step takes with nothing set, or with all [ns].
+    pub cost_ns: Option<f64>,
+}
+
+impl Survey {
+    /// The budgets of all, on all cores; then the times of their steps, one after the other.
+    pub fn of_all(scenes: &[Scene], request: &BudgetRequest) -> Result<Vec<Self>, Failure> {
+        scenes.iter().for_each(|scene| say(&format!("{}: {}", scene.name, scene.title)));
+        let _working = Working::on("flying each effect alone");
+        let budgets = in_parallel(scenes, |scene| {
+            let sample = |index| scene.sample(index);
+            let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+            error_budget(&scene.options, &flown, &scene.parameters, request)
+        });
+        let surveyed = scenes.iter().zip(budgets).map(|(scene, budget)| {
+            let refused = |refusal: Refusal| {
+                Failure::new(format!("{}: {}", scene.place(refusal.sample), refusal.error))
+            };
+            Self::timed(scene, request, budget.map_err(refused)?)
+        });
+        surveyed.collect()
+    }
+
+    fn timed(scene: &Scene, request: &BudgetRequest, budget: Budget) -> Result<Self, Failure> {
+        let sample = |index| scene.sample(index);
+        let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+        let effects = budget.rows.iter().map(|row| row.effect);
+        let costs = step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?;
+        let (name, title) = (scene.name.clone(), scene.title.clone());
+        Ok(Self { name, title, request: *request, budget, costs })
+    }
+
+    /// The effects, the largest first, the mechanization's own, what is left unexplained, and all together.
+    pub fn lines(&self) -> Vec<Line> {
+        let Budget { own, rows, total, remainder, .. } = &self.budget;
+        let effects = rows.iter().zip(&self.costs.saved_ns).map(|(row, saved_ns)| Line {
+            name: row.effect.name,
+            field: row.effect.field,
+            kind: if row.effect.is_random { Kind::Random } else { Kind::Deterministic },
+            worst: row.worst,
+            end: Some(row.end),
+            can_be_left_out: row.can_be_left_out,
+            cost_ns: Some(*saved_ns),
+        });
+        let other = |name, kind, worst, end, cost_ns| Line {
+            name,
+            field: "",
+            kind,
+            worst,
+            end,
+            can_be_left_out: false,
+            cost_ns,
+        };
+        let mut lines: Vec<Line> = effects.collect();
+        lines.push(other("mechanization", Kind::Own, own.0, Some(own.1), Some(self.costs.own_ns)));
+        lines.push(other("not their sum", Kind::Together, *remainder, None, None));
+        lines.push(other("all together", Kind::Together, *total, None, Some(self.costs.total_ns)));
+        lines
+    }
+}

@@ -1,0 +1,109 @@
+//! The budgets as Markdown.
+
+use super::survey::{Kind, Line, Survey};
+use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief, short, time_text, usual};
+
+/// Costs are uncertain by so much of a step: less is noise, and may be negative.
+const NOISE: f64 = 0.01;
+
+/// A table for each scene.
+pub fn tables(surveys: &[Survey]) -> String {
+    surveys.iter().map(table).collect::<Vec<_>>().join("\n")
+}
+
+fn table(survey: &Survey) -> String {
+    let columns = Columns::of(survey);
+    let mut text = format!("{}: {}\n\n|", survey.name, survey.title);
+    for head in columns.heads() {
+        text += &format!(" {head} |");
+    }
+    text += "\n|---|---|---|---|---|---|\n";
+    for line in survey.lines() {
+        let [position, velocity, attitude] = columns.cells(&line);
+        let cost = columns.cost(&line);
+        text +=
+            &format!("| {} | {} | {position} | {velocity} | {attitude} | {cost} |\n", line.name, kind(&line));
+    }
+    text + "\n" + &remark(survey) + "\n"
+}
+
+/// One unit for each column, that of its largest value: rows are to be compared.
+pub struct Columns {
+    units: [Unit; 3],
+    step_ns: f64,
+}
+
+impl Columns {
+    pub fn of(survey: &Survey) -> Self {
+        let lines = survey.lines();
+        let unit = |part: usize, family: &Family| {
+            let largest = lines.iter().map(|line| parts(line)[part]).fold(0.0, f64::max);
+            usual(largest, family)
+        };
+        Self { units: [unit(0, LENGTH), unit(1, SPEED), unit(2, ANGLE)], step_ns: survey.costs.total_ns }
+    }
+
+    pub fn heads(&self) -> [String; 6] {
+        let [position, velocity, attitude] = self.units.map(|unit| unit.name);
+        [
+            "effect".to_owned(),
+            String::new(),
+            format!("position [{position}]"),
+            format!("velocity [{velocity}]"),
+            format!("attitude [{attitude}]"),
+            "a step [ns]".to_owned(),
+        ]
+    }
+
+    /// Position, velocity and attitude.
+    pub fn cells(&self, line: &Line) -> [String; 3] {
+        let parts = parts(line);
+        std::array::from_fn(|part| short(parts[part] / self.units[part].si))
+    }
+
+    /// What a step costs, where the clock can tell.
+    pub fn cost(&self, line: &Line) -> String {
+        match line.cost_ns {
+            None => String::new(),
+            Some(cost) if cost < NOISE * self.step_ns => "below noise".to_owned(),
+            Some(cost) => format!("{cost:.0}"),
+        }
+    }
+}
+
+fn parts(line: &Line) -> [f64; 3] {
+    [line.worst.position_m, line.worst.velocity_m_s, line.worst.attitude_rad]
+}
+
+/// What a line is.
+pub fn kind(line: &Line) -> &'static str {
+    match (line.kind, line.can_be_left_out) {
+        (Kind::Random, false) => "1σ",
+        (Kind::Random, true) => "1σ, can be left out",
+        (Kind::Deterministic, true) => "can be left out",
+        (Kind::Deterministic | Kind::Own | Kind::Together, _) => "",
+    }
+}
+
+/// How it was found, in words.
+pub fn remark(survey: &Survey) -> String {
+    let budget = &survey.budget;
+    let mut text = format!("The largest in {}; {} flights", time_text(budget.span_s), budget.flights);
+    if budget.runs > 1 {
+        text += &format!(
+            ", {} runs of each random effect: the true 1σ is {:.2} to {:.2} times that (95 %)",
+            budget.runs, budget.interval.low, budget.interval.high
+        );
+    }
+    text += ".";
+    if budget.rows.iter().any(|row| row.can_be_left_out) {
+        let left_out = &budget.left_out;
+        text += &format!(
+            " Without what can be left out, flown, the errors change by {}, {}, {}.",
+            brief(left_out.position_m, LENGTH),
+            brief(left_out.velocity_m_s, SPEED),
+            brief(left_out.attitude_rad, ANGLE)
+        );
+    }
+    text
+}

@@ -1,0 +1,119 @@
+//! The command line of `sins curve`.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use super::embedded::{self, Embedded};
+use crate::given::Settings;
+
+/// Measures what accuracy costs: schemes, subsamples, sample rates and axes by time and by error, without sensor errors
+///
+/// Writes into DIR: curve.csv, a row for each configuration; scenes.csv; SCENE.svg; table.md, which it prints as well. A scene is
+/// taken with its ellipsoid and its gravity; its scheme, axes and errors do not count.
+#[derive(Debug, clap::Args)]
+pub struct Order {
+    /// Scenes that are built in, files SCENE.toml, or flight logs LOG.csv
+    #[arg(value_name = "SCENE")]
+    pub given: Vec<OsString>,
+    /// Flights made for this measurement: rest, cruise, aerobatics, vibration, pole or all; all if no scene is given either
+    #[arg(long = "flight", value_name = "NAME", value_parser = named)]
+    flights: Vec<Choice>,
+    #[command(flatten)]
+    pub settings: Settings,
+    /// Folder of all outputs
+    #[arg(short, long, value_name = "DIR", default_value = "sins_out/curve")]
+    pub out: PathBuf,
+    /// Two minutes of each scene instead of an hour, and fewer repetitions
+    #[arg(long)]
+    quick: bool,
+    /// Adds the instructions of a step, as benches/instructions.sh matrix prints them
+    #[arg(long, value_name = "FILE")]
+    pub instructions: Option<PathBuf>,
+    /// Replaces files that are not of this program's making
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// How much is flown and timed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// Length of the scenes that are not logs, at the most [s].
+    pub duration_s: f64,
+    /// Rounds of the timing.
+    pub rounds: usize,
+    /// Runs with sensor errors.
+    pub sensor_runs: u64,
+}
+
+const FULL: Effort = Effort { duration_s: 3600.0, rounds: 31, sensor_runs: 8 };
+const QUICK: Effort = Effort { duration_s: 120.0, rounds: 5, sensor_runs: 4 };
+
+/// One of the flights, or all of them.
+#[derive(Debug, Clone, Copy)]
+struct Choice(Option<&'static Embedded>);
+
+impl Order {
+    pub fn effort(&self) -> Effort {
+        if self.quick { QUICK } else { FULL }
+    }
+
+    /// The flights that are wanted.
+    pub fn embedded(&self) -> Vec<&'static Embedded> {
+        let is_all = self.flights.iter().any(|choice| choice.0.is_none());
+        if is_all || (self.flights.is_empty() && self.given.is_empty()) {
+            return embedded::ALL.iter().collect();
+        }
+        self.flights.iter().filter_map(|choice| choice.0).collect()
+    }
+}
+
+fn named(name: &str) -> Result<Choice, String> {
+    if name == "all" {
+        return Ok(Choice(None));
+    }
+    let names = || embedded::ALL.iter().map(|scene| scene.name);
+    embedded::ALL.iter().find(|scene| scene.name == name).map(|scene| Choice(Some(scene))).ok_or_else(|| {
+        let near = sins::scene::nearest(name, names()).map_or(String::new(), |near| format!("; {near}?"));
+        format!("expected all or one of {}{near}", names().collect::<Vec<_>>().join(", "))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Debug, Parser)]
+    struct Line {
+        #[command(flatten)]
+        order: Order,
+    }
+
+    fn parsed(arguments: &[&str]) -> Result<Order, String> {
+        let line = Line::try_parse_from([&["curve"], arguments].concat());
+        line.map(|line| line.order).map_err(|error| error.to_string())
+    }
+
+    fn names(arguments: &[&str]) -> Vec<&'static str> {
+        parsed(arguments).unwrap().embedded().iter().map(|scene| scene.name).collect()
+    }
+
+    #[test]
+    fn flights_and_scenes() {
+        assert_eq!(names(&[]).len(), embedded::ALL.len());
+        assert_eq!(names(&["--flight", "pole", "--flight", "rest"]), ["pole", "rest"]);
+        assert_eq!(names(&["own.csv"]), [""; 0]);
+        assert_eq!(names(&["own.csv", "--flight", "all"]).len(), embedded::ALL.len());
+        let order = parsed(&["own.csv", "--quick", "--instructions", "i.csv"]).unwrap();
+        assert_eq!((order.effort(), order.given), (QUICK, vec!["own.csv".into()]));
+        assert_eq!(order.instructions, Some("i.csv".into()));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        assert!(parsed(&["--flight", "moon"]).unwrap_err().contains("moon"));
+        assert!(parsed(&["--flight", "aerobatic"]).unwrap_err().contains("aerobatics?"));
+        assert!(parsed(&["--slow"]).unwrap_err().contains("--slow"));
+    }
+}

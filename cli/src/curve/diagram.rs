@@ -1,0 +1,239 @@
+//! Work and precision of a scene: cost over accuracy, which grows to the right, so that right of the line of what sensors err
+//! accuracy is wasted.
+
+use maud::{PreEscaped, html};
+use sins::Options;
+use sins::mechanization::{Frame, Scheme};
+
+use super::configuration::Configuration;
+use super::front::front;
+use super::survey::{Measured, Point, Survey};
+use super::table::{rounded, short};
+use crate::drawing::axis::Axis;
+use crate::drawing::figure::Legend;
+use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
+use crate::drawing::pen::Pen;
+use crate::drawing::plot::{Dot, Drawing, FINE, Mark, Note, Panel, Trace};
+use crate::drawing::series::Points;
+use crate::failure::Failure;
+use crate::units::time_text;
+
+/// Size of the drawing and of its axes [drawing units].
+const WIDTH: f64 = 860.0;
+const HEIGHT: f64 = 420.0;
+
+/// Nanoseconds to the unit of the axis.
+const MICRO: f64 = 1e-3;
+
+/// Radii of dots in Earth-fixed and in geographic axes, with several updates, and of the rings [drawing units].
+const RADIUS: f64 = 6.0;
+const SMALL: f64 = 2.6;
+const WIDE: f64 = 10.0;
+const RING: f64 = 8.5;
+
+/// Where the rates stand at the rings of the default and of the paper's [drawing units].
+const BELOW: (f64, f64) = (16.0, 9.0);
+const ABOVE: (f64, f64) = (-16.0, -9.0);
+
+/// Height of a line of the words below [drawing units].
+const LINE: f64 = 20.0;
+
+const HOW_TO_READ: [&str; 2] = [
+    "More accurate is to the right: right of the line of what the sensors err, accuracy is wasted.",
+    "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second.",
+];
+
+/// The file.
+pub fn diagram(survey: &Survey) -> Result<String, Failure> {
+    let title = format!("{}: {}, {}", survey.name, survey.title, time_text(survey.duration_s));
+    let drawing = drawing(survey);
+    let svg = drawing.svg(&format!("What accuracy costs. {title}"))?;
+    let [first, second] = legends(survey);
+    let top = TITLE + 2.0 * LEGEND - 14.0;
+    let words = top + drawing.height() + 10.0;
+    let content = html! {
+        text class="title" x=(MARGIN * FINE) y=(20.0 * FINE) { (title) }
+        (legend_row(&first, TITLE - 6.0))
+        (legend_row(&second, TITLE + LEGEND - 14.0))
+        (placed(MARGIN, top, WIDTH, drawing.height(), &PreEscaped(svg)))
+        @for (line, text) in (0..).zip(HOW_TO_READ) {
+            text x=(MARGIN * FINE) y=((words + f64::from(line) * LINE) * FINE) { (text) }
+        }
+    };
+    Ok(file(WIDTH + 2.0 * MARGIN, words + HOW_TO_READ.len() as f64 * LINE, &content))
+}
+
+fn legends(survey: &Survey) -> [Legend; 2] {
+    let entry = |pen, text: &str| (pen, text.to_owned());
+    let first = vec![
+        entry(Pen::PaperScheme, "paper"),
+        entry(Pen::ExactScheme, "exact"),
+        entry(Pen::PolynomialScheme, "polynomial; small: geographic axes"),
+        entry(Pen::DefaultRing, "default"),
+        entry(Pen::PaperRing, "the paper's"),
+    ];
+    let [navigation, tactical] = survey.sensors_m.map(rounded);
+    let mut second = vec![
+        entry(Pen::Front, "Pareto front"),
+        (Pen::Navigation, format!("navigation-grade sensors {navigation}")),
+        (Pen::Tactical, format!("tactical-grade {tactical}")),
+    ];
+    if survey.points.iter().any(|point| point.is_undersampled) {
+        second.push(entry(Pen::ExactHollow, "too few samples"));
+    }
+    [first, second]
+}
+
+fn drawing(survey: &Survey) -> Drawing {
+    let measured: Vec<(&Point, &Measured)> =
+        survey.points.iter().filter_map(|point| Some((point, point.measured.as_ref().ok()?))).collect();
+    let (low, high) = bounds(measured.iter().map(|(_, measured)| measured.cost_ns * MICRO));
+    let cost = Axis::decades(low.log10() - 0.15, high.log10() + 0.2, 8);
+    let errors = measured.iter().map(|(_, measured)| measured.position_m());
+    let errors = errors.chain(survey.sensors_m).chain([survey.floor.position_m]);
+    let mut panel = Panel::new("time for a simulated second [µs]", cost, HEIGHT, traces(survey));
+    panel.marks = marks(survey);
+    panel.dots = measured.iter().map(|(point, measured)| dot(point, measured)).collect();
+    panel.notes = measured.iter().filter_map(|(point, measured)| digit(point, measured)).collect();
+    for (pen, configuration, shift) in [
+        (Pen::DefaultRing, Configuration::of(&Options::default()), BELOW),
+        (Pen::PaperRing, Configuration::PAPER, ABOVE),
+    ] {
+        for (point, measured) in measured.iter().filter(|(point, _)| point.configuration == configuration) {
+            let at = place(measured);
+            panel.dots.push(Dot { at, pen, radius: RING });
+            panel.notes.push(Note { at, shift, pen, text: short(point.rate_hz) });
+        }
+    }
+    let x_label = "largest position error on the way [m]";
+    Drawing { width: WIDTH, x: accuracy(bounds(errors)), x_label: x_label.to_owned(), panels: vec![panel] }
+}
+
+/// Powers of ten that fall to the right; positions are negative logarithms.
+fn accuracy((low, high): (f64, f64)) -> Axis {
+    let rising = Axis::decades(low.log10() - 0.4, high.log10() + 0.4, 20);
+    let ticks = rising.ticks.into_iter().rev().map(|(at, text)| (-at, text)).collect();
+    Axis { low: -rising.high, high: -rising.low, ticks }
+}
+
+fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let positive = values.filter(|value| *value > 0.0 && value.is_finite());
+    let (low, high) = positive
+        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), value| (low.min(value), high.max(value)));
+    if low <= high { (low, high) } else { (1.0, 1.0) }
+}
+
+fn place(measured: &Measured) -> (f64, f64) {
+    (-measured.position_m().log10(), (measured.cost_ns * MICRO).log10())
+}
+
+/// Lines from rate to rate in Earth-fixed axes, and the front over them.
+fn traces(survey: &Survey) -> Vec<Trace> {
+    let earth_fixed = Configuration::all().into_iter().filter(|which| which.frame == Frame::EarthFixed);
+    let mut traces: Vec<Trace> = earth_fixed
+        .map(|which| {
+            let own = survey.points.iter().filter(|point| point.configuration == which);
+            Trace::new(pen(which, true), own.filter_map(Point::eligible).map(place).collect())
+        })
+        .collect();
+    traces.push(Trace::new(Pen::Front, steps(front(&survey.points).into_iter().map(|(_, at)| place(at)))));
+    traces
+}
+
+/// The front as stairs: for more accuracy than a point has, the next is to be paid.
+fn steps(front: impl Iterator<Item = (f64, f64)>) -> Points {
+    let mut steps: Points = Vec::new();
+    for (x, y) in front {
+        if let Some(&(before, _)) = steps.last() {
+            steps.push((before, y));
+        }
+        steps.push((x, y));
+    }
+    steps
+}
+
+fn marks(survey: &Survey) -> Vec<Mark> {
+    let [navigation, tactical] = survey.sensors_m;
+    [
+        (navigation, Pen::Navigation, "navigation"),
+        (tactical, Pen::Tactical, "tactical"),
+        (survey.floor.position_m, Pen::Floor, "floor"),
+    ]
+    .into_iter()
+    .filter(|(position_m, ..)| *position_m > 0.0)
+    .map(|(position_m, pen, text)| Mark { at: -position_m.log10(), pen, text: text.to_owned() })
+    .collect()
+}
+
+fn pen(configuration: Configuration, is_filled: bool) -> Pen {
+    match (configuration.rung.scheme, is_filled) {
+        (Scheme::Paper, true) => Pen::PaperScheme,
+        (Scheme::Exact, true) => Pen::ExactScheme,
+        (Scheme::Polynomial, true) => Pen::PolynomialScheme,
+        (Scheme::Paper, false) => Pen::PaperHollow,
+        (Scheme::Exact, false) => Pen::ExactHollow,
+        (Scheme::Polynomial, false) => Pen::PolynomialHollow,
+    }
+}
+
+fn dot(point: &Point, measured: &Measured) -> Dot {
+    let is_small = point.configuration.frame == Frame::Geographic;
+    let radius = match point.configuration.rung.updates_per_sample {
+        _ if is_small => SMALL,
+        1 => RADIUS,
+        _ => WIDE,
+    };
+    Dot { at: place(measured), pen: pen(point.configuration, !point.is_undersampled), radius }
+}
+
+/// The subsamples, in a dot that has room for them.
+fn digit(point: &Point, measured: &Measured) -> Option<Note> {
+    let has_room = point.configuration.frame == Frame::EarthFixed && !point.is_undersampled;
+    let rung = &point.configuration.rung;
+    let text = match rung.updates_per_sample {
+        1 => rung.subsamples.to_string(),
+        updates => format!("{}×{updates}", rung.subsamples),
+    };
+    has_room.then(|| Note { at: place(measured), shift: (0.0, 0.0), pen: Pen::Digit, text })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::front::{self, tests::made};
+
+    #[test]
+    fn the_front_is_stairs_and_accuracy_grows_to_the_right() {
+        let stairs = steps([(1.0, 1.0), (3.0, 2.0), (4.0, 5.0)].into_iter());
+        assert_eq!(stairs, [(1.0, 1.0), (1.0, 2.0), (3.0, 2.0), (3.0, 5.0), (4.0, 5.0)]);
+        let axis = accuracy((1e-3, 10.0));
+        let texts: Vec<&str> = axis.ticks.iter().map(|(_, text)| text.as_str()).collect();
+        assert_eq!(texts, ["10", "1", "0.1", "0.01", "0.001"]);
+        assert!(axis.ticks.windows(2).all(|pair| pair[0].0 < pair[1].0) && axis.low < axis.high);
+    }
+
+    #[test]
+    fn the_diagram_stands_alone() {
+        let mut points = vec![made(0, 5e3, 20.0), made(3, 8e3, 0.4), made(13, 9e3, 2e-4)];
+        points.push(Point { measured: Err("singular".into()), ..points[0].clone() });
+        front::mark(&mut points);
+        let floor = sins::recommend::SolutionError { position_m: 1e-7, ..Default::default() };
+        let survey = Survey {
+            name: "a<b".into(),
+            title: "made".into(),
+            duration_s: 3600.0,
+            uncertainty: floor,
+            floor,
+            reference: "",
+            points,
+            sensors_m: [1e3, 1e5],
+        };
+        let svg = diagram(&survey).unwrap();
+        assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
+        assert_eq!(svg.matches("http").count(), 1, "nothing from outside");
+        assert!(svg.contains("a&lt;b") && !svg.contains("a<b"));
+        for class in ["front", "default-ring", "paper-ring", "navigation", "tactical", "floor"] {
+            assert!(svg.contains(&format!("class=\"{class}\"")), "{class}");
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What the errors of real sensors make of a scene, whatever the mechanization.
+
+use sins::recommend::{Refusal, Track};
+use sins::sensors::{self, StreamKey, TriadParameters};
+use sins::{Options, Simulator};
+
+use super::scene::{Rate, Scene};
+use crate::parallel::in_parallel;
+
+/// At which rate the sensors are flown [Hz]: the one nearest to it.
+const RATE_HZ: f64 = 100.0;
+
+/// A grade of sensors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grade {
+    pub name: &'static str,
+    gyro: TriadParameters,
+    accel: TriadParameters,
+}
+
+/// Navigation and tactical grade, the library's presets: biases are drawn anew each run.
+pub fn grades() -> [Grade; 2] {
+    [("navigation", sensors::Grade::Navigation), ("tactical", sensors::Grade::Tactical)].map(
+        |(name, grade)| {
+            let (gyro, accel) = grade.parameters();
+            Grade { name, gyro, accel }
+        },
+    )
+}
+
+/// Position error that each grade adds to the solution of ideal sensors, the worst on the way, root mean square over `runs`
+/// [m].
+pub fn effects(scene: &Scene, runs: u64) -> Result<[f64; 2], Refusal> {
+    let Some(rate) = scene.rates.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
+        return Ok([0.0; 2]);
+    };
+    let ideal = Grade { name: "ideal", gyro: Default::default(), accel: Default::default() };
+    let [navigation, tactical] = grades();
+    let mut flights = vec![(ideal, 0)];
+    flights.extend((1..=runs).map(|run| (navigation, run)).chain((1..=runs).map(|run| (tactical, run))));
+    let samples = scene.samples_at(rate);
+    let instants = scene.instants_at(rate);
+    let tracks = in_parallel(&flights, |(grade, run)| {
+        let key = StreamKey { run: *run, ..Default::default() };
+        let mut simulator = Simulator::new(&rate.applied_to(&Options { key, ..scene.base }))?;
+        simulator.set_gyro(&grade.gyro)?;
+        simulator.set_accel(&grade.accel)?;
+        sins::recommend::track(&mut simulator, &samples, &instants)
+    });
+    let tracks = tracks.into_iter().collect::<Result<Vec<Track>, Refusal>>()?;
+    let (ideal, noisy) = (&tracks[0], &tracks[1..]);
+    let rms = |tracks: &[Track]| {
+        let squares = tracks.iter().map(|track| track.minus(ideal).position_m.powi(2));
+        (squares.sum::<f64>() / tracks.len() as f64).sqrt()
+    };
+    let (navigation, tactical) = noisy.split_at(runs as usize);
+    Ok([rms(navigation), rms(tactical)])
+}
+
+fn distance(rate: &Rate) -> f64 {
+    (rate.hz / RATE_HZ).ln().abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::embedded;
+
+    /// Two minutes at rest: an accelerometer bias of 1e-5 g over one of 1e-3 g.
+    #[test]
+    fn better_sensors_err_less() {
+        let scene = embedded::ALL[0].scene(120.0).unwrap();
+        let [navigation, tactical] = effects(&scene, 4).unwrap();
+        // ½ a t² for a = 1e-5 g is 0.7 m, the other axis and the drawing of the bias make a factor of it.
+        assert!(navigation > 0.1 && navigation < 7.0, "{navigation}");
+        assert!(tactical > 20.0 * navigation && tactical < 1e3, "{tactical}");
+    }
+}

@@ -1,0 +1,44 @@
+//! The errors of the matrix: every configuration at every rate.
+
+use sins::Simulator;
+use sins::recommend::{Refusal, track};
+
+use super::configuration::Configuration;
+use super::reference::Judgement;
+use super::scene::{Rate, Scene};
+use crate::parallel::in_parallel;
+
+/// What became of a flight: its errors, or why it was refused.
+pub type Outcome = Result<Judgement, Refusal>;
+
+/// The outcome of each of `configurations` at each rate of `scene`, rate by rate.
+pub fn outcomes(scene: &Scene, configurations: &[Configuration]) -> Vec<(Rate, Configuration, Outcome)> {
+    let mut outcomes = Vec::new();
+    for rate in &scene.rates {
+        let (samples, instants) = (scene.samples_at(rate), scene.instants_at(rate));
+        let flown = in_parallel(configurations, |configuration| {
+            let options = rate.applied_to(&configuration.options(&scene.base));
+            let mut simulator = Simulator::new(&options)?;
+            track(&mut simulator, &samples, &instants).map(|track| scene.judge.judge(&track))
+        });
+        outcomes.extend(configurations.iter().zip(flown).map(|(which, outcome)| (*rate, *which, outcome)));
+    }
+    outcomes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::embedded;
+    use sins::ErrorKind;
+
+    #[test]
+    fn geographic_axes_are_singular_at_the_pole() {
+        let mut scene = embedded::ALL[4].scene(120.0).unwrap();
+        scene.rates.retain(|rate| rate.hz == 10.0);
+        let all = [Configuration::of(&Default::default()), Configuration::PAPER];
+        let outcomes = outcomes(&scene, &all);
+        assert!(outcomes[0].2.is_ok());
+        assert_eq!(outcomes[1].2.as_ref().unwrap_err().error.kind, ErrorKind::Singular);
+    }
+}

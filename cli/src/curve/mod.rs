@@ -1,0 +1,85 @@
+//! What accuracy costs: every configuration of the mechanization on scenes that ask different things, with the time it takes
+//! and the error it leaves, without sensor errors.
+//!
+//! The data flow is `command` → `embedded`, `own` → `scene`, `reference` → `matrix` (errors), `timing` (costs), `grades` (what
+//! sensors would err) → `survey` → `front` → `records`, `table`, `diagram`.
+
+mod command;
+mod configuration;
+mod diagram;
+mod embedded;
+mod front;
+mod grades;
+mod instructions;
+mod matrix;
+mod own;
+mod records;
+mod reference;
+mod scene;
+mod survey;
+mod table;
+mod timing;
+
+pub use command::Order;
+
+use std::path::PathBuf;
+
+use crate::drawing::file::PICTURE_MARK;
+use crate::failure::Failure;
+use crate::fly::FOR_LOGS;
+use crate::given::Given;
+use crate::output::Outputs;
+use crate::progress::Working;
+use crate::rows::TABLE_MARK;
+use crate::terminal::{print, say};
+use instructions::Instructions;
+use scene::Scene;
+use survey::Survey;
+
+/// Surveys the scenes of `order` and writes the files.
+pub fn run(order: &Order) -> Result<(), Failure> {
+    let effort = order.effort();
+    let load = |name| Given::load(Some(name), None, &order.settings, FOR_LOGS);
+    let given = order.given.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
+    let instructions = match &order.instructions {
+        Some(path) => Instructions::read(path)?,
+        None => Instructions::default(),
+    };
+    let inputs = given.iter().flat_map(|given| given.inputs.clone()).chain(order.instructions.clone());
+    let inputs: Vec<PathBuf> = inputs.collect();
+    let embedded = order.embedded();
+    let mut outputs = Outputs::new(&inputs, order.force);
+    outputs.folder(&order.out)?;
+    let mut file = |name: &str, mark: &str| outputs.file(&order.out.join(name), mark);
+    let points_file = file("curve.csv", &records::POINTS.join(","))?;
+    let scenes_file = file("scenes.csv", &records::SCENES.join(","))?;
+    let table_file = file("table.md", TABLE_MARK)?;
+    let names =
+        embedded.iter().map(|embedded| embedded.name).chain(given.iter().map(|given| given.name.as_str()));
+    let pictures = names.map(|name| file(&format!("{name}.svg"), PICTURE_MARK));
+    let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
+
+    let (mut surveys, mut courses) = (Vec::new(), Vec::new());
+    let scenes = embedded.iter().map(|embedded| embedded.scene(effort.duration_s));
+    for scene in scenes.chain(given.iter().map(|given| own::scene(given, effort.duration_s))) {
+        let scene: Scene = scene?;
+        say(&format!("{}: {}", scene.name, scene.title));
+        let _working = Working::on("flying every configuration");
+        let (survey, course) = Survey::flown(&scene, &effort)?;
+        surveys.push(survey);
+        courses.push(course);
+    }
+    let timed = Working::on("timing all of them in turns");
+    let costs = timing::costs(&courses, effort.rounds)?;
+    drop(timed);
+    for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
+        survey.set_costs(&costs);
+        picture.finish(&diagram::diagram(survey)?)?;
+    }
+    points_file.finish(&records::points(&surveys, &instructions)?)?;
+    scenes_file.finish(&records::scenes(&surveys)?)?;
+    let table = table::table(&surveys, effort.duration_s);
+    table_file.finish(&format!("{TABLE_MARK}\n\n{table}"))?;
+    print(&table)?;
+    print(&front::dearer_and_worse(&surveys).iter().map(|line| format!("{line}\n")).collect::<String>())
+}

@@ -1,0 +1,93 @@
+//! Scenes of the user: flights in closed form, and flight logs.
+
+use sins::Options;
+use sins::flight::Manoeuvre;
+use sins::scene::{FlightSource, builtin};
+use sins::truth::FlightSample;
+
+use super::embedded;
+use super::reference::Judge;
+use super::scene::{Rate, Scene};
+use crate::failure::Failure;
+use crate::given::Given;
+
+/// The samples of a log are thinned down to no fewer than these.
+const LOWEST_HZ: f64 = 10.0;
+const FEWEST_SAMPLES: usize = 120;
+
+/// The scene of `given`, `most_s` [s] of it at the most unless it is a log.
+pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
+    let scene = &given.scene;
+    let base =
+        Options { ellipsoid: scene.options.ellipsoid, gravity: scene.options.gravity, ..Options::default() };
+    match given.flight() {
+        Some(flight) => {
+            let what = embedded::Sampled {
+                name: &given.name,
+                title: &given.title,
+                highest_hz: highest_hz(&scene.flight),
+                base,
+            };
+            what.scene(flight, given.duration_s.min(most_s))
+        }
+        None => of_log(given, base),
+    }
+}
+
+/// At its own rate, with every second sample, every fourth and so on.
+fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
+    let samples: Vec<FlightSample> =
+        (0..given.count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
+    let own_hz = 1.0 / given.period_s;
+    let thinned = |stride: &usize| {
+        // The epsilon keeps a rate that rounding puts just below.
+        *stride == 1
+            || (own_hz / *stride as f64 > LOWEST_HZ * (1.0 - 1e-6) && samples.len() / stride > FEWEST_SAMPLES)
+    };
+    let rates: Vec<Rate> = (0..6)
+        .map(|power| 1 << power)
+        .filter(thinned)
+        .map(|stride| Rate::of_stamps(stride, own_hz / stride as f64))
+        .collect();
+    let instants = Scene::instants(samples.len(), &rates, 1);
+    let judge = Judge::of_log(&base, &samples, &instants)
+        .map_err(|failure| Failure::new(format!("{}: {failure}", given.origin)))?;
+    let title = format!("{} s at {} Hz", round(given.duration_s), round(own_hz));
+    Ok(Scene { name: given.name.clone(), title, highest_hz: 0.0, samples, rates, judge, base })
+}
+
+/// The highest frequency of the sinusoids of a flight [Hz], 0 without.
+fn highest_hz(source: &FlightSource) -> f64 {
+    let manoeuvres = match source {
+        FlightSource::Path(path) => path.manoeuvres.clone(),
+        FlightSource::Builtin(name) => match builtin(name).map(|scene| scene.flight) {
+            Some(FlightSource::Path(path)) => path.manoeuvres,
+            _ => Vec::new(),
+        },
+        FlightSource::Log(_) => Vec::new(),
+    };
+    let of = |manoeuvre: &Manoeuvre| match manoeuvre {
+        Manoeuvre::Sinusoids { terms, count, .. } => {
+            let moving = terms[..*count].iter().filter(|term| term.amplitude != 0.0);
+            moving.fold(0.0, |most: f64, term| most.max(term.frequency_hz))
+        }
+        _ => 0.0,
+    };
+    manoeuvres.iter().map(of).fold(0.0, f64::max)
+}
+
+fn round(value: f64) -> f64 {
+    (value * 10.0).round() / 10.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fastest_sinusoid_counts() {
+        let of = |name: &str| highest_hz(&FlightSource::Builtin(name.to_owned()));
+        assert_eq!((of("coning"), of("rest")), (0.5, 0.0));
+        assert!((of("patrol") - 1.0 / 5.3).abs() < 1e-12);
+    }
+}

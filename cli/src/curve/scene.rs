@@ -1,0 +1,110 @@
+//! A scene: the samples of a flight, the rates at which they are given to the simulator, and who judges the solutions.
+
+use sins::Options;
+use sins::truth::{FlightSample, IntakeLimits};
+
+use super::reference::Judge;
+
+/// Instants at which a solution is judged, the last at the end of the scene.
+const INSTANTS: usize = 60;
+
+/// Samples of a period of the fastest vibration that the signal generator can recover it from.
+const SAMPLES_OF_A_PERIOD: f64 = 10.0;
+
+/// A sample rate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rate {
+    /// Every how many-th of the scene's samples.
+    pub stride: usize,
+    pub hz: f64,
+    /// Whether the period is stated to the simulator.
+    is_stated: bool,
+}
+
+impl Rate {
+    /// With the exact period 1/`hz`.
+    pub fn stated(stride: usize, hz: f64) -> Self {
+        Self { stride, hz, is_stated: true }
+    }
+
+    /// By the samples' own time stamps; `hz` on average.
+    pub fn of_stamps(stride: usize, hz: f64) -> Self {
+        Self { stride, hz, is_stated: false }
+    }
+
+    /// `options` at this rate.
+    pub fn applied_to(&self, options: &Options) -> Options {
+        let period_s = self.is_stated.then_some(1.0 / self.hz);
+        Options { intake: IntakeLimits { period_s, ..options.intake }, ..*options }
+    }
+}
+
+/// A scene.
+pub struct Scene {
+    pub name: String,
+    pub title: String,
+    /// Highest frequency of a vibration in it [Hz], 0 without one.
+    pub highest_hz: f64,
+    /// At the highest rate.
+    pub samples: Vec<FlightSample>,
+    /// The highest first; the stride of the last is a multiple of the others.
+    pub rates: Vec<Rate>,
+    pub judge: Judge,
+    /// Ellipsoid and gravity; all else is the recommended.
+    pub base: Options,
+}
+
+impl Scene {
+    /// Samples that all rates of `rates` have, counted at `stride`: equally spaced, without the first.
+    pub fn instants(samples: usize, rates: &[Rate], stride: usize) -> Vec<usize> {
+        let coarsest = rates.last().map_or(1, |rate| rate.stride);
+        let intervals = samples.saturating_sub(1) / coarsest;
+        let count = INSTANTS.min(intervals);
+        (1..=count).map(|k| k * intervals / count * (coarsest / stride)).collect()
+    }
+
+    /// The instants of the judge, as indices of the samples at `rate`.
+    pub fn instants_at(&self, rate: &Rate) -> Vec<usize> {
+        Self::instants(self.samples.len(), &self.rates, rate.stride)
+    }
+
+    /// The samples at `rate`.
+    pub fn samples_at(&self, rate: &Rate) -> Vec<FlightSample> {
+        self.samples.iter().step_by(rate.stride).copied().collect()
+    }
+
+    /// Whether the scene vibrates faster than samples at `rate` can tell: what agrees with them need not agree with the
+    /// flight between them.
+    pub fn is_undersampled(&self, rate: &Rate) -> bool {
+        rate.hz < SAMPLES_OF_A_PERIOD * self.highest_hz
+    }
+
+    /// Time from the first sample to the last instant [s].
+    pub fn duration_s(&self) -> f64 {
+        let instants = Self::instants(self.samples.len(), &self.rates, 1);
+        let last = instants.last().map_or(0, |&index| index);
+        self.samples[last].time_s - self.samples[0].time_s
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_instants_are_common_to_all_rates() {
+        let rates = [1, 2, 4].map(|stride| Rate::of_stamps(stride, 100.0 / stride as f64));
+        let [fine, middle, coarse] = [1, 2, 4].map(|stride| Scene::instants(1003, &rates, stride));
+        assert_eq!((coarse.len(), coarse[0], coarse[59]), (60, 4, 250));
+        assert!(coarse.windows(2).all(|pair| pair[1] - pair[0] >= 4));
+        assert!(coarse.iter().zip(&middle).zip(&fine).all(|((c, m), f)| 2 * c == *m && 4 * c == *f));
+        assert_eq!(Scene::instants(9, &rates, 1), [4, 8], "no more than there are");
+    }
+
+    #[test]
+    fn a_stated_period_is_exact() {
+        let options = Rate::stated(4, 50.0).applied_to(&Options::default());
+        assert_eq!(options.intake.period_s, Some(0.02));
+        assert_eq!(Rate::of_stamps(1, 50.0).applied_to(&options).intake.period_s, None);
+    }
+}

@@ -1,0 +1,93 @@
+//! The table of the README: for an accuracy on a scene, the cheapest configuration.
+
+use super::front::cheapest;
+use super::survey::Survey;
+use crate::units::{self, brief, time_text, two_digits};
+
+/// Accuracies asked for [m].
+const ACCURACIES_M: [(&str, f64); 4] = [("100 m", 100.0), ("1 m", 1.0), ("1 cm", 0.01), ("1 mm", 0.001)];
+
+/// As Markdown: a row for each scene; errors as they are after `span_s` [s].
+pub fn table(surveys: &[Survey], span_s: f64) -> String {
+    let span = if span_s == 3600.0 { "an hour".to_owned() } else { time_text(span_s) };
+    let mut text = String::from("| scene |");
+    for (name, _) in ACCURACIES_M {
+        text += &format!(" {name} in {span} |");
+    }
+    text += " sensors' own error |\n|---|---|---|---|---|---|\n";
+    for survey in surveys {
+        text += &format!("| {}: {} |", survey.name, survey.title);
+        for (_, position_m) in ACCURACIES_M {
+            text += &format!(" {} |", cell(survey, position_m, span_s));
+        }
+        let [navigation, tactical] = survey.sensors_m.map(rounded);
+        text += &format!(" {navigation}; {tactical} |\n");
+    }
+    text
+}
+
+/// The cheapest configuration that leaves `position_m` [m] in `span_s` [s]. Errors of other lengths of time count in proportion.
+fn cell(survey: &Survey, position_m: f64, span_s: f64) -> String {
+    match cheapest(&survey.points, position_m * survey.duration_s / span_s) {
+        Some((point, measured)) => format!(
+            "{} @ {} Hz, {} µs",
+            point.configuration.name(),
+            short(point.rate_hz),
+            two_digits(measured.cost_ns * 1e-3)
+        ),
+        None => "none".to_owned(),
+    }
+}
+
+/// With one digit after the point, if it has one.
+pub fn short(value: f64) -> String {
+    ((10.0 * value).round() / 10.0).to_string()
+}
+
+/// A length with two digits.
+pub fn rounded(length_m: f64) -> String {
+    brief(length_m, units::LENGTH)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::front::{self, tests::made};
+
+    #[test]
+    fn the_cheapest_for_each_accuracy() {
+        let mut points = vec![made(0, 5e3, 20.0), made(3, 8.14e3, 0.4), made(4, 9e3, 2e-4)];
+        front::mark(&mut points);
+        let floor = Default::default();
+        let survey = Survey {
+            name: "loop".into(),
+            title: "one".into(),
+            duration_s: 1800.0,
+            uncertainty: floor,
+            floor,
+            reference: "",
+            points,
+            sensors_m: [1234.0, 45_600.0],
+        };
+        let surveys = [survey];
+        assert!(super::table(&surveys, 120.0).starts_with("| scene | 100 m in 2 min |"));
+        let table = table(&surveys, 3600.0);
+        assert!(table.starts_with("| scene | 100 m in an hour |"));
+        let row = table.lines().nth(2).unwrap();
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        assert_eq!(cells[1], "loop: one");
+        assert_eq!(cells[2], "paper 1 @ 50 Hz, 5.0 µs");
+        // 0.4 m in half an hour are 0.8 m in an hour.
+        assert_eq!(cells[3], "exact 2 @ 50 Hz, 8.1 µs");
+        assert_eq!((cells[4], cells[5]), ("exact 3 @ 50 Hz, 9.0 µs", "exact 3 @ 50 Hz, 9.0 µs"));
+        assert_eq!(cells[6], "1.2 km; 46 km");
+    }
+
+    #[test]
+    fn digits() {
+        for (value, text) in [(9.96, "10"), (0.0123, "0.012"), (31.4, "31"), (1234.0, "1200"), (1.0, "1.0")] {
+            assert_eq!(two_digits(value), text);
+        }
+        assert_eq!((rounded(3.2e-9).as_str(), rounded(0.0)), ("3.2×10⁻⁹ m", "0 m".into()));
+    }
+}

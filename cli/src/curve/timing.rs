@@ -1,0 +1,110 @@
+//! What the whole chain costs: intake, signal generator, mechanization with its damped vertical channel.
+//!
+//! All configurations of all scenes take turns, round after round: a slow phase of the machine hits them alike.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use sins::truth::FlightSample;
+use sins::{Error, Options, Simulator};
+
+use super::configuration::Configuration;
+use super::scene::{Rate, Scene};
+
+/// Places of the scene that a round flies at, equally spaced: a step costs more where the aircraft turns.
+const PLACES: usize = 8;
+
+/// Samples at a place: until the chain runs as it does in the middle of a flight, and timed.
+const WARM_UP: usize = 8;
+const TIMED: usize = 64;
+
+/// What is to be timed of a scene: configurations and rates on stretches of its samples.
+pub struct Course {
+    base: Options,
+    stretches: Vec<(Rate, Vec<Vec<FlightSample>>)>,
+    candidates: Vec<(Rate, Configuration)>,
+}
+
+impl Course {
+    pub fn new(scene: &Scene, candidates: Vec<(Rate, Configuration)>) -> Self {
+        let at = |rate: &Rate| (*rate, stretches(&scene.samples_at(rate)));
+        Self { base: scene.base, stretches: scene.rates.iter().map(at).collect(), candidates }
+    }
+}
+
+/// Time that each candidate of each course takes for a simulated second [ns], median over `rounds`.
+pub fn costs(courses: &[Course], rounds: usize) -> Result<Vec<Vec<f64>>, Error> {
+    let mut times: Vec<Vec<Vec<f64>>> =
+        courses.iter().map(|course| vec![Vec::with_capacity(rounds); course.candidates.len()]).collect();
+    for _ in 0..rounds {
+        for (course, times) in courses.iter().zip(&mut times) {
+            for ((rate, configuration), times) in course.candidates.iter().zip(times) {
+                let own = course.stretches.iter().filter(|(other, _)| other == rate);
+                times.push(time(
+                    &rate.applied_to(&configuration.options(&course.base)),
+                    rate.hz,
+                    own.flat_map(|(_, stretches)| stretches),
+                )?);
+            }
+        }
+    }
+    Ok(times.into_iter().map(|times| times.into_iter().map(median).collect()).collect())
+}
+
+fn stretches(samples: &[FlightSample]) -> Vec<Vec<FlightSample>> {
+    let length = (WARM_UP + TIMED).min(samples.len());
+    let last = samples.len() - length;
+    (0..PLACES)
+        .map(|place| last * place / (PLACES - 1))
+        .map(|from| samples[from..from + length].to_vec())
+        .collect()
+}
+
+/// For a simulated second on `stretches` [ns].
+fn time<'a>(
+    options: &Options,
+    rate_hz: f64,
+    stretches: impl Iterator<Item = &'a Vec<FlightSample>>,
+) -> Result<f64, Error> {
+    let (mut elapsed, mut steps) = (Duration::ZERO, 0);
+    for stretch in stretches {
+        let mut simulator = Simulator::new(options)?;
+        let (warm_up, timed) = stretch.split_at(WARM_UP.min(stretch.len() / 2));
+        fly(&mut simulator, warm_up)?;
+        let start = Instant::now();
+        fly(&mut simulator, timed)?;
+        elapsed += start.elapsed();
+        black_box(&simulator);
+        steps += timed.len();
+    }
+    Ok(elapsed.as_secs_f64() * 1e9 / steps as f64 * rate_hz)
+}
+
+#[inline(never)]
+fn fly(simulator: &mut Simulator, samples: &[FlightSample]) -> Result<(), Error> {
+    for sample in samples {
+        simulator.push_sample(black_box(sample))?;
+        simulator.step()?;
+    }
+    Ok(())
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.as_slice() {
+        [] => f64::NAN,
+        values if values.len() % 2 == 1 => values[middle],
+        values => 0.5 * (values[middle - 1] + values[middle]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        assert_eq!((median(vec![5.0, 1.0, 2.0]), median(vec![4.0, 1.0, 3.0, 2.0])), (2.0, 2.5));
+    }
+}

@@ -1,0 +1,59 @@
+//! HTML pages that need nothing from outside.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::figure::Figure;
+use super::pen::Pen;
+
+const STYLE: &str = concat!(include_str!("plot.css"), include_str!("page.css"));
+
+/// What every page has near its begin: by it the program knows its own.
+pub const PAGE_MARK: &str = "<meta name=\"generator\" content=\"sins\">";
+
+/// `body` as a page that needs nothing from outside.
+pub fn document(title: &str, body: &Markup) -> String {
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta name="generator" content="sins";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                (body)
+                footer { p { "Written by sins " (env!("CARGO_PKG_VERSION")) "." } }
+            }
+        }
+    };
+    markup.into_string()
+}
+
+pub fn figure(figure: &Figure) -> Markup {
+    html! {
+        figure {
+            h3 { (figure.title) }
+            ul.legend {
+                @for (pen, text) in &figure.legend { li { (swatch(*pen)) span { (text) } } }
+            }
+            @for drawing in &figure.drawings { (PreEscaped(drawing)) }
+            figcaption { (figure.note) }
+        }
+    }
+}
+
+/// A piece of the line that `pen` draws.
+pub fn swatch(pen: Pen) -> Markup {
+    html! {
+        svg.swatch aria-hidden="true" viewBox="0 0 340 140" {
+            @if pen.is_dot() {
+                circle class=(pen.class()) cx="170" cy="70" r="60" {}
+            } @else {
+                line class=(pen.class()) x1="0" y1="70" x2="340" y2="70" {}
+            }
+        }
+    }
+}

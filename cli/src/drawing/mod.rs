@@ -1,0 +1,9 @@
+//! Drawings and pages: `series` → `axis`, `plot` → `figure` → `document` (HTML), `file` (SVG).
+
+pub mod axis;
+pub mod document;
+pub mod figure;
+pub mod file;
+pub mod pen;
+pub mod plot;
+pub mod series;

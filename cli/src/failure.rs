@@ -1,0 +1,123 @@
+//! Why the program stopped: one sentence that names file, line, column and what was expected.
+
+use std::fmt;
+use std::path::Path;
+use std::process::ExitCode;
+
+use crate::terminal::printable;
+
+/// Whose fault it is: the exit code says so.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A file or an option that cannot be used.
+    Input,
+    /// The machine: a disk that is full, a folder that cannot be made; or a solution that left its range.
+    Failed,
+    /// Stopped by Ctrl-C, SIGTERM or SIGHUP.
+    Interrupted,
+    /// No options meet the requirement.
+    NotMet,
+}
+
+/// The exit codes, for `--help`.
+pub const EXIT_CODES: &str = "\
+Exit codes:
+  0    done
+  1    failed: an output could not be written, or a solution left its range (what was flown is written)
+  2    an option or an input file cannot be used; nothing is written
+  3    recommend: no options meet the requirement; the best there are were printed
+  130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and files that are there are whole";
+
+/// The sentences, one a line.
+#[derive(Debug)]
+pub struct Failure {
+    kind: Kind,
+    sentence: String,
+}
+
+impl Failure {
+    /// About an input.
+    pub fn new(sentence: impl Into<String>) -> Self {
+        Self { kind: Kind::Input, sentence: sentence.into() }
+    }
+
+    /// About something else.
+    pub fn of_kind(kind: Kind, sentence: impl Into<String>) -> Self {
+        Self { kind, sentence: sentence.into() }
+    }
+
+    /// About a whole input file.
+    pub fn of_file(path: &Path, what: &dyn fmt::Display) -> Self {
+        Self::new(format!("{}: {what}", path.display()))
+    }
+
+    /// About a line of an input file, counted from 1.
+    pub fn of_line(path: &Path, line: u64, what: &dyn fmt::Display) -> Self {
+        Self::new(format!("{}:{line}: {what}", path.display()))
+    }
+
+    /// About an output that cannot be written.
+    pub fn of_output(path: &Path, error: &dyn fmt::Display) -> Self {
+        Self::of_kind(Kind::Failed, format!("{}: cannot be written: {error}", path.display()))
+    }
+
+    /// All of several, as the first of them is.
+    pub fn all(failures: Vec<Self>) -> Self {
+        let kind = failures.first().map_or(Kind::Input, |failure| failure.kind);
+        let sentences: Vec<String> = failures.into_iter().map(|failure| failure.sentence).collect();
+        Self { kind, sentence: sentences.join("\n") }
+    }
+
+    /// Whose fault it is.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The exit code.
+    pub fn code(&self) -> ExitCode {
+        ExitCode::from(match self.kind {
+            Kind::Failed => 1,
+            Kind::Input => 2,
+            Kind::NotMet => 3,
+            Kind::Interrupted => 130,
+        })
+    }
+}
+
+impl fmt::Display for Failure {
+    /// Words of files and paths come in: what would steer a terminal is left out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&printable(&self.sentence))
+    }
+}
+
+impl From<sins::recommend::Refusal> for Failure {
+    fn from(refusal: sins::recommend::Refusal) -> Self {
+        Self::new(refusal.to_string())
+    }
+}
+
+impl From<sins::Error> for Failure {
+    fn from(error: sins::Error) -> Self {
+        Self::new(error.to_string())
+    }
+}
+
+impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErrorKind<E>> for Failure {
+    fn from(error: plotters::drawing::DrawingAreaErrorKind<E>) -> Self {
+        Self::of_kind(Kind::Failed, format!("a figure could not be drawn: {error}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_terminal_is_not_steered() {
+        let failure = Failure::of_line(Path::new("a\u{1b}[2Jb.csv"), 7, &"found \"\u{9b}31m\"\r");
+        assert_eq!(failure.to_string(), "a?[2Jb.csv:7: found \"?31m\"?");
+        let both = Failure::all(vec![Failure::new("one"), Failure::new("two")]);
+        assert_eq!((both.to_string().as_str(), both.kind()), ("one\ntwo", Kind::Input));
+    }
+}

@@ -1,0 +1,152 @@
+//! The figures of a flight: what was flown, and how well.
+
+use sins::errors::AccuracyFigures;
+use sins::scene::{PlannedFailure, Scene};
+use sins::sensors::{Axis, Failure as SensorFailure, SensorOutput};
+use sins::{ClosureFigures, TrimFigures};
+
+use super::flight::Flown;
+use crate::failure::{Failure, Kind};
+use crate::given::Given;
+use crate::units::six_digits;
+
+/// Samples that a rate of growth needs at the least: there is no slope through one.
+const LEAST_SAMPLES: u64 = 2;
+
+/// Everything that summary and terminal say.
+pub struct Figures<'a> {
+    pub given: &'a Given,
+    pub name: &'a str,
+    pub flown: &'a Flown,
+    pub accuracy: AccuracyFigures,
+    pub closure: ClosureFigures,
+    pub trim: TrimFigures,
+    /// Time between two records [s].
+    pub every_s: f64,
+    pub is_interrupted: bool,
+}
+
+impl<'a> Figures<'a> {
+    pub fn gather(
+        given: &'a Given,
+        name: &'a str,
+        every: u64,
+        flown: &'a Flown,
+        is_interrupted: bool,
+    ) -> Result<Self, Failure> {
+        let none = || Failure::of_kind(Kind::Failed, "no interval was flown");
+        let (accuracy, closure, trim) = flown.accuracy.ok_or_else(none)?;
+        let every_s = every as f64 * given.period_s;
+        Ok(Self { given, name, flown, accuracy, closure, trim, every_s, is_interrupted })
+    }
+
+    pub fn scene(&self) -> &Scene {
+        &self.given.scene
+    }
+
+    pub fn rate_hz(&self) -> f64 {
+        1.0 / self.given.period_s
+    }
+
+    /// Computing time of a step [ns].
+    pub fn ns_per_step(&self) -> f64 {
+        1e9 * self.flown.seconds / self.flown.steps.max(1) as f64
+    }
+
+    /// Whether there are rates of growth: they count from a time on that a short flight does not reach.
+    pub fn has_rates(&self) -> bool {
+        self.accuracy.window_samples >= LEAST_SAMPLES
+    }
+
+    /// Extremes of the true motion: key, value, unit, label and the time stamp of each; none unless the scene wants them.
+    pub fn truth(&self) -> Vec<(&'static str, f64, &'static str, &'static str, f64)> {
+        let Some(truth) = &self.flown.truth else { return Vec::new() };
+        [
+            ("truth_interval_max_s", &truth.interval_max, "s", "longest interval"),
+            ("truth_turn_max_rad", &truth.turn_max, "rad", "largest rotation in an interval"),
+            ("truth_rate_max_rad_s", &truth.rate_max, "rad/s", "largest angular rate"),
+            ("truth_acceleration_max_m_s2", &truth.acceleration_max, "m/s2", "largest acceleration"),
+            ("truth_force_max_m_s2", &truth.force_max, "m/s2", "largest specific force"),
+            ("truth_speed_max_m_s", &truth.speed_max, "m/s", "largest speed"),
+            ("truth_sideslip_max_rad", &truth.sideslip_max, "rad", "largest sideslip"),
+            ("truth_attack_max_rad", &truth.attack_max, "rad", "largest angle of attack"),
+            ("truth_height_min_m", &truth.height_min, "m", "lowest height"),
+            ("truth_height_max_m", &truth.height_max, "m", "highest height"),
+        ]
+        .map(|(key, extreme, unit, label)| (key, extreme.value, unit, label, extreme.time_s))
+        .to_vec()
+    }
+
+    /// What is set in a section of the scene, in words; "none" if nothing.
+    pub fn set_in(&self, section: &str) -> String {
+        let set = self.scene().changed_keys();
+        let words: Vec<String> = set
+            .iter()
+            .filter(|key| key.section == section)
+            .map(|key| format!("{} {} {}", key.doc, rounded(&key.value), key.unit).trim_end().to_owned())
+            .collect();
+        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+    }
+
+    /// Each failure with its time; "none" without.
+    pub fn failures(&self) -> String {
+        let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
+        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+    }
+}
+
+/// The numbers of a value with six digits: what a person set, without what its unit makes of the last bit.
+fn rounded(value: &str) -> String {
+    let number = |word: &str| match word.parse::<f64>() {
+        Ok(number) if word.parse::<u64>().is_err() => crate::rows::number(six_digits(number)),
+        _ => word.to_owned(),
+    };
+    let is_between = |letter: char| matches!(letter, '[' | ']' | ',' | ' ' | '"');
+    let words = value.split_inclusive(is_between).map(|part| match part.strip_suffix(is_between) {
+        Some(word) => number(word) + &part[word.len()..],
+        None => number(part),
+    });
+    words.collect::<String>().replace('"', "")
+}
+
+fn failure_text(planned: &PlannedFailure) -> String {
+    let axis = |axis: Axis| match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+        Axis::Z => "z",
+    };
+    let output = match planned.output {
+        SensorOutput::Gyro(which) => format!("gyro {}", axis(which)),
+        SensorOutput::Accelerometer(which) => format!("accelerometer {}", axis(which)),
+        SensorOutput::Altimeter => "altimeter".to_owned(),
+    };
+    let kind = match planned.failure {
+        SensorFailure::Stuck => "stuck",
+        SensorFailure::Dead => "dead",
+        SensorFailure::BiasStep { .. } => "bias step",
+        SensorFailure::Spikes { .. } => "spikes",
+        SensorFailure::Noise { .. } => "noise",
+        SensorFailure::RandomDropOuts { .. } | SensorFailure::PeriodicDropOuts { .. } => "drop-outs",
+    };
+    let until_s = planned.failing.until_s;
+    let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
+    format!("{output} {kind} {} s to {until}", planned.failing.from_s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_in_words() {
+        for (value, words) in [
+            ("10.000000000000002", "10"),
+            ("[0.5, -0.2, 1e-7]", "[0.5, -0.2, 1e-7]"),
+            ("\"rk4\"", "rk4"),
+            ("true", "true"),
+            ("18446744073709551615", "18446744073709551615"),
+        ] {
+            assert_eq!(rounded(value), words);
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The flight: sample by sample through the simulator, with its records.
+
+use std::io::Write;
+use std::time::Instant;
+
+use nalgebra::Vector3;
+use sins::errors::AccuracyFigures;
+use sins::truth::TruthSummary;
+use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
+
+use super::imu;
+use crate::failure::{Failure, Kind};
+use crate::given::Given;
+use crate::interrupt;
+use crate::output::OutputFile;
+use crate::progress::Progress;
+use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record};
+use crate::rows::number;
+
+/// Samples between two looks at the clock, at the signals and at the disk.
+const CHUNK: usize = 4096;
+
+/// The files that grow with the flight.
+pub struct Files {
+    pub records: OutputFile,
+    pub imu: Option<OutputFile>,
+}
+
+/// What came out of a flight, or of a part of it.
+#[derive(Debug, Default)]
+pub struct Flown {
+    pub records: u64,
+    pub steps: u64,
+    /// Time that the steps took [s].
+    pub seconds: f64,
+    /// Largest |error| of the records: position [m], velocity [m/s], misalignment [rad].
+    pub largest: [f64; 3],
+    /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
+    pub largest_difference: [f64; 2],
+    pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
+    /// What the true motion was like, if the scene wants to know.
+    pub truth: Option<TruthSummary>,
+}
+
+/// Errors of the sensors since the last record: integrals [rad], [m/s], and over which time [s].
+#[derive(Default)]
+struct SensorSum {
+    angle: Vector3<f64>,
+    velocity: Vector3<f64>,
+    time_s: f64,
+}
+
+impl SensorSum {
+    fn add(&mut self, imu: &ImuInterval) {
+        self.angle += imu.measured.angle - imu.ideal.angle;
+        self.velocity += imu.measured.velocity - imu.ideal.velocity;
+        self.time_s += imu.interval_s;
+    }
+
+    /// The means; the sum begins anew.
+    fn take(&mut self) -> [Vector3<f64>; 2] {
+        let Self { angle, velocity, time_s } = std::mem::take(self);
+        [angle / time_s, velocity / time_s]
+    }
+}
+
+/// Flies all of `given`, a record each `every` intervals. On an error, or when it is asked to stop, `flown` says how far it came.
+pub fn fly(
+    given: &Given,
+    every: u64,
+    files: &mut Files,
+    flown: &mut Flown,
+    quiet: bool,
+) -> Result<(), Failure> {
+    let mut simulators = given.scene.simulator()?;
+    let Some(simulator) = simulators.first_mut() else {
+        return Err(Failure::of_kind(Kind::Failed, "no simulator"));
+    };
+    let result = fly_with(simulator, given, every, files, flown, quiet);
+    if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
+        flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
+    }
+    if given.scene.options.truth_summary {
+        flown.truth = simulator.truth_summary()?;
+    }
+    result
+}
+
+fn fly_with(
+    simulator: &mut Simulator,
+    given: &Given,
+    every: u64,
+    files: &mut Files,
+    flown: &mut Flown,
+    quiet: bool,
+) -> Result<(), Failure> {
+    write_line(&mut files.records, &COLUMNS)?;
+    if let Some(file) = &mut files.imu {
+        write_line(file, &imu::COLUMNS)?;
+    }
+    push(simulator, given, 0)?;
+    let start = Record::now(simulator).map_err(|error| stopped(given, 0, &error))?;
+    start.iter().try_for_each(|record| keep(flown, &mut files.records, record))?;
+    let mut progress = Progress::new(given.duration_s, quiet);
+    let mut sum = SensorSum::default();
+    for first in (1..given.count).step_by(CHUNK) {
+        let last = (first + CHUNK).min(given.count);
+        let began = Instant::now();
+        for index in first..last {
+            step(simulator, given, index, every, files, flown, &mut sum)?;
+        }
+        flown.seconds += began.elapsed().as_secs_f64();
+        files.records.check()?;
+        if let Some(file) = &mut files.imu {
+            file.check()?;
+        }
+        if interrupt::is_asked() {
+            return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are whole"));
+        }
+        progress.show((last - 1) as f64 * given.period_s);
+    }
+    Ok(())
+}
+
+/// Pushes the sample `index`, with the failures and the temperature that are due.
+fn push(simulator: &mut Simulator, given: &Given, index: usize) -> Result<(), Failure> {
+    let mut sample = given.sample(index)?;
+    let prepared = given.scene.prepare(simulator, given.start_s(), &mut sample);
+    let pushed = prepared.and_then(|()| simulator.push_sample(&sample));
+    pushed.map(|_| ()).map_err(|error| stopped(given, index, &error))
+}
+
+/// Flies the interval that the sample `index` ends.
+fn step(
+    simulator: &mut Simulator,
+    given: &Given,
+    index: usize,
+    every: u64,
+    files: &mut Files,
+    flown: &mut Flown,
+    sum: &mut SensorSum,
+) -> Result<(), Failure> {
+    push(simulator, given, index)?;
+    simulator.step().map_err(|error| stopped(given, index, &error))?;
+    flown.steps += 1;
+    if let Some(interval) = simulator.imu() {
+        sum.add(&interval);
+        if let Some(file) = &mut files.imu {
+            let written = imu::write_row(file, &interval);
+            written.map_err(|error| Failure::of_output(file.path(), &error))?;
+        }
+    }
+    if simulator.intervals().is_multiple_of(every) {
+        let record = Record::now(simulator).map_err(|error| stopped(given, index, &error))?;
+        if let Some(mut record) = record {
+            [record.gyro_error, record.accel_error] = sum.take();
+            keep(flown, &mut files.records, &record)?;
+        }
+    }
+    Ok(())
+}
+
+/// Why the flight ends at a sample: it is a bad one, or the solution left its range.
+fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
+    let refusal = given.refusal(index, error);
+    match error.kind {
+        ErrorKind::InvalidArgument | ErrorKind::TimeOrder | ErrorKind::Discontinuity => refusal,
+        _ => Failure::of_kind(Kind::Failed, refusal.to_string()),
+    }
+}
+
+/// Writes a record and takes its largest errors.
+fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(), Failure> {
+    let text = record.values().map(number).join(",") + "\n";
+    file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
+    flown.records += 1;
+
+    let (errors, model) = (&record.navigation_error, &record.model_error);
+    let has_model = model.flags & NOT_COMPUTED == 0;
+    let raise = |largest: &mut f64, size: f64| *largest = largest.max(size);
+    raise(&mut flown.largest[0], errors.position.norm());
+    if has_model {
+        raise(&mut flown.largest_difference[0], (model.position - errors.position).norm());
+    }
+    if errors.flags & NEAR_POLE != 0 {
+        // East, north and up misalignment mean nothing there.
+        return Ok(());
+    }
+    raise(&mut flown.largest[1], errors.velocity.norm());
+    raise(&mut flown.largest[2], errors.misalignment.norm());
+    if has_model {
+        raise(&mut flown.largest_difference[1], (model.velocity - errors.velocity).norm());
+    }
+    Ok(())
+}
+
+fn write_line(file: &mut OutputFile, columns: &[&str]) -> Result<(), Failure> {
+    writeln!(file, "{}", columns.join(",")).map_err(|error| Failure::of_output(file.path(), &error))
+}

@@ -1,0 +1,167 @@
+//! The figures as a file: a row for each, with key, value, unit and label.
+
+use nalgebra::Vector3;
+use sins::units::NMI_PER_HOUR;
+
+use super::figures::Figures;
+use crate::failure::Failure;
+use crate::rows;
+use crate::units::six_digits;
+
+/// How every summary begins.
+pub const MARK: &str = "key,value,unit,label\nname,";
+
+/// The file. A figure that there is not has the value "none".
+pub fn text(figures: &Figures) -> Result<String, Failure> {
+    let mut summary = Rows(vec![["key", "value", "unit", "label"].map(str::to_owned)]);
+    settings(figures, &mut summary);
+    flight(figures, &mut summary);
+    closure(figures, &mut summary);
+    accuracy(figures, &mut summary);
+    summary.text("library_version", env!("CARGO_PKG_VERSION"), "library version");
+    rows::text(&summary.0)
+}
+
+struct Rows(Vec<[String; 4]>);
+
+impl Rows {
+    fn add(&mut self, key: &str, value: String, unit: &str, label: &str) {
+        self.0.push([key.to_owned(), value, unit.to_owned(), label.to_owned()]);
+    }
+
+    fn text(&mut self, key: &str, value: &str, label: &str) {
+        self.add(key, value.to_owned(), "", label);
+    }
+
+    fn number(&mut self, key: &str, value: f64, unit: &str, label: &str) {
+        self.add(key, rows::number(value), unit, label);
+    }
+
+    fn whole(&mut self, key: &str, value: u64, label: &str) {
+        self.add(key, value.to_string(), "", label);
+    }
+
+    fn axes(&mut self, key: &str, unit: &str, values: &Vector3<f64>, label: &str) {
+        let (name, end) = key.split_once("{}").unwrap_or((key, ""));
+        for (axis, value) in ["east", "north", "up"].into_iter().zip(values) {
+            self.number(&format!("{name}{axis}{end}"), *value, unit, &format!("{label}, {axis}"));
+        }
+    }
+}
+
+fn settings(figures: &Figures, rows: &mut Rows) {
+    let (given, scene) = (figures.given, figures.scene());
+    rows.text("name", figures.name, "name");
+    rows.text("scene", &given.origin, "scene");
+    rows.text("scene_text", &given.title, "scene in words");
+    rows.text("motion", if scene.is_log() { "recorded" } else { "computed" }, "motion");
+    for (key, label) in [
+        ("scheme", "mechanization scheme"),
+        ("frame", "navigation frame"),
+        ("signal", "ideal signals"),
+        ("earth", "ellipsoid"),
+        ("gravity", "gravity model"),
+        ("axes", "sensor axes"),
+        ("vertical", "vertical channel"),
+        ("error_model", "error data 1"),
+        ("subsamples", "subsamples of an update"),
+        ("updates_per_sample", "updates in each sample interval"),
+        ("seed", "random seed"),
+        ("run", "Monte Carlo run number"),
+    ] {
+        let value = scene.value(&format!("options.{key}"));
+        rows.text(key, &value.unwrap_or_default(), label);
+    }
+    rows.number("rate_hz", figures.rate_hz(), "Hz", "sample rate (mean over the flight)");
+    for (key, section, label) in [
+        ("gyro_text", "gyro", "gyro errors"),
+        ("accel_text", "accelerometer", "accelerometer errors"),
+        ("altimeter_text", "altimeter", "altimeter errors"),
+        ("start_text", "start", "initial errors"),
+        ("mounting_text", "mounting", "mounting of the sensor block"),
+        ("gravity_text", "gravity", "gravity disturbance"),
+    ] {
+        rows.text(key, &figures.set_in(section), label);
+    }
+    rows.text("failures_text", &figures.failures(), "failures");
+}
+
+fn flight(figures: &Figures, rows: &mut Rows) {
+    let flown = figures.flown;
+    rows.number("duration_s", figures.accuracy.duration_s, "s", "simulated time");
+    rows.whole("steps", flown.steps, "navigation steps (sample intervals)");
+    rows.number("ns_per_step", figures.ns_per_step(), "ns", "computing time of a step (wall clock)");
+    let label = "stopped before the end of the flight (0: no, 1: yes)";
+    rows.whole("interrupted", u64::from(figures.is_interrupted), label);
+    rows.whole("records", flown.records, "records written");
+    for (key, value, unit, label, time_s) in figures.truth() {
+        rows.number(key, value, unit, &format!("truth: {label}, at {} s", six_digits(time_s)));
+    }
+}
+
+fn closure(figures: &Figures, rows: &mut Rows) {
+    let (closure, trim) = (&figures.closure, &figures.trim);
+    rows.axes("closure_position_{}_m", "m", &closure.position_n, "final position error (closure)");
+    rows.axes("closure_velocity_{}_m_s", "m/s", &closure.velocity_n, "final velocity error (closure)");
+    let label = "part of the final position error due to inconsistent flight data";
+    rows.axes("host_position_{}_m", "m", &closure.host_position_n, label);
+    let label = "part of the final velocity error due to inconsistent flight data";
+    rows.axes("host_velocity_{}_m_s", "m/s", &closure.host_velocity_n, label);
+    let label = "inconsistency of the flight data: largest displacement by velocity - by position in a step";
+    rows.number("inconsistency_max_m", closure.inconsistency_max_m, "m", label);
+    let label = "flight samples whose position contradicts their velocity";
+    rows.whole("inconsistent_samples", closure.inconsistent_samples, label);
+    rows.number("trim_rate_max_rad_s", trim.rate_rad_s, "rad/s", "largest trim of the closed loop, gyros");
+    let label = "largest trim of the closed loop, accelerometers";
+    rows.number("trim_force_max_m_s2", trim.force_m_s2, "m/s2", label);
+}
+
+fn accuracy(figures: &Figures, rows: &mut Rows) {
+    let (accuracy, flown) = (&figures.accuracy, figures.flown);
+    for (key, value_m_s, label) in [
+        (
+            "rer_rms_nmi_h",
+            accuracy.radial_error_rate_rms_m_s,
+            "rms radial error rate RER (horizontal position error / time)",
+        ),
+        ("r50_nmi_h", accuracy.cep_rate_m_s(), "R50 = 0.8326 rms(RER), the CEP rate"),
+        ("r95_nmi_h", accuracy.radial_95_rate_m_s(), "R95 = 1.7308 rms(RER)"),
+        (
+            "slope_nmi_h",
+            accuracy.radial_error_slope_m_s,
+            "growth of the horizontal position error (slope of the least-squares line)",
+        ),
+    ] {
+        if figures.has_rates() {
+            rows.number(key, value_m_s / NMI_PER_HOUR, "nmi/h", label);
+        } else {
+            rows.text(key, "none", label);
+        }
+    }
+    let label = "error rates and growth are evaluated from this time on";
+    rows.number("window_start_s", accuracy.window_start_s, "s", label);
+    rows.axes("velocity_rms_{}_m_s", "m/s", &accuracy.velocity_rms_n, "rms velocity error");
+    rows.number("max_position_m", flown.largest[0], "m", "largest position error");
+    rows.number("max_velocity_m_s", flown.largest[1], "m/s", "largest velocity error");
+    rows.number("max_misalignment_rad", flown.largest[2], "rad", "largest misalignment");
+    for (key, value, unit, label) in [
+        (
+            "max_model_difference_position_m",
+            flown.largest_difference[0],
+            "m",
+            "largest position difference of error data 1 and 2",
+        ),
+        (
+            "max_model_difference_velocity_m_s",
+            flown.largest_difference[1],
+            "m/s",
+            "largest velocity difference of error data 1 and 2",
+        ),
+    ] {
+        if figures.scene().options.error_model {
+            rows.number(key, value, unit, label);
+        } else {
+            rows.text(key, "none", label);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Flight logs from files, pipes and standard input.
+
+use std::io::Read;
+use std::path::Path;
+
+use sins::log::{FlightLog, LogError};
+
+use crate::failure::Failure;
+
+/// A device has no end, or waits for a keyboard.
+fn is_device(path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        let is_one = |metadata: std::fs::Metadata| {
+            metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+        };
+        std::fs::metadata(path).is_ok_and(is_one)
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = path;
+        false
+    }
+}
+
+/// The log at `path`; "-": of standard input.
+pub fn read_log(path: &Path) -> Result<FlightLog, Failure> {
+    if is_device(path) {
+        return Err(Failure::of_file(path, &"is a device: a log is a file or a pipe"));
+    }
+    let read = if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        std::fs::read(path)
+    };
+    let text = read.map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+    match FlightLog::parse(&text) {
+        Ok(log) => Ok(log),
+        Err(LogError::Fault(fault)) => Err(Failure::of_line(path, fault.line as u64, &fault.sentence)),
+        Err(LogError::Memory(error)) => Err(Failure::of_file(path, &error)),
+    }
+}

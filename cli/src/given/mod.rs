@@ -1,0 +1,200 @@
+//! The scene that the command line names, and its flight sample by sample.
+
+mod log;
+mod settings;
+mod text;
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use sins::Error;
+use sins::flight::Flight;
+use sins::log::FlightLog;
+use sins::scene::{FlightSource, Scene};
+use sins::truth::FlightSample;
+
+pub use settings::Settings;
+pub use text::is_log;
+
+use crate::failure::Failure;
+use crate::units::rounded;
+use log::read_log;
+use text::{Text, name_of};
+
+/// Rounding of times that must not take a sample away [intervals].
+const ROUNDING: f64 = 1e-9;
+
+/// A scene with its flight.
+#[derive(Debug)]
+pub struct Given {
+    pub scene: Scene,
+    /// What it is called: its file without the ending, or the built-in scene.
+    pub name: String,
+    /// The scene's file, or the built-in scene.
+    pub origin: String,
+    /// All files that were read.
+    pub inputs: Vec<PathBuf>,
+    /// The scene in words.
+    pub title: String,
+    /// Number of samples.
+    pub count: usize,
+    /// Time between two samples, of a log on average [s].
+    pub period_s: f64,
+    /// Time from the first sample to the last [s].
+    pub duration_s: f64,
+    motion: Motion,
+}
+
+#[derive(Debug)]
+enum Motion {
+    Flight(Flight),
+    Log(PathBuf, FlightLog),
+}
+
+impl Given {
+    /// The scene called `name` (built in, a file, or a log), with `log` in the place of its flight. A log alone is flown by the
+    /// simulator of the scene in the text `for_logs`.
+    pub fn load(
+        name: Option<&OsStr>,
+        log: Option<&Path>,
+        settings: &Settings,
+        for_logs: &str,
+    ) -> Result<Self, Failure> {
+        let (text, log) = match name {
+            Some(name) if is_log(name) && log.is_some() => {
+                let what = format!("{}: is a log, and --log names another", Path::new(name).display());
+                return Err(Failure::new(what));
+            }
+            Some(name) if is_log(name) => (Text::for_log(Path::new(name), for_logs), Some(Path::new(name))),
+            Some(name) => (Text::find(name)?, log),
+            None => match log {
+                Some(path) => (Text::for_log(path, for_logs), log),
+                None => {
+                    return Err(Failure::new("which scene? `sins scene list` lists those that are built in"));
+                }
+            },
+        };
+        let mut scene = text.parse(settings)?;
+        let mut inputs: Vec<PathBuf> = text.path.iter().cloned().collect();
+        let mut name = text.name.clone();
+        if let Some(log) = log {
+            scene.flight = FlightSource::Log(log.to_string_lossy().into_owned());
+            if !settings.has("flight.hours") {
+                scene.duration_s = None;
+            }
+            if !settings.has("flight.title") {
+                scene.title.clear();
+            }
+            name = name_of(log);
+        }
+        let motion = match &scene.flight {
+            FlightSource::Log(file) => {
+                let path = match log {
+                    Some(path) => path.to_owned(),
+                    None => text.folder().join(file),
+                };
+                let log = read_log(&path).map_err(|failure| text.at("flight", "file", failure))?;
+                if scene.temperature.is_some() && log.samples()[0].temperature_c.is_some() {
+                    let what = Failure::new("flight.temperature_c: the log has a column of that name");
+                    return Err(text.at("flight", "temperature_c", what));
+                }
+                inputs.push(path.clone());
+                Motion::Log(path, log)
+            }
+            _ => Motion::Flight(scene.flight()?),
+        };
+        let (count, period_s, duration_s) = extent(&scene, &motion)?;
+        let title = title(&scene, &motion);
+        Ok(Self { scene, name, origin: text.origin, inputs, title, count, period_s, duration_s, motion })
+    }
+
+    /// The sample `index`.
+    pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
+        match &self.motion {
+            // Rounding must not carry the last time over the end.
+            Motion::Flight(flight) => {
+                flight.sample_at((index as f64 / self.scene.rate_hz).min(flight.duration_s()))
+            }
+            Motion::Log(_, log) => Ok(log.samples()[index]),
+        }
+    }
+
+    /// Time stamp of the first sample [s].
+    pub fn start_s(&self) -> f64 {
+        match &self.motion {
+            Motion::Flight(_) => 0.0,
+            Motion::Log(_, log) => log.samples()[0].time_s,
+        }
+    }
+
+    /// The flight in closed form; none of a log.
+    pub fn flight(&self) -> Option<&Flight> {
+        match &self.motion {
+            Motion::Flight(flight) => Some(flight),
+            Motion::Log(..) => None,
+        }
+    }
+
+    /// Where the sample `index` stands: the line of a log, or the time.
+    pub fn place(&self, index: usize) -> String {
+        match &self.motion {
+            Motion::Flight(_) => {
+                format!("{}: at {} s", self.origin, rounded(index as f64 * self.period_s, 10))
+            }
+            Motion::Log(path, log) => {
+                format!("{}:{}", path.display(), log.line(index).unwrap_or_default())
+            }
+        }
+    }
+
+    /// `error` about the sample `index`.
+    pub fn refusal(&self, index: usize, error: &dyn std::fmt::Display) -> Failure {
+        Failure::new(format!("{}: {error}", self.place(index)))
+    }
+}
+
+/// Reads the scene of the file `path`, or of that name, and nothing of its flight.
+pub fn read_scene(name: &OsStr, settings: &Settings) -> Result<Scene, Failure> {
+    Text::find(name)?.parse(settings)
+}
+
+/// Number of samples, time between them, duration [s].
+fn extent(scene: &Scene, motion: &Motion) -> Result<(usize, f64, f64), Failure> {
+    match motion {
+        Motion::Flight(_) => {
+            let period_s = 1.0 / scene.rate_hz;
+            let intervals = (scene.flown_s()? / period_s + ROUNDING).floor();
+            Ok((intervals as usize + 1, period_s, intervals * period_s))
+        }
+        Motion::Log(path, log) => {
+            let samples = log.samples();
+            let wanted_s = scene.duration_s.unwrap_or(f64::INFINITY) * (1.0 + ROUNDING);
+            let is_flown = |sample: &&FlightSample| sample.time_s - samples[0].time_s <= wanted_s;
+            let count = samples.iter().take_while(is_flown).count();
+            if count < 2 {
+                let what =
+                    format!("flight.hours: the log has no second sample within {} s", rounded(wanted_s, 6));
+                return Err(Failure::of_file(path, &what));
+            }
+            let duration_s = samples[count - 1].time_s - samples[0].time_s;
+            Ok((count, duration_s / (count - 1) as f64, duration_s))
+        }
+    }
+}
+
+/// The scene in words: its own, or what its flight says of itself.
+fn title(scene: &Scene, motion: &Motion) -> String {
+    let own = scene.title.clone();
+    match (motion, &scene.flight) {
+        _ if !own.is_empty() => own,
+        (Motion::Log(_, log), _) if log.title.is_empty() => "recorded flight".to_owned(),
+        (Motion::Log(_, log), _) => log.title.clone(),
+        (_, FlightSource::Builtin(name)) => {
+            sins::scene::builtin(name).map_or_else(String::new, |scene| scene.title)
+        }
+        (_, FlightSource::Path(path)) => {
+            format!("Flight of {} manoeuvres", path.manoeuvres.len() * path.repeat)
+        }
+        (_, FlightSource::Log(_)) => String::new(),
+    }
+}

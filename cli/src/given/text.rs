@@ -1,0 +1,127 @@
+//! The text of a scene, and where it is from.
+
+use std::ffi::OsStr;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use sins::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, nearest};
+
+use super::settings::Settings;
+use crate::failure::Failure;
+
+/// A text.
+pub struct Text {
+    bytes: Vec<u8>,
+    pub origin: String,
+    /// None: built in.
+    pub path: Option<PathBuf>,
+    pub name: String,
+}
+
+impl Text {
+    /// A built-in scene, or the file of that name.
+    pub fn find(name: &OsStr) -> Result<Self, Failure> {
+        let path = Path::new(name);
+        let builtin = |known: &str| BUILTIN_SCENES.iter().find(|(name, _)| *name == known);
+        if let Some((name, text)) = name.to_str().and_then(builtin) {
+            let (bytes, name) = (text.as_bytes().to_vec(), (*name).to_owned());
+            return Ok(Self { bytes, origin: format!("{name} (built in)"), path: None, name });
+        }
+        if path.extension().is_none_or(|ending| ending != "toml") && !path.exists() {
+            let near = nearest(&path.to_string_lossy(), BUILTIN_SCENES.iter().map(|(name, _)| *name));
+            let hint = match near {
+                Some(near) => format!("did you mean {near}?"),
+                None => "`sins scene list` lists those that are built in".to_owned(),
+            };
+            return Err(Failure::of_file(path, &format!("no such scene; {hint}")));
+        }
+        let mut bytes = Vec::new();
+        // A device may have no end.
+        let most = MAX_TEXT as u64 + 1;
+        let read = std::fs::File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
+        read.map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+        let origin = path.display().to_string();
+        Ok(Self { bytes, origin, path: Some(path.to_owned()), name: name_of(path) })
+    }
+
+    /// The scene that flies a log.
+    pub fn for_log(path: &Path, text: &str) -> Self {
+        let bytes = text.as_bytes().to_vec();
+        Self { bytes, origin: path.display().to_string(), path: None, name: name_of(path) }
+    }
+
+    pub fn parse(&self, settings: &Settings) -> Result<Scene, Failure> {
+        let pairs = settings.pairs()?;
+        Scene::parse_with(&self.bytes, &pairs).map_err(|faults| self.failure(&faults, settings))
+    }
+
+    fn failure(&self, faults: &[Fault], settings: &Settings) -> Failure {
+        let sentence = |fault: &Fault| match fault {
+            Fault { line: 0, column, sentence } => {
+                format!("{}: {sentence}", settings.words(*column))
+            }
+            Fault { line, column, sentence } => format!("{}:{line}:{column}: {sentence}", self.origin),
+        };
+        Failure::all(faults.iter().map(|fault| Failure::new(sentence(fault))).collect())
+    }
+
+    pub fn folder(&self) -> &Path {
+        self.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""))
+    }
+
+    /// `failure`, with the line of the key that it is about.
+    pub fn at(&self, section: &str, key: &str, failure: Failure) -> Failure {
+        let Some(path) = &self.path else { return failure };
+        let text = String::from_utf8_lossy(&self.bytes);
+        match line_of(&text, section, key) {
+            Some(line) => Failure::of_line(path, line, &failure),
+            None => failure,
+        }
+    }
+}
+
+/// The line of `key` of `[section]`, if the text has it in that form.
+fn line_of(text: &str, section: &str, key: &str) -> Option<u64> {
+    let head = format!("[{section}]");
+    let mut is_inside = false;
+    for (line, number) in text.lines().zip(1..) {
+        let line = line.trim();
+        if line.starts_with('[') {
+            is_inside = line.split('#').next().is_some_and(|begin| begin.trim() == head);
+        } else if is_inside && line.split('=').next().is_some_and(|name| name.trim() == key) {
+            return Some(number);
+        }
+    }
+    None
+}
+
+/// Whether the name is one of a flight log.
+pub fn is_log(name: &OsStr) -> bool {
+    name == "-" || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+}
+
+/// What a file is called: without folder and ending.
+pub fn name_of(path: &Path) -> String {
+    match path.file_stem() {
+        Some(stem) if path != Path::new("-") => stem.to_string_lossy().into_owned(),
+        _ => "log".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_have_their_lines() {
+        let text = "# [flight]\n[gyro]\nfile = 1\n[flight] # here\n  file = \"a.csv\"\n";
+        assert_eq!(line_of(text, "flight", "file"), Some(5));
+        assert_eq!(line_of(text, "flight", "builtin"), None);
+    }
+
+    #[test]
+    fn logs_have_their_names() {
+        assert!(is_log(OsStr::new("a/b.CSV")) && is_log(OsStr::new("-")) && !is_log(OsStr::new("patrol")));
+        assert_eq!((name_of(Path::new("a/b.csv")), name_of(Path::new("-"))), ("b".into(), "log".into()));
+    }
+}

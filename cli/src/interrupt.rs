@@ -1,0 +1,66 @@
+//! Ctrl-C, SIGTERM and SIGHUP: no temporary file stays behind.
+//!
+//! A command that can end by itself with whole files ([`graceful`]) is asked to; a second signal, or any other command, ends the
+//! program at once.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use crate::failure::{Failure, Kind};
+
+/// Temporary files of the moment. Who makes, renames or removes one holds the lock, so that a signal finds all of them.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+static IS_GRACEFUL: AtomicBool = AtomicBool::new(false);
+static IS_ASKED: AtomicBool = AtomicBool::new(false);
+
+/// Catches the signals from now on.
+pub fn catch() -> Result<(), Failure> {
+    let failed = |error| Failure::of_kind(Kind::Failed, format!("signals cannot be caught: {error}"));
+    ctrlc::set_handler(on_signal).map_err(failed)
+}
+
+fn on_signal() {
+    let is_second = IS_ASKED.swap(true, Ordering::SeqCst);
+    if IS_GRACEFUL.load(Ordering::SeqCst) && !is_second {
+        return;
+    }
+    let temporary = lock();
+    for path in temporary.iter() {
+        let _ = std::fs::remove_file(path);
+    }
+    // The lock is held to the end: no other file is made.
+    std::process::exit(130);
+}
+
+/// From now on the command ends by itself when it is asked to, or no longer.
+pub fn graceful(is_graceful: bool) {
+    IS_GRACEFUL.store(is_graceful, Ordering::SeqCst);
+}
+
+/// Whether the command was asked to end.
+pub fn is_asked() -> bool {
+    IS_ASKED.load(Ordering::SeqCst)
+}
+
+/// The list of temporary files, while one is made, renamed or removed.
+pub struct Temporary(MutexGuard<'static, Vec<PathBuf>>);
+
+impl Temporary {
+    pub fn lock() -> Self {
+        Self(lock())
+    }
+
+    pub fn add(&mut self, path: &Path) {
+        self.0.push(path.to_owned());
+    }
+
+    pub fn forget(&mut self, path: &Path) {
+        self.0.retain(|known| known != path);
+    }
+}
+
+fn lock() -> MutexGuard<'static, Vec<PathBuf>> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,77 @@
+//! The lines of a file that hold data: neither blank nor comments, each with its number.
+
+use std::io::{BufRead, BufReader, Read, Result};
+
+/// With which some editors begin a file in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Gives the data on and counts the lines.
+pub struct Lines<R: Read> {
+    input: BufReader<R>,
+    line: Vec<u8>,
+    /// How much of the line was given on.
+    given: usize,
+    /// Lines so far.
+    count: u64,
+    numbers: Vec<u64>,
+}
+
+impl<R: Read> Lines<R> {
+    pub fn new(input: R) -> Self {
+        Self { input: BufReader::new(input), line: Vec::new(), given: 0, count: 0, numbers: Vec::new() }
+    }
+
+    /// Of each line that was given on, its number from 1.
+    pub fn numbers(&self) -> &[u64] {
+        &self.numbers
+    }
+
+    fn advance(&mut self) -> Result<()> {
+        loop {
+            self.line.clear();
+            self.given = 0;
+            if self.input.read_until(b'\n', &mut self.line)? == 0 {
+                return Ok(());
+            }
+            self.count += 1;
+            if self.count == 1 && self.line.starts_with(BYTE_ORDER_MARK) {
+                self.line.drain(..BYTE_ORDER_MARK.len());
+            }
+            let text = self.line.trim_ascii_start();
+            if !text.is_empty() && text[0] != b'#' {
+                self.numbers.push(self.count);
+                return Ok(());
+            }
+        }
+    }
+}
+
+impl<R: Read> Read for Lines<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        if self.given == self.line.len() {
+            self.advance()?;
+        }
+        let rest = &self.line[self.given..];
+        let count = rest.len().min(buffer.len());
+        buffer[..count].copy_from_slice(&rest[..count]);
+        self.given += count;
+        Ok(count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_and_blank_lines_count_and_are_left_out() {
+        let mut lines = Lines::new("a,b\r\n# later\n\n \n1,2\n  # last\n3,4".as_bytes());
+        let mut text = String::new();
+        lines.read_to_string(&mut text).unwrap();
+        assert_eq!((text.as_str(), lines.numbers()), ("a,b\r\n1,2\n3,4", &[1, 5, 7][..]));
+        let mut lines = Lines::new("\u{feff}# first\na,b\n1,2".as_bytes());
+        text.clear();
+        lines.read_to_string(&mut text).unwrap();
+        assert_eq!((text.as_str(), lines.numbers()), ("a,b\n1,2", &[2, 3][..]));
+    }
+}

@@ -1,0 +1,121 @@
+//! `sins`: flies scenes of the strapdown INS simulator and reports on them.
+//!
+//! A module for each command; `given` has the scene that they fly, `output` the files that they write, `drawing` their pictures.
+#![forbid(unsafe_code)]
+
+mod allan;
+mod budget;
+mod completions;
+mod curve;
+mod drawing;
+mod failure;
+mod fly;
+mod given;
+mod interrupt;
+mod lines;
+mod output;
+mod parallel;
+mod progress;
+mod recommend;
+mod record;
+mod report;
+mod rows;
+mod scene;
+mod table;
+mod terminal;
+mod units;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use clap::error::ErrorKind;
+
+use failure::{EXIT_CODES, Failure};
+
+/// Flies a strapdown inertial navigation system in simulation, and shows its errors.
+#[derive(Debug, Parser)]
+#[command(name = "sins", version, after_help = EXIT_CODES, max_term_width = 100)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Fly(fly::Order),
+    Report(report::Order),
+    Allan(allan::Order),
+    Budget(budget::Order),
+    Curve(curve::Order),
+    Recommend(recommend::Order),
+    /// Lists the keys of a scene: what each takes, its unit and what it means
+    Keys,
+    #[command(subcommand)]
+    Scene(scene::Order),
+    Completions(completions::Order),
+}
+
+fn main() -> ExitCode {
+    let command = match CommandLine::try_parse() {
+        Ok(line) => line.command,
+        Err(error) => return answer(&error),
+    };
+    match interrupt::catch().and_then(|()| run(&command)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            terminal::say(&failure.to_string());
+            failure.code()
+        }
+    }
+}
+
+fn run(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Fly(order) => fly::run(order),
+        Command::Report(order) => report::run(order),
+        Command::Allan(order) => allan::run(order),
+        Command::Budget(order) => budget::run(order),
+        Command::Curve(order) => curve::run(order),
+        Command::Recommend(order) => recommend::run(order),
+        Command::Keys => scene::print_keys(),
+        Command::Scene(order) => scene::run(order),
+        Command::Completions(order) => completions::run::<CommandLine>(order),
+    }
+}
+
+/// Help, the version, or what is wrong with the command line.
+fn answer(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    let is_asked_for = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
+    if is_asked_for {
+        return match terminal::print(&text) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => failure.code(),
+        };
+    }
+    terminal::say(text.trim_end());
+    ExitCode::from(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        CommandLine::command().debug_assert();
+    }
+
+    #[test]
+    fn what_was_meant_is_told() {
+        let words =
+            |arguments: &[&str]| CommandLine::try_parse_from(arguments).unwrap_err().render().to_string();
+        assert!(words(&["sins", "reprot"]).contains("'report'"));
+        assert!(words(&["sins", "fly", "patrol", "--quite"]).contains("'--quiet'"));
+        assert!(words(&["sins", "--version"]).contains(env!("CARGO_PKG_VERSION")));
+        let help = words(&["sins", "--help"]);
+        assert!(help.contains("Exit codes") && help.contains("130"), "{help}");
+    }
+}

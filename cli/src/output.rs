@@ -1,0 +1,220 @@
+//! The files that the program writes: whole or not at all, never one of its inputs, and never what somebody else made.
+//!
+//! Each is written to a temporary file beside it, of a name that nobody knows before, and renamed at the end. So nobody sees
+//! half a file, and two runs of one name leave the file of one of them. A file that is there is replaced if it begins as the
+//! program's own files do; any other needs `--force`. What is no plain file (a device, a FIFO, a link) is never replaced.
+
+use std::fs::{File, Metadata};
+use std::io::{BufWriter, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use tempfile::{Builder, TempPath};
+
+use crate::failure::{Failure, Kind};
+use crate::interrupt::Temporary;
+
+/// How far from its begin a file has the mark of the program's own [bytes].
+const MARK_WITHIN: u64 = 4096;
+
+/// What may be written, and what was taken already.
+#[derive(Debug, Default)]
+pub struct Outputs {
+    rules: Rc<Rules>,
+    /// Outputs of this run.
+    taken: Vec<PathBuf>,
+}
+
+/// What may be replaced.
+#[derive(Debug, Default)]
+struct Rules {
+    inputs: Vec<(PathBuf, Identity)>,
+    force: bool,
+}
+
+/// What tells a file from others, by whatever name or link it is found.
+#[derive(Debug, PartialEq)]
+struct Identity {
+    #[cfg(unix)]
+    device_and_inode: (u64, u64),
+    #[cfg(not(unix))]
+    path: PathBuf,
+}
+
+impl Identity {
+    #[cfg(unix)]
+    fn of(path: &Path) -> Option<Self> {
+        use std::os::unix::fs::MetadataExt;
+        // Standard input is a file as well, where it was redirected.
+        let path = if path == Path::new("-") { Path::new("/dev/stdin") } else { path };
+        let metadata = std::fs::metadata(path).ok()?;
+        Some(Self { device_and_inode: (metadata.dev(), metadata.ino()) })
+    }
+
+    #[cfg(not(unix))]
+    fn of(path: &Path) -> Option<Self> {
+        Some(Self { path: std::fs::canonicalize(path).ok()? })
+    }
+}
+
+impl Outputs {
+    /// `inputs` are never written; with `force` other people's files are.
+    pub fn new(inputs: &[PathBuf], force: bool) -> Self {
+        let identified = inputs.iter().filter_map(|path| Some((path.clone(), Identity::of(path)?)));
+        Self { rules: Rc::new(Rules { inputs: identified.collect(), force }), taken: Vec::new() }
+    }
+
+    /// Makes the folder `path`, and those above it.
+    pub fn folder(&self, path: &Path) -> Result<(), Failure> {
+        std::fs::create_dir_all(path).map_err(|error| {
+            Failure::of_kind(Kind::Failed, format!("{}: the folder cannot be made: {error}", path.display()))
+        })
+    }
+
+    /// A file to be written. One that is there already is replaced if `mark` stands near its begin.
+    pub fn file(&mut self, path: &Path, mark: &str) -> Result<OutputFile, Failure> {
+        let folder = match path.parent() {
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
+        let Some(name) = path.file_name() else {
+            return Err(Failure::new(format!("{}: expected the name of a file", path.display())));
+        };
+        let folder_itself = folder.canonicalize().map_err(|error| Failure::of_output(path, &error))?;
+        let place = folder_itself.join(name);
+        if self.taken.contains(&place) {
+            return Err(Failure::new(format!("{}: two outputs have this name", path.display())));
+        }
+        self.rules.check(path, mark)?;
+        let mut temporary = Temporary::lock();
+        let mut builder = Builder::new();
+        builder.prefix(".sins-").suffix(".part");
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // As any file that is made: less what the user's mask takes off.
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let file = builder.tempfile_in(&folder_itself).map_err(|error| Failure::of_output(path, &error))?;
+        temporary.add(file.path());
+        self.taken.push(place);
+        let (file, temporary) = file.into_parts();
+        Ok(OutputFile {
+            path: path.to_owned(),
+            writer: Some((BufWriter::new(file), temporary)),
+            mark: mark.to_owned(),
+            rules: Rc::clone(&self.rules),
+        })
+    }
+
+    /// A file, written at once.
+    pub fn write(&mut self, path: &Path, mark: &str, text: &str) -> Result<(), Failure> {
+        self.file(path, mark)?.finish(text)
+    }
+}
+
+impl Rules {
+    /// Whether `path` may be written.
+    fn check(&self, path: &Path, mark: &str) -> Result<(), Failure> {
+        let metadata = match std::fs::symlink_metadata(path) {
+            Ok(metadata) => metadata,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+            Err(error) => return Err(Failure::of_output(path, &error)),
+        };
+        let identity = Identity::of(path);
+        if let Some((input, _)) = self.inputs.iter().find(|(_, input)| Some(input) == identity.as_ref()) {
+            let what = format!("is the input {}: an output of another name is needed", input.display());
+            return Err(Failure::of_file(path, &what));
+        }
+        if !metadata.is_file() {
+            let what = format!("is {}: only plain files are replaced", kind_of(&metadata));
+            return Err(Failure::of_file(path, &what));
+        }
+        if !self.force && metadata.len() > 0 && !is_own(path, mark) {
+            let what = "is there already, and not of this program's making; --force replaces it";
+            return Err(Failure::of_file(path, &what));
+        }
+        Ok(())
+    }
+}
+
+fn kind_of(metadata: &Metadata) -> &'static str {
+    match metadata {
+        metadata if metadata.is_dir() => "a folder",
+        metadata if metadata.is_symlink() => "a link",
+        _ => "a device or a pipe",
+    }
+}
+
+/// Whether the file begins as one that the program wrote.
+fn is_own(path: &Path, mark: &str) -> bool {
+    let mut begin = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MARK_WITHIN).read_to_end(&mut begin));
+    read.is_ok() && !mark.is_empty() && begin.windows(mark.len()).any(|part| part == mark.as_bytes())
+}
+
+/// A file that is being written; without [`Self::commit`] nothing of it stays.
+#[derive(Debug)]
+pub struct OutputFile {
+    path: PathBuf,
+    /// None: done.
+    writer: Option<(BufWriter<File>, TempPath)>,
+    mark: String,
+    rules: Rc<Rules>,
+}
+
+impl OutputFile {
+    /// Where it will be.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes out what is in memory: whether the disk takes it.
+    pub fn check(&mut self) -> Result<(), Failure> {
+        self.flush().map_err(|error| Failure::of_output(&self.path, &error))
+    }
+
+    /// Puts the file in place.
+    pub fn commit(mut self) -> Result<(), Failure> {
+        self.check()?;
+        // Somebody may have put another file there meanwhile.
+        self.rules.check(&self.path, &self.mark)?;
+        let Some((writer, temporary)) = self.writer.take() else { return Ok(()) };
+        drop(writer);
+        let mut list = Temporary::lock();
+        list.forget(&temporary);
+        temporary.persist(&self.path).map_err(|error| Failure::of_output(&self.path, &error.error))
+    }
+
+    /// Writes `text` and puts the file in place.
+    pub fn finish(mut self, text: &str) -> Result<(), Failure> {
+        self.write_all(text.as_bytes()).map_err(|error| Failure::of_output(&self.path, &error))?;
+        self.commit()
+    }
+}
+
+impl Write for OutputFile {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        match &mut self.writer {
+            Some((writer, _)) => writer.write(bytes),
+            None => Err(ErrorKind::BrokenPipe.into()),
+        }
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.writer.as_mut().map_or(Ok(()), |(writer, _)| writer.flush())
+    }
+}
+
+impl Drop for OutputFile {
+    fn drop(&mut self) {
+        if let Some((_, temporary)) = self.writer.take() {
+            let mut list = Temporary::lock();
+            list.forget(&temporary);
+            drop(temporary);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

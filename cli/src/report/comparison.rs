@@ -1,0 +1,95 @@
+//! Tables of whatever rows the summaries have.
+
+use maud::{Markup, html};
+
+use crate::report::run::Run;
+use crate::report::summary::Row;
+
+/// Every row in which the runs differ, a column for each run; then those that are the same in all.
+pub fn comparison(runs: &[Run]) -> Markup {
+    let mut rows: Vec<&Row> = Vec::new();
+    for row in runs.iter().flat_map(|run| &run.summary.rows) {
+        if row.key != "name" && !rows.iter().any(|known| known.key == row.key) {
+            rows.push(row);
+        }
+    }
+    let (same, different): (Vec<_>, Vec<_>) = rows
+        .into_iter()
+        .partition(|row| runs.iter().all(|run| run.summary.value(&row.key) == Some(row.value.as_str())));
+    html! {
+        section {
+            h2 { "All runs compared" }
+            details {
+                summary { "Settings and figures of all runs" }
+                // Inside: a link to it opens the details.
+                div.table id="comparison" tabindex="0" {
+                    table.comparison {
+                        thead {
+                            tr { th scope="col" { "Quantity" } @for run in runs { th scope="col" { (run.name) } } }
+                        }
+                        tbody {
+                            @for row in different {
+                                tr {
+                                    th scope="row" { (row.title()) }
+                                    @for run in runs { (cell(run.summary.row(&row.key))) }
+                                }
+                            }
+                        }
+                    }
+                }
+                @if !same.is_empty() {
+                    h3 { "The same in all runs" }
+                    (list(&same))
+                }
+            }
+        }
+    }
+}
+
+fn cell(row: Option<&Row>) -> Markup {
+    match row {
+        Some(row) if row.value.parse::<f64>().is_ok() => {
+            html! { td.number title=(row.value) { (row.text()) } }
+        }
+        Some(row) => html! { td { (row.text()) } },
+        None => html! { td { "–" } },
+    }
+}
+
+/// Label and value of each row.
+pub fn list(rows: &[&Row]) -> Markup {
+    html! {
+        table.list {
+            tbody {
+                @for row in rows {
+                    tr { th scope="row" { (row.title()) } (cell(Some(row))) }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::run::tests::made;
+
+    #[test]
+    fn what_is_the_same_is_told_once() {
+        let mut runs = [made(3, |_, _| 0.0), made(3, |_, _| 0.0)];
+        runs[1].summary.rows[1].value = "2".into();
+        let row = |value: &str| Row {
+            key: "seed".into(),
+            value: value.into(),
+            unit: String::new(),
+            label: "random seed".into(),
+        };
+        for run in &mut runs {
+            run.summary.rows.push(row("7"));
+        }
+        let html = comparison(&runs).into_string();
+        let (different, same) = html.split_once("The same in all runs").unwrap();
+        assert!(different.contains("1.234 km") && different.contains("2 m"));
+        assert!(!different.contains("random seed") && same.contains("random seed"));
+    }
+}

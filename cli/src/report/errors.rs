@@ -1,0 +1,187 @@
+//! Attitude, velocity and position errors over time: error data 2 over error data 1.
+
+use crate::drawing::axis::Axis;
+use crate::drawing::figure::{Figure, Legend};
+use crate::drawing::pen::Pen;
+use crate::drawing::plot::{Drawing, Panel, Trace, WIDTH};
+use crate::drawing::series::{difference, magnitude};
+use crate::failure::Failure;
+use crate::report::figures::{TIME_TICKS, over_time, panel, time_label};
+use crate::report::run::{EAST_NORTH_UP, Errors, Run};
+use crate::units::{self, Family, Unit, fitting, in_unit, usual, with_unit};
+
+/// Pens of the differences.
+const PENS: [Pen; 3] = [Pen::East, Pen::North, Pen::Up];
+
+/// One of the three errors.
+pub struct Quantity {
+    pub title: &'static str,
+    name: &'static str,
+    family: &'static Family,
+    of: fn(&Errors) -> &[Vec<f64>; 3],
+    /// Whether its up axis is the vertical channel.
+    is_motion: bool,
+}
+
+/// Figure 3 of the paper.
+pub const ATTITUDE: Quantity = Quantity {
+    title: "Attitude errors (figure 3 of the paper)",
+    name: "misalignment",
+    family: units::ANGLE,
+    of: |errors| &errors.misalignment_rad,
+    is_motion: false,
+};
+
+/// Figure 4 of the paper.
+pub const VELOCITY: Quantity = Quantity {
+    title: "Velocity errors (figure 4 of the paper)",
+    name: "velocity",
+    family: units::SPEED,
+    of: |errors| &errors.velocity_m_s,
+    is_motion: true,
+};
+
+/// Figure 5 of the paper.
+pub const POSITION: Quantity = Quantity {
+    title: "Position errors (figure 5 of the paper)",
+    name: "position",
+    family: units::LENGTH,
+    of: |errors| &errors.position_m,
+    is_motion: true,
+};
+
+/// The figure, ready for the page.
+pub fn figure(run: &Run, quantity: &Quantity) -> Result<Figure, Failure> {
+    let axes = axes(run, quantity);
+    let note = note(run, quantity, axes);
+    let svg = drawing(run, quantity).svg(&format!("{} over time. {note}", quantity.title))?;
+    Ok(Figure { title: quantity.title.to_owned(), legend: legend(run, quantity), drawings: vec![svg], note })
+}
+
+/// A panel for each axis, and the difference of data 2 and data 1 below.
+pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
+    let time = Axis::time(run.duration_s(), TIME_TICKS);
+    let (axes, computed) = (axes(run, quantity), (quantity.of)(&run.errors));
+    let model = run.model.as_ref().map(quantity.of);
+    let size = |axis: usize| magnitude(&computed[axis]).max(model.map_or(0.0, |m| magnitude(&m[axis])));
+    let largest = (0..axes).map(size).fold(0.0, f64::max);
+    let mut panels: Vec<Panel> = (0..axes)
+        .map(|axis| {
+            // One unit for all axes, unless one is so small that its ticks would be fractions.
+            let unit =
+                fitting(if size(axis) < 0.05 * largest { size(axis) } else { largest }, quantity.family);
+            let trace = |pen, values: &[f64]| Trace::new(pen, over_time(run, &time, values, unit));
+            let mut traces: Vec<Trace> =
+                model.iter().map(|model| trace(Pen::Reference, &model[axis])).collect();
+            traces.push(trace(Pen::Computed, &computed[axis]));
+            panel(caption(quantity.name, EAST_NORTH_UP[axis], unit), 110.0, 5, traces)
+        })
+        .collect();
+    if let Some(differences) = differences(run, quantity) {
+        let unit =
+            fitting(differences[..axes].iter().map(|d| magnitude(d)).fold(0.0, f64::max), quantity.family);
+        let traces = PENS
+            .into_iter()
+            .zip(&differences[..axes])
+            .map(|(pen, values)| Trace::new(pen, over_time(run, &time, values, unit)));
+        panels.push(panel(caption("data 2", "minus data 1", unit), 80.0, 4, traces.collect()));
+    }
+    Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels }
+}
+
+/// What the lines are.
+pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
+    let mut legend = vec![(Pen::Computed, "data 2: navigation minus truth".to_owned())];
+    if run.model.is_some() {
+        legend.push((Pen::Reference, "data 1: error differential equations".to_owned()));
+    }
+    if differences(run, quantity).is_some() {
+        let names = PENS.into_iter().zip(EAST_NORTH_UP).take(axes(run, quantity));
+        legend.extend(names.map(|(pen, name)| (pen, format!("difference, {name}"))));
+    }
+    legend
+}
+
+/// How many axes are drawn, east first: without up where it is the truth's.
+fn axes(run: &Run, quantity: &Quantity) -> usize {
+    if quantity.is_motion && run.follows_height() { 2 } else { 3 }
+}
+
+fn caption(what: &str, which: &str, unit: Unit) -> String {
+    format!("{what} {which} [{}]", unit.name)
+}
+
+/// Error data 2 less error data 1; none without the model, and where data 1 is zero.
+fn differences(run: &Run, quantity: &Quantity) -> Option<[Vec<f64>; 3]> {
+    let (computed, model) = ((quantity.of)(&run.errors), (quantity.of)(run.model.as_ref()?));
+    if model.iter().all(|values| magnitude(values) == 0.0) {
+        return None;
+    }
+    Some(std::array::from_fn(|axis| difference(&computed[axis], &model[axis])))
+}
+
+/// The largest errors and differences in words.
+fn note(run: &Run, quantity: &Quantity, axes: usize) -> String {
+    let in_words = |three: &[Vec<f64>; 3]| {
+        let sizes: Vec<f64> = three[..axes].iter().map(|values| magnitude(values)).collect();
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let text = |size: f64| match usual(largest, quantity.family) {
+            unit if size >= 1e-3 * largest => in_unit(size, unit),
+            _ => with_unit(size, quantity.family),
+        };
+        let parts: Vec<String> =
+            EAST_NORTH_UP.iter().zip(sizes).map(|(name, size)| format!("{name} {}", text(size))).collect();
+        parts.join(", ")
+    };
+    let mut note = format!("Largest: {}.", in_words((quantity.of)(&run.errors)));
+    let differences = differences(run, quantity);
+    if let Some(differences) = &differences {
+        note += &format!(" Largest difference of data 2 and 1: {}.", in_words(differences));
+    }
+    if run.model.is_some() && differences.is_none() {
+        note += " Data 1 is zero.";
+    }
+    if axes < 3 {
+        note += " Up is not shown: the vertical channel follows the truth.";
+    }
+    note
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::run::tests::made;
+    use crate::report::summary::Row;
+
+    #[test]
+    fn up_is_left_out_where_the_height_is_the_truths() {
+        let mut run = made(3, |name, _| match name {
+            "navigation_error_position_up_m" => 1e-9,
+            _ if name.starts_with("model_error") && !name.ends_with("flags") => 1.0,
+            _ => 0.0,
+        });
+        assert_eq!(drawing(&run, &POSITION).panels.len(), 4);
+        assert!(note(&run, &POSITION, 3).contains("up 1.000×10⁻⁹ m"));
+
+        let row = |value: &str| Row {
+            key: "vertical".into(),
+            value: value.into(),
+            unit: String::new(),
+            label: String::new(),
+        };
+        run.summary.rows.push(row("follow"));
+        let panels = |quantity| drawing(&run, quantity).panels.len();
+        assert_eq!((panels(&ATTITUDE), panels(&VELOCITY), panels(&POSITION)), (4, 3, 3));
+        let figure = figure(&run, &POSITION).unwrap();
+        assert!(figure.note.ends_with("the vertical channel follows the truth."), "{}", figure.note);
+        assert!(!figure.legend.iter().any(|(pen, _)| *pen == Pen::Up));
+    }
+    #[test]
+    fn what_is_compared_with_zero_has_no_difference() {
+        let run = made(3, |name, _| if name.starts_with("navigation_error_velocity") { 0.5 } else { 0.0 });
+        assert_eq!(drawing(&run, &VELOCITY).panels.len(), 3);
+        let figure = figure(&run, &VELOCITY).unwrap();
+        assert_eq!(figure.legend.len(), 2);
+        assert!(figure.note.ends_with("Data 1 is zero."), "{}", figure.note);
+    }
+}

@@ -1,0 +1,73 @@
+//! `sins report`: recorded runs as one page that needs nothing from outside.
+//!
+//! The data flow is `run`, `summary` → `spectrum`, `trajectory`, `errors`, `figures` → `overview`, `comparison`, `page`, `picture`.
+
+mod comparison;
+mod errors;
+mod figures;
+mod overview;
+mod page;
+mod picture;
+mod run;
+mod spectrum;
+mod summary;
+mod trajectory;
+
+use std::path::{Path, PathBuf};
+
+use crate::drawing::document::PAGE_MARK;
+use crate::drawing::file::PICTURE_MARK;
+use crate::failure::Failure;
+use crate::fly::OUTPUT_FOLDER;
+use crate::output::Outputs;
+use crate::progress::Working;
+use crate::terminal::print;
+use run::Run;
+
+/// Draws recorded runs into one page that needs nothing from outside (sins_out/report.html)
+#[derive(Debug, clap::Args)]
+pub struct Order {
+    /// Records that `sins fly` wrote, each with its RUN_summary.csv beside it; arguments that end in _summary.csv are passed over,
+    /// so that *.csv means all runs of a folder
+    #[arg(required = true, value_name = "RUN.csv")]
+    pub runs: Vec<PathBuf>,
+    /// The page [default: sins_out/report.html]
+    #[arg(short, long, value_name = "FILE.html")]
+    pub output: Option<PathBuf>,
+    /// Also velocity and position errors of the first run, as a file of their own
+    #[arg(long, value_name = "FILE.svg")]
+    pub picture: Option<PathBuf>,
+    /// Replaces files that are not of this program's making
+    #[arg(long)]
+    pub force: bool,
+}
+
+pub fn run(order: &Order) -> Result<(), Failure> {
+    let is_run = |path: &&PathBuf| !path.to_string_lossy().ends_with("_summary.csv");
+    let paths: Vec<&PathBuf> = order.runs.iter().filter(is_run).collect();
+    if paths.is_empty() {
+        return Err(Failure::new("expected at least one RUN.csv beside its RUN_summary.csv"));
+    }
+    let inputs: Vec<PathBuf> =
+        paths.iter().flat_map(|path| [(*path).clone(), run::summary_path(path)]).collect();
+    let mut outputs = Outputs::new(&inputs, order.force);
+    let output = match &order.output {
+        Some(path) => path.clone(),
+        None => {
+            outputs.folder(Path::new(OUTPUT_FOLDER))?;
+            Path::new(OUTPUT_FOLDER).join("report.html")
+        }
+    };
+    let page_file = outputs.file(&output, PAGE_MARK)?;
+    let picture_file = order.picture.as_ref().map(|path| outputs.file(path, PICTURE_MARK)).transpose()?;
+    let working = Working::on("drawing");
+    let runs = paths.into_iter().map(|path| Run::read(path)).collect::<Result<Vec<_>, _>>()?;
+    let page = page::page(&runs)?;
+    let picture = picture_file.map(|file| picture::picture(&runs[0]).map(|text| (file, text))).transpose()?;
+    drop(working);
+    page_file.finish(&page)?;
+    if let Some((file, text)) = picture {
+        file.finish(&text)?;
+    }
+    print(&format!("{}\n", output.display()))
+}

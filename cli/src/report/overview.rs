@@ -1,0 +1,154 @@
+//! The table at the top of the page: the figures that matter, a row for each run.
+
+use maud::{Markup, html};
+
+use crate::report::run::Run;
+use crate::report::spectrum::SCHULER_S;
+use crate::units::{self, time_text, with_unit};
+
+/// A figure of a run; none where it says nothing about it.
+struct Column {
+    title: &'static str,
+    value: fn(&Run) -> Option<String>,
+}
+
+/// The one column that holds a sentence.
+const SENSORS: &str = "Sensor errors";
+
+const COLUMNS: [Column; 9] = [
+    Column { title: "Motion", value: |run| text(run, "motion") },
+    Column { title: "Time flown", value: |run| Some(time_text(run.duration_s())) },
+    Column { title: SENSORS, value: sensors },
+    Column { title: "Largest position error", value: |run| text(run, "max_position_m") },
+    Column { title: "Largest velocity error", value: |run| text(run, "max_velocity_m_s") },
+    Column { title: "R50", value: radial_error_rate },
+    Column { title: "Largest |data 1 − data 2|, position", value: model_difference },
+    Column { title: "Simulator’s own error", value: own_error },
+    Column { title: "Time per step", value: |run| text(run, "ns_per_step") },
+];
+
+/// The table, with what its columns mean below.
+pub fn overview(runs: &[Run]) -> Markup {
+    html! {
+        section {
+            h2 { "The runs" }
+            div.table tabindex="0" {
+                table.runs {
+                    thead {
+                        tr { th scope="col" { "Run" } @for column in &COLUMNS { th scope="col" { (column.title) } } }
+                    }
+                    tbody {
+                        @for (place, run) in runs.iter().enumerate() {
+                            tr {
+                                th scope="row" { a href={ "#run-" (place + 1) } { (run.name) } }
+                                @for column in &COLUMNS { (cell(column, run)) }
+                            }
+                        }
+                    }
+                }
+            }
+            p.source {
+                "Data 1: error differential equations. Data 2: navigation minus truth. "
+                "R50: 0.8326 rms of horizontal position error / time, the CEP rate; for runs longer than a Schuler period. "
+                "Simulator’s own error: horizontal position error at the end with ideal sensors, less the part that "
+                "comes from inconsistent flight data. Time per step: truth, sensors, navigation and both error data."
+                @if runs.len() > 1 { " " a href="#comparison" { "All settings and figures of the runs" } "." }
+            }
+        }
+    }
+}
+
+fn cell(column: &Column, run: &Run) -> Markup {
+    match (column.value)(run) {
+        Some(value) => html! { td.sensors[column.title == SENSORS] data-label=(column.title) { (value) } },
+        None => html! { td.none { "–" } },
+    }
+}
+
+fn text(run: &Run, key: &str) -> Option<String> {
+    run.summary.row(key).map(crate::report::summary::Row::text)
+}
+
+/// What the sensors do wrong, "none" if nothing.
+pub fn sensors(run: &Run) -> Option<String> {
+    match (run.summary.value("gyro_text")?, run.summary.value("accel_text")?) {
+        ("none", "none") => Some("none".to_owned()),
+        (gyros, accelerometers) => Some(format!("gyros {gyros}; accelerometers {accelerometers}")),
+    }
+}
+
+fn radial_error_rate(run: &Run) -> Option<String> {
+    text(run, "r50_nmi_h").filter(|_| run.duration_s() > SCHULER_S)
+}
+
+fn model_difference(run: &Run) -> Option<String> {
+    run.model.as_ref()?;
+    text(run, "max_model_difference_position_m")
+}
+
+/// Horizontal closure less the part of the flight data, where nothing else errs.
+fn own_error(run: &Run) -> Option<String> {
+    let is_none = |key: &str| run.summary.value(key) == Some("none");
+    let may_lack = |key: &str| run.summary.value(key).is_none() || is_none(key);
+    if !["gyro_text", "accel_text", "start_text"].into_iter().all(is_none)
+        || !["mounting_text", "gravity_text", "failures_text"].into_iter().all(may_lack)
+    {
+        return None;
+    }
+    let own = |axis: &str| {
+        let figure = |what: &str| run.summary.number(&format!("{what}_position_{axis}_m"));
+        Some(figure("closure")? - figure("host")?)
+    };
+    Some(with_unit(own("east")?.hypot(own("north")?), units::LENGTH))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::run::tests::made;
+    use crate::report::summary::Row;
+
+    fn with(rows: &[(&str, &str, &str)]) -> Run {
+        let mut run = made(3, |_, _| 0.0);
+        run.summary.rows.extend(rows.iter().map(|(key, value, unit)| Row {
+            key: (*key).into(),
+            value: (*value).into(),
+            unit: (*unit).into(),
+            label: String::new(),
+        }));
+        run
+    }
+
+    #[test]
+    fn the_simulators_own_error_is_that_of_ideal_sensors() {
+        let ideal = [
+            ("gyro_text", "none", ""),
+            ("accel_text", "none", ""),
+            ("start_text", "none", ""),
+            ("closure_position_east_m", "0.005", "m"),
+            ("closure_position_north_m", "0.001", "m"),
+            ("host_position_east_m", "0.002", "m"),
+            ("host_position_north_m", "-0.003", "m"),
+        ];
+        assert_eq!(own_error(&with(&ideal)).as_deref(), Some("5.000 mm"));
+        assert_eq!(own_error(&with(&ideal[1..])), None);
+        let disturbed = [&ideal[..], &[("gravity_text", "anomaly 5 mGal", "")]].concat();
+        assert_eq!(own_error(&with(&disturbed)), None);
+        assert_eq!(sensors(&with(&ideal)).as_deref(), Some("none"));
+    }
+
+    #[test]
+    fn sensor_errors_are_told_as_the_summary_has_them() {
+        let run = with(&[("gyro_text", "bias 0.01 deg/h", ""), ("accel_text", "none", "")]);
+        assert_eq!(sensors(&run).as_deref(), Some("gyros bias 0.01 deg/h; accelerometers none"));
+        assert_eq!(sensors(&with(&[])), None);
+    }
+
+    #[test]
+    fn rates_are_told_of_long_runs_alone() {
+        let run = with(&[("r50_nmi_h", "0.25", "nmi/h")]);
+        assert_eq!(radial_error_rate(&run), None);
+        let html = overview(&[run]).into_string();
+        assert!(html.contains("<td class=\"none\">–</td>") && html.contains("1.234 km"));
+    }
+}

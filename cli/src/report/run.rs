@@ -1,0 +1,238 @@
+//! A recorded run.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+use nalgebra::Vector3;
+
+use crate::failure::Failure;
+use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record};
+use crate::report::summary::Summary;
+use crate::table::Table;
+
+/// Axes of all errors but those of the sensors, in the order of the columns.
+pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
+
+/// Axes of the sensor errors.
+pub const SENSOR_AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Everything that was recorded. All columns have one entry a record.
+pub struct Run {
+    /// Name in the summary, or else of the file.
+    pub name: String,
+    /// Name of the file.
+    pub file: String,
+    /// Time since the first record [s].
+    pub time_s: Vec<f64>,
+    pub truth: Places,
+    pub navigation: Places,
+    /// Error data 2: navigation minus truth.
+    pub errors: Errors,
+    /// Error data 1: the error differential equations; none if they were off.
+    pub model: Option<Errors>,
+    /// Measured less ideal, x, y, z [rad/s].
+    pub gyro_error_rad_s: [Vec<f64>; 3],
+    /// Measured less ideal, x, y, z [m/s²].
+    pub accel_error_m_s2: [Vec<f64>; 3],
+    pub summary: Summary,
+}
+
+/// A path over the ground.
+pub struct Places {
+    pub latitude_rad: Vec<f64>,
+    pub longitude_rad: Vec<f64>,
+    pub height_m: Vec<f64>,
+}
+
+/// Errors, each east, north, up.
+pub struct Errors {
+    pub position_m: [Vec<f64>; 3],
+    pub velocity_m_s: [Vec<f64>; 3],
+    pub misalignment_rad: [Vec<f64>; 3],
+    flags: Vec<u32>,
+}
+
+impl Run {
+    /// Reads `path` and the summary beside it.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let summary_path = summary_path(path);
+        // First: a pipe in the place of the records has no summary, and would be waited for.
+        let summary = File::open(&summary_path).map_err(|error| {
+            let what =
+                format!("the summary that has to lie beside {} cannot be read: {error}", path.display());
+            Failure::of_file(&summary_path, &what)
+        })?;
+        let summary = Summary::read(&summary_path, summary)?;
+        let input =
+            File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+        Self::from_table(path, &stem, Table::read(path, input)?, summary)
+    }
+
+    fn from_table(path: &Path, stem: &str, mut table: Table, summary: Summary) -> Result<Self, Failure> {
+        let lines: Vec<u64> = (0..table.rows()).map(|row| table.line(row)).collect();
+        let columns = COLUMNS.iter().map(|name| table.take(name)).collect::<Result<Vec<_>, _>>()?;
+        let row = |k: usize| Record::of_values(&std::array::from_fn(|column| columns[column][k]));
+        let records: Vec<Record> = (0..lines.len()).map(row).collect();
+        let time_s = since_start(path, &lines, &records)?;
+        let model_was_on = records.iter().any(|record| record.model_error.flags & NOT_COMPUTED == 0);
+        let axes = |of: fn(&Record) -> &Vector3<f64>| axes(&records, of);
+        Ok(Self {
+            name: summary.value("name").filter(|name| !name.is_empty()).unwrap_or(stem).to_owned(),
+            file: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            time_s,
+            truth: Places::of(&records, |record| &record.truth),
+            navigation: Places::of(&records, |record| &record.navigation),
+            errors: Errors::of(&records, |record| &record.navigation_error),
+            model: model_was_on.then(|| Errors::of(&records, |record| &record.model_error)),
+            gyro_error_rad_s: axes(|record| &record.gyro_error),
+            accel_error_m_s2: axes(|record| &record.accel_error),
+            summary,
+        })
+    }
+
+    /// Time from the first record to the last [s].
+    pub fn duration_s(&self) -> f64 {
+        self.time_s.last().copied().unwrap_or(0.0)
+    }
+
+    /// Mean distance of the records [s].
+    pub fn spacing_s(&self) -> f64 {
+        self.duration_s() / (self.time_s.len() - 1) as f64
+    }
+
+    /// Whether the height is taken from the truth, so that up position and velocity have no errors of their own.
+    pub fn follows_height(&self) -> bool {
+        self.summary.value("vertical") == Some("follow")
+    }
+
+    /// First and last time at which navigation or truth was near a pole [s].
+    pub fn near_pole_s(&self) -> Option<(f64, f64)> {
+        self.flagged_s(&self.errors, NEAR_POLE)
+    }
+
+    /// First and last time at which the error model was outside its validity [s].
+    pub fn model_invalid_s(&self) -> Option<(f64, f64)> {
+        self.flagged_s(self.model.as_ref()?, OUTSIDE_VALIDITY)
+    }
+
+    fn flagged_s(&self, errors: &Errors, flag: u32) -> Option<(f64, f64)> {
+        let mut times =
+            self.time_s.iter().zip(&errors.flags).filter(|(_, f)| *f & flag != 0).map(|(t, _)| *t);
+        let first = times.next()?;
+        Some((first, times.next_back().unwrap_or(first)))
+    }
+}
+
+/// Where the summary of the records at `path` has to be.
+pub fn summary_path(path: &Path) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}_summary.csv"))
+}
+
+impl Places {
+    fn of(records: &[Record], of: fn(&Record) -> &record::Motion) -> Self {
+        let column = |part: fn(&record::Motion) -> f64| records.iter().map(|r| part(of(r))).collect();
+        Self {
+            latitude_rad: column(|motion| motion.latitude_rad),
+            longitude_rad: column(|motion| motion.longitude_rad),
+            height_m: column(|motion| motion.height_m),
+        }
+    }
+}
+
+impl Errors {
+    fn of(records: &[Record], of: fn(&Record) -> &record::Errors) -> Self {
+        let three = |part: fn(&record::Errors) -> &Vector3<f64>| {
+            std::array::from_fn(|axis| records.iter().map(|r| part(of(r))[axis]).collect())
+        };
+        Self {
+            position_m: three(|errors| &errors.position),
+            velocity_m_s: three(|errors| &errors.velocity),
+            misalignment_rad: three(|errors| &errors.misalignment),
+            flags: records.iter().map(|r| of(r).flags).collect(),
+        }
+    }
+}
+
+/// Each axis of a vector of the records.
+fn axes(records: &[Record], of: fn(&Record) -> &Vector3<f64>) -> [Vec<f64>; 3] {
+    std::array::from_fn(|axis| records.iter().map(|record| of(record)[axis]).collect())
+}
+
+/// Times less the first; refuses fewer than two, and such as do not increase.
+fn since_start(path: &Path, lines: &[u64], records: &[Record]) -> Result<Vec<f64>, Failure> {
+    if let Some(row) = records.windows(2).position(|pair| pair[1].time_s <= pair[0].time_s) {
+        let (before, found) = (records[row].time_s, records[row + 1].time_s);
+        let what = format!("column time_s: expected a time later than {before}, found {found}");
+        return Err(Failure::of_line(path, lines[row + 1], &what));
+    }
+    match records {
+        [start, _, ..] => Ok(records.iter().map(|record| record.time_s - start.time_s).collect()),
+        _ => Err(Failure::of_file(path, &format!("expected at least two rows, found {}", records.len()))),
+    }
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+
+    /// A run of `records` records, 10 s apart, in which the column `name` has the value `value(name, time)`.
+    pub fn made(records: u32, value: impl Fn(&str, f64) -> f64) -> Run {
+        let mut text = COLUMNS.join(",");
+        for record in 0..records {
+            let t = f64::from(record) * 10.0;
+            let row: Vec<String> =
+                COLUMNS.iter().map(|n| if *n == "time_s" { t } else { value(n, t) }.to_string()).collect();
+            text += &format!("\n{}", row.join(","));
+        }
+        let path = Path::new("made.csv");
+        let summary = "key,value,unit,label\n\
+            name,<made> & \"quoted\",,name of the run\n\
+            max_position_m,1234.5,m,largest\n";
+        let summary = Summary::read(Path::new("made_summary.csv"), summary.as_bytes()).unwrap();
+        Run::from_table(path, "made", Table::read(path, text.as_bytes()).unwrap(), summary).unwrap()
+    }
+
+    #[test]
+    fn a_good_run_is_read() {
+        let run = made(4, |name, t| match name {
+            "navigation_error_position_north_m" => 2.0 * t,
+            "model_error_flags" if t >= 20.0 => 2.0,
+            _ => 0.0,
+        });
+        assert_eq!(run.errors.position_m[1], [0.0, 20.0, 40.0, 60.0]);
+        assert_eq!(run.duration_s(), 30.0);
+        assert_eq!(run.model_invalid_s(), Some((20.0, 30.0)));
+        assert_eq!(run.near_pole_s(), None);
+    }
+
+    #[test]
+    fn a_model_that_was_off_is_left_out() {
+        let off = made(3, |name, _| if name == "model_error_flags" { 4.0 } else { 0.0 });
+        assert!(off.model.is_none());
+    }
+
+    #[test]
+    fn times_have_to_increase() {
+        let path = Path::new("run.csv");
+        let at = |times: &[f64]| {
+            let record = |time_s: &f64| Record { time_s: *time_s, ..Record::default() };
+            let records: Vec<Record> = times.iter().map(record).collect();
+            since_start(path, &[2, 4, 7], &records).map_err(|failure| failure.to_string())
+        };
+        assert_eq!(at(&[5.0, 6.0]).unwrap(), [0.0, 1.0]);
+        let failure = at(&[5.0, 6.0, 6.0]).unwrap_err();
+        assert!(failure.starts_with("run.csv:7: column time_s"), "{failure}");
+        assert!(at(&[5.0]).is_err());
+    }
+
+    #[test]
+    fn a_missing_summary_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let run = folder.path().join("lone.csv");
+        std::fs::write(&run, "time_s\n").unwrap();
+        let failure = Run::read(&run).err().unwrap().to_string();
+        assert!(failure.contains("lone_summary.csv: the summary that has to lie beside"));
+    }
+}

@@ -1,0 +1,96 @@
+//! `sins scene` and `sins keys`: scenes as texts.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use sins::scene::{BUILTIN_SCENES, builtin, keys_text};
+
+use crate::failure::Failure;
+use crate::fly::FOR_LOGS;
+use crate::given::{Given, Settings, is_log, read_scene};
+use crate::output::Outputs;
+use crate::terminal::print;
+use crate::units::{six_digits, time_text};
+
+/// Lists, checks and writes scenes
+#[derive(Debug, clap::Subcommand)]
+pub enum Order {
+    /// Lists the scenes that are built in
+    List,
+    /// Tells every fault of scenes and flight logs with its line, and what they fly
+    Check {
+        /// Files SCENE.toml and LOG.csv, or scenes that are built in
+        #[arg(required = true, value_name = "SCENE")]
+        scenes: Vec<OsString>,
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// Writes a scene in TOML with what is set of it, each key with its meaning and unit
+    Write {
+        /// A scene that is built in, or a file SCENE.toml
+        #[arg(value_name = "SCENE")]
+        scene: OsString,
+        #[command(flatten)]
+        settings: Settings,
+        /// Where to [default: standard output]
+        #[arg(short, long, value_name = "FILE.toml")]
+        output: Option<PathBuf>,
+        /// Replaces a file that is there
+        #[arg(long)]
+        force: bool,
+    },
+}
+
+pub fn run(order: &Order) -> Result<(), Failure> {
+    match order {
+        Order::List => list(),
+        Order::Check { scenes, settings } => check(scenes, settings),
+        Order::Write { scene, settings, output, force } => {
+            if is_log(scene) {
+                let what = format!("{}: is a flight log, not a scene", scene.display());
+                return Err(Failure::new(what));
+            }
+            let text = read_scene(scene, settings)?.write();
+            match output {
+                // A scene is written by hand after that: none is taken for the program's own.
+                Some(path) => Outputs::new(&[PathBuf::from(scene)], *force).write(path, "", &text),
+                None => print(&text),
+            }
+        }
+    }
+}
+
+fn list() -> Result<(), Failure> {
+    let line = |(name, _): &(&str, &str)| {
+        let title = builtin(name).map_or_else(String::new, |scene| scene.title);
+        format!("{name:<14} {title}\n")
+    };
+    print(&BUILTIN_SCENES.iter().map(line).collect::<String>())
+}
+
+/// Every scene is checked, also behind one with faults.
+fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
+    let (mut good, mut bad) = (String::new(), Vec::new());
+    for name in scenes {
+        match Given::load(Some(name), None, settings, FOR_LOGS) {
+            Ok(given) => {
+                let (duration, rate_hz) = (time_text(given.duration_s), six_digits(1.0 / given.period_s));
+                good += &format!("{}: {}, {duration} at {rate_hz} Hz\n", given.origin, given.title);
+            }
+            Err(failure) => bad.push(failure),
+        }
+    }
+    print(&good)?;
+    if bad.is_empty() { Ok(()) } else { Err(Failure::all(bad)) }
+}
+
+/// `sins keys`.
+pub fn print_keys() -> Result<(), Failure> {
+    let head = "\
+A scene is a text in TOML: [section]s of key = value; # begins a comment. Each key with what it means, what it takes, its unit,
+and the name under which it takes SI units. `sins fly SCENE --set section.key=value` sets one beside the text.
+A preset comes first, wherever it stands, then what differs from it.
+
+";
+    print(&format!("{head}{}", keys_text()))
+}

@@ -1,0 +1,147 @@
+//! A CSV file of numbers with a header, by column.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use csv::{ReaderBuilder, StringRecord};
+
+use crate::failure::Failure;
+use crate::lines::Lines;
+
+/// Numbers beyond it would overflow on their way into a page; nothing that is measured or simulated comes near.
+const LARGEST: f64 = 1e30;
+
+/// Numbers below it are nothing: their squares and quotients would be none.
+const SMALLEST: f64 = 1e-60;
+
+/// The number of a text, if a page can hold it.
+pub fn number(text: &str) -> Option<f64> {
+    let value = text.trim().parse::<f64>().ok().filter(|value| value.abs() <= LARGEST)?;
+    Some(if value.abs() < SMALLEST { 0.0 } else { value })
+}
+
+/// The columns of a file.
+pub struct Table {
+    path: PathBuf,
+    columns: Vec<(String, Vec<f64>)>,
+    /// Of each row, its line in the file.
+    lines: Vec<u64>,
+}
+
+impl Table {
+    /// Reads all of `input`; `path` is for the errors.
+    pub fn read(path: &Path, input: impl Read) -> Result<Self, Failure> {
+        Self::read_some(path, input, |names| Ok(names.to_vec()))
+    }
+
+    /// Reads the columns that `choose` chooses of those in the header; what the others hold does not matter.
+    pub fn read_some(
+        path: &Path,
+        input: impl Read,
+        choose: impl FnOnce(&[String]) -> Result<Vec<String>, Failure>,
+    ) -> Result<Self, Failure> {
+        // Flexible: a row of the wrong length shall be told in our words, with the expected number.
+        let mut reader = ReaderBuilder::new().flexible(true).from_reader(Lines::new(input));
+        let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
+        let names: Vec<String> =
+            header.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
+        let chosen = choose(&names)?;
+        let is_chosen: Vec<bool> = names.iter().map(|name| chosen.contains(name)).collect();
+        let mut columns: Vec<(String, Vec<f64>)> = names.into_iter().map(|name| (name, Vec::new())).collect();
+        let mut rows = 0;
+        let mut row = StringRecord::new();
+        while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
+            rows += 1;
+            let line = reader.get_ref().numbers().get(rows).copied().unwrap_or(0);
+            if row.len() != columns.len() {
+                let what =
+                    format!("expected {} columns as in the header, found {}", columns.len(), row.len());
+                return Err(Failure::of_line(path, line, &what));
+            }
+            for (place, ((name, values), text)) in columns.iter_mut().zip(&row).enumerate() {
+                if !is_chosen[place] {
+                    continue;
+                }
+                match number(text) {
+                    Some(value) => values.push(value),
+                    None => {
+                        let what = format!(
+                            "column {} ({name}): expected a finite number up to {LARGEST:e}, found \"{text}\"",
+                            place + 1
+                        );
+                        return Err(Failure::of_line(path, line, &what));
+                    }
+                }
+            }
+        }
+        let lines = reader.get_ref().numbers().iter().skip(1).copied().collect();
+        Ok(Self { path: path.to_owned(), columns, lines })
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The line of a row, counted from 0, in the file.
+    pub fn line(&self, row: usize) -> u64 {
+        self.lines[row]
+    }
+
+    /// Takes the column `name` out.
+    pub fn take(&mut self, name: &str) -> Result<Vec<f64>, Failure> {
+        match self.columns.iter_mut().find(|(column, _)| column == name) {
+            Some((_, values)) => Ok(std::mem::take(values)),
+            None => {
+                Err(Failure::of_line(&self.path, 1, &format!("expected a column \"{name}\" in the header")))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Table, String> {
+        Table::read(Path::new("run.csv"), text.as_bytes()).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn columns_come_by_name() {
+        let mut table = read("t,x_a,x_b,x_c\n0,1,2,3\n0.5, 1e-9 ,-2,4\n").unwrap();
+        assert_eq!(table.take("t").unwrap(), [0.0, 0.5]);
+        assert_eq!(table.take("x_a").unwrap(), [1.0, 1e-9]);
+    }
+
+    #[test]
+    fn a_missing_column_is_named() {
+        let failure = read("t,x\n0,1\n").unwrap().take("y").unwrap_err().to_string();
+        assert_eq!(failure, "run.csv:1: expected a column \"y\" in the header");
+    }
+
+    #[test]
+    fn a_bad_number_is_told_with_line_and_column() {
+        let expected = "run.csv:3: column 2 (x): expected a finite number up to 1e30, found";
+        assert_eq!(read("t,x\n0,1\n1,one\n").err(), Some(format!("{expected} \"one\"")));
+        assert_eq!(read("t,x\n0,1\n1,nan\n").err(), Some(format!("{expected} \"nan\"")));
+        assert_eq!(read("t,x\n0,1\n1,\n").err(), Some(format!("{expected} \"\"")));
+        assert_eq!(read("t,x\n0,1\n1,-1e308\n").err(), Some(format!("{expected} \"-1e308\"")));
+        assert_eq!(read("t,x\n0,1\n1,5e-324\n").unwrap().take("x").unwrap(), [1.0, 0.0]);
+    }
+
+    #[test]
+    fn columns_that_nobody_wants_may_hold_anything() {
+        let text = "\u{feff}t,note,x\n# later\n0,take-off,1\n1,,2\n";
+        let choose = |names: &[String]| Ok(vec![names[0].clone(), names[2].clone()]);
+        let mut table = Table::read_some(Path::new("log.csv"), text.as_bytes(), choose).unwrap();
+        assert_eq!((table.rows(), table.line(0), table.line(1)), (2, 3, 4));
+        assert_eq!((table.take("t").unwrap(), table.take("x").unwrap()), (vec![0.0, 1.0], vec![1.0, 2.0]));
+    }
+
+    #[test]
+    fn a_short_row_is_told() {
+        let expected = "run.csv:2: expected 2 columns as in the header, found 1";
+        assert_eq!(read("t,x\n0\n").err().as_deref(), Some(expected));
+    }
+}

@@ -1,0 +1,192 @@
+//! `sins fly`, `sins scene`, `sins keys`, `sins recommend`: what a newcomer does first.
+
+#[path = "support/program.rs"]
+mod program;
+
+use program::{done, folder, names, numbers, project_file, read, refused, run};
+
+/// The value of a row of a summary.
+fn figure(summary: &str, key: &str) -> String {
+    let begin = format!("{key},");
+    let line =
+        summary.lines().find(|line| line.starts_with(&begin)).unwrap_or_else(|| panic!("{key}: {summary}"));
+    line.split(',').nth(1).unwrap().to_owned()
+}
+
+#[test]
+fn a_first_flight_and_its_page() {
+    let folder = folder("first");
+    let said =
+        done(&folder, &["fly", "simulation2", "--set", "flight.hours=0.2", "--set", "gyro.bias_deg_h=0.1"]);
+    assert!(said.contains(" 0.1 deg/h,") && said.contains(" 10 micro-g,"), "{said}");
+    assert!(said.contains("in sins_out/simulation2.csv"), "{said}");
+    let said = done(&folder, &["report", "sins_out/simulation2.csv", "sins_out/simulation2_summary.csv"]);
+    assert_eq!(said, "sins_out/report.html\n");
+    let page = read(folder.join("sins_out/report.html"));
+    assert!(page.contains("simulation2") && page.contains("Gyro errors"));
+    // One figure, one number.
+    let slope: f64 =
+        figure(&read(folder.join("sins_out/simulation2_summary.csv")), "slope_nmi_h").parse().unwrap();
+    let words =
+        page.split("Slope of the straight line: ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+    assert!((slope - words.parse::<f64>().unwrap()).abs() <= 6e-4 * slope.abs(), "{slope} {words}");
+    // All of it below one folder.
+    assert_eq!(names(&folder), ["sins_out"]);
+}
+
+/// Rates count from 300 s on: there is none through one sample, and none is 0.
+#[test]
+fn a_flight_shorter_than_the_window_has_no_rates() {
+    let folder = folder("short");
+    for (seconds, has_rates) in [(100.0, false), (300.0, false), (302.0, true)] {
+        let hours = format!("flight.hours={}", seconds / 3600.0);
+        let said = done(&folder, &["fly", "rest", "--preset", "tactical", "--set", &hours]);
+        let summary = read(folder.join("sins_out/rest_summary.csv"));
+        for key in ["rer_rms_nmi_h", "r50_nmi_h", "r95_nmi_h", "slope_nmi_h"] {
+            assert_eq!(figure(&summary, key) != "none", has_rates, "{key} after {seconds} s");
+        }
+        assert_eq!(said.contains("R50 = "), has_rates, "{said}");
+        assert_eq!(said.contains("none, they count from 300 s on"), !has_rates, "{said}");
+        let page = |name: &str| {
+            done(&folder, &["report", "sins_out/rest.csv", "-o", name]);
+            read(folder.join(name))
+        };
+        assert_eq!(page("page.html").contains("Slope of the straight line: none"), !has_rates);
+    }
+}
+
+#[test]
+fn records_are_spaced_as_they_are_wanted() {
+    let folder = folder("spaced");
+    let fly = |settings: &[&str]| {
+        done(&folder, &[&["fly", "rest", "-q", "--set", "flight.hours=0.05"], settings].concat());
+        numbers(&folder.join("sins_out/rest.csv")).1.iter().map(|row| row[0]).collect::<Vec<f64>>()
+    };
+    let times = fly(&["--set", "output.every_s=2.5"]);
+    assert!(times.len() == 73 && times.windows(2).all(|pair| (pair[1] - pair[0] - 2.5).abs() < 1e-9));
+    // About 2000 of 18 000 intervals.
+    assert_eq!(fly(&[]).len(), 2001);
+    let errors = refused(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);
+    assert!(
+        errors.contains("output.every_s = 0.001: expected at least the sample interval, 0.01"),
+        "{errors}"
+    );
+}
+
+/// Where the scene wants it, the summary tells what the truth was like: a log in wrong units stands out.
+#[test]
+fn the_true_motion_is_summed_up() {
+    let folder = folder("truth");
+    let fly = |settings: &[&str]| {
+        let said = done(&folder, &[&["fly", "aerobatics", "--name", "run"], settings].concat());
+        (said, read(folder.join("sins_out/run_summary.csv")))
+    };
+    let (said, summary) = fly(&[]);
+    assert!(!summary.contains("truth_rate_max_rad_s") && !said.contains("largest angular rate"));
+    let (said, summary) = fly(&["--set", "options.truth_summary=on"]);
+    let rate: f64 = figure(&summary, "truth_rate_max_rad_s").parse().unwrap();
+    // Three rolls in 6 s, by a step that is smooth to the third derivative: its slope is 35/16 at the most. The mean over an interval of
+    // 1/600 of that is less by (1/600)² of its curvature.
+    let expected = 35.0 / 16.0 * std::f64::consts::PI;
+    assert!((rate / expected - 1.0).abs() < 1e-4, "{rate}");
+    assert!(said.contains("truth           largest angular rate"), "{said}");
+}
+
+#[test]
+fn what_was_meant_is_told() {
+    let folder = folder("meant");
+    for (arguments, words) in [
+        (&["reprot"][..], "'report'"),
+        (&["fly", "simulaton2"], "did you mean simulation2?"),
+        (&["fly", "patrol", "--sett", "a=b"], "'--set'"),
+        (&["fly", "patrol", "--set", "gyro.bais_deg_h=1"], "bias_deg_h?"),
+        (&["fly", "patrol", "--preset", "tacticle"], "--preset tacticle: gyro.preset"),
+        (&["fly", "patrol", "--set", "gyro.bias_deg_h"], "expected KEY=VALUE"),
+        (&["fly"], "which scene?"),
+        (&["fly", "nowhere.csv"], "nowhere.csv: cannot be read"),
+        (&["fly", "nowhere.toml"], "nowhere.toml: cannot be read"),
+        (&["fly", "patrol", "--name", "a/b"], "without a folder"),
+        (&["fly", "aerobatics", "--set", "flight.hours=9"], "flight.hours = 9: must be at most"),
+        (&["recommend", "patrol"], "requirement.position_m"),
+    ] {
+        let errors = refused(&folder, arguments);
+        assert!(errors.contains(words), "{arguments:?}: {errors}");
+    }
+    assert_eq!(names(&folder), [""; 0]);
+}
+
+#[test]
+fn scenes_are_listed_checked_and_written() {
+    let folder = folder("scenes");
+    let list = done(&folder, &["scene", "list"]);
+    assert!(list.lines().count() == 9 && list.contains("over_the_pole  "), "{list}");
+    let text = done(&folder, &["scene", "write", "simulation2", "--set", "flight.hours=0.05"]);
+    std::fs::write(folder.join("own.toml"), &text).unwrap();
+    let said = done(&folder, &["scene", "check", "own.toml"]);
+    assert!(
+        said.starts_with("own.toml: The paper's simulation 2") && said.contains("3 min at 100 Hz"),
+        "{said}"
+    );
+    done(&folder, &["fly", "own.toml", "-q"]);
+    done(&folder, &["fly", "simulation2", "-q", "--set", "flight.hours=0.05"]);
+    assert_eq!(read(folder.join("sins_out/own.csv")), read(folder.join("sins_out/simulation2.csv")));
+    // A scene is somebody's own as soon as it is there.
+    let order = ["scene", "write", "patrol", "-o", "own.toml"];
+    assert!(refused(&folder, &order).contains("--force"));
+    done(&folder, &[&order[..], &["--force"]].concat());
+    for scene in ["drone", "fighter", "patrol", "trainer"] {
+        let path = project_file(&format!("c_examples/scenes/{scene}.toml"));
+        done(&folder, &["scene", "check", path.to_str().unwrap()]);
+    }
+}
+
+#[test]
+fn the_scene_of_the_readme_flies() {
+    let folder = folder("readme");
+    let readme = read(project_file("README.md"));
+    let (text, _) = readme.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
+    let flights = project_file("c_examples/flights");
+    std::fs::write(folder.join("readme.toml"), text.replace("../flights", flights.to_str().unwrap()))
+        .unwrap();
+    done(&folder, &["fly", "readme.toml", "-q", "--set", "flight.hours=0.02"]);
+    assert!(folder.join("sins_out/readme.csv").exists());
+}
+
+#[test]
+fn keys_and_completions_are_printed() {
+    let folder = folder("keys");
+    let keys = done(&folder, &["keys"]);
+    for section in ["[flight]", "[[manoeuvre.sinusoid]]", "[gyro]", "[[failure]]", "[output]"] {
+        assert!(keys.contains(section), "{section}");
+    }
+    assert!(keys.contains("; one number for all axes, or three [deg/h]; in SI bias_rad_s"));
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        assert!(done(&folder, &["completions", shell]).contains("recommend"), "{shell}");
+    }
+}
+
+/// A reader that goes early is no failure.
+#[test]
+#[cfg(unix)]
+fn a_closed_pipe_is_no_failure() {
+    let folder = folder("pipe");
+    let script = format!("'{}' keys | true; exit ${{PIPESTATUS:-0}}", env!("CARGO_BIN_EXE_sins"));
+    let output =
+        std::process::Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
+
+#[test]
+fn options_are_recommended_and_too_much_is_told() {
+    let folder = folder("recommend");
+    let scene = ["recommend", "aerobatics", "--piece", "30", "--hours", "0.01"];
+    let said = done(&folder, &[&scene[..], &["--position", "1"]].concat());
+    assert!(said.contains("[options]\nscheme = \"") && said.contains("algorithms were tried"), "{said}");
+    // What it says is a part of a scene.
+    let options = said.split("\n\n").next().unwrap();
+    std::fs::write(folder.join("own.toml"), format!("[flight]\nbuiltin = \"aerobatics\"\n{options}\n"))
+        .unwrap();
+    done(&folder, &["scene", "check", "own.toml"]);
+    let (code, said, errors) = run(&folder, &[&scene[..], &["--position", "1e-12"]].concat());
+    assert!(code == 3 && errors.contains("no options meet") && said.contains("[options]"), "{code} {errors}");
+}

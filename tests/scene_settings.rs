@@ -1,0 +1,124 @@
+//! Keys that are set beside the text of a scene, and what is read of one.
+
+use sins::scene::{Scene, keys};
+
+const TEXT: &str = "\
+[flight]
+builtin = \"patrol\"
+hours = 0.5
+[gyro]
+preset = \"tactical\"
+bias_deg_h = [1, 2, 3]
+[options]
+subsamples = 9
+";
+
+fn set(text: &str, settings: &[(&str, &str)]) -> Result<Scene, Vec<String>> {
+    let told = |faults: Vec<sins::scene::Fault>| faults.iter().map(ToString::to_string).collect();
+    Scene::parse_with(text.as_bytes(), settings).map_err(told)
+}
+
+/// As if the text had the value: of any kind, in SI too, in a section that the text does not have, and in the place of one that is
+/// refused.
+#[test]
+fn a_setting_is_as_the_text_with_it() {
+    let settings = [
+        ("options.subsamples", "3"),
+        ("options.scheme", "paper"),
+        ("gyro.bias_deg_h", "7"),
+        ("gyro.bias_deg_h", "[0.1, -2e-3, 0]"),
+        ("gyro.scale_factor_sigma", "1e-4"),
+        ("altimeter.bias_m", "12"),
+        ("options.vertical", "\"damped\""),
+        ("output.quiet", "true"),
+        ("flight.title", "2026 = a year"),
+    ];
+    let written = "\
+[flight]
+builtin = \"patrol\"
+hours = 0.5
+title = \"2026 = a year\"
+[gyro]
+preset = \"tactical\"
+bias_deg_h = [0.1, -2e-3, 0]
+scale_factor_sigma = 1e-4
+[options]
+subsamples = 3
+scheme = \"paper\"
+vertical = \"damped\"
+[altimeter]
+bias_m = 12
+[output]
+quiet = true
+";
+    assert_eq!(set(TEXT, &settings), set(written, &[]));
+    // A preset comes first, wherever it stands: what the text sets beside it stays.
+    let consumer = set(TEXT, &[("gyro.preset", "consumer"), ("options.subsamples", "2")]).unwrap();
+    let bias = [1.0, 2.0, 3.0].map(|bias: f64| bias * (core::f64::consts::PI / 648_000.0));
+    assert_eq!(consumer.gyro.bias.as_slice(), bias);
+    assert_eq!(consumer.gyro.random_walk, sins::sensors::Grade::Consumer.parameters().0.random_walk);
+}
+
+/// Faults of settings have their number, beside those of the text with its lines; the words are those of a text.
+#[test]
+fn faults_have_the_number_of_their_setting() {
+    let settings = [
+        ("gyro.bais_deg_h", "1"),
+        ("gyro.bias_deg_h", "1"),
+        ("gryo.bias_deg_h", "1"),
+        ("failure.size_m", "1"),
+        ("seed", "1"),
+        ("options.scheme", "exakt"),
+        ("accelerometer.scale_factor_ppm", "3e6"),
+        ("flight.hours", "1\n[output]\nquiet = true"),
+        ("flight.rate_hz", "nan"),
+        ("output.name", ""),
+    ];
+    let faults = set(TEXT, &settings).unwrap_err();
+    for (fault, begin) in faults.iter().zip([
+        "8:1: options.subsamples = 9: must be from 1 to 5",
+        "0:1: no such key: bais_deg_h; bias_deg_h?",
+        "0:3: no such section: gryo; gyro?",
+        "0:4: [[failure]]: only in the text of a scene",
+        "0:5: seed: expected section.key",
+        "0:6: options.scheme = \"exakt\": expected exact, paper, polynomial",
+        "0:7: accelerometer.scale_factor_ppm[0] = 3000000: must be from -1000000 to 1000000",
+        "0:8: flight.hours = ",
+        "0:9: flight.rate_hz = ",
+        "0:10: output.name = \"\"",
+    ]) {
+        assert!(fault.starts_with(begin), "{fault}, not {begin}");
+    }
+    assert_eq!(faults.len(), 10, "{faults:?}");
+}
+
+/// Every key of a section in single brackets can be set, and read back: by its own value nothing changes.
+#[test]
+fn every_key_can_be_set_and_read() {
+    let scene = set(TEXT, &[("options.subsamples", "2")]).unwrap();
+    let text = scene.write();
+    let mut count = 0;
+    for key in keys().iter().filter(|key| !key.is_list && key.section != "flight" && key.name != "preset") {
+        let path = format!("{}.{}", key.section, key.name);
+        let value = scene.value(&path).unwrap_or_else(|| panic!("{path}"));
+        // What has no default cannot be written, and what acts with others alone is refused without them.
+        if value.is_empty()
+            || value == "NaN"
+            || key.section == "altimeter"
+            || key.name == "closed_loop_time_s"
+        {
+            continue;
+        }
+        let again = set(&text, &[(path.as_str(), value.as_str())]);
+        assert_eq!(again.as_ref(), Ok(&scene), "{path} = {value}");
+        count += 1;
+    }
+    assert!(count > 80, "{count}");
+    assert_eq!((scene.value("failure.kind"), scene.value("gyro.nothing")), (None, None));
+    let set: Vec<String> =
+        scene.changed_keys().iter().map(|key| format!("{}.{}", key.section, key.name)).collect();
+    assert!(
+        set.contains(&"gyro.bias_deg_h".into()) && !set.contains(&"options.subsamples".into()),
+        "{set:?}"
+    );
+}
