@@ -4,14 +4,14 @@
 //! The header goes to the build's own folder, where a test compares it with the committed `include/sins.h`;
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed one.
 
-#[path = "build/enumerations.rs"]
+#[path = "src/abi/header/enumerations.rs"]
 mod enumerations;
 #[allow(dead_code, reason = "the crate uses the rest")]
 #[path = "src/sensors/parameter.rs"]
 mod parameter;
-#[path = "build/sensor_structs.rs"]
+#[path = "src/abi/header/sensor_structs.rs"]
 mod sensor_structs;
-#[path = "build/sizes.rs"]
+#[path = "src/abi/header/sizes.rs"]
 mod sizes;
 #[path = "src/sensors/table.rs"]
 mod table;
@@ -86,7 +86,7 @@ const SOURCES: [&str; 31] = [
 
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
-    for source in ["build.rs", "build", "src/sensors/parameter.rs", "src/sensors/table.rs", "src/units.rs"] {
+    for source in ["build.rs", "src/sensors/parameter.rs", "src/sensors/table.rs", "src/units.rs"] {
         println!("cargo:rerun-if-changed={source}");
     }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
