@@ -81,7 +81,7 @@ macro_rules! call {
         #[allow(unused_unsafe)]
         let status = unsafe { $function($($argument),*) };
         $crate::trace::called(stringify!($function), status);
-        assert!((-13..=3).contains(&status), "{}: status {status}", stringify!($function));
+        assert!((-13..=4).contains(&status), "{}: status {status}", stringify!($function));
         status
     }};
 }
