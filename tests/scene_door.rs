@@ -233,3 +233,15 @@ fn a_temperature_that_is_not_used_is_named() {
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
     }
 }
+
+#[test]
+fn an_enumeration_is_named_by_its_type() {
+    let (mut sim, mut options) = (null_mut(), init::<sins_options>());
+    options.truth_summary = 2;
+    // SAFETY: options that state their size, and a place for a handle.
+    let text = unsafe {
+        assert_eq!(sins_create(&options, &mut sim), SINS_ERROR_INVALID_ARGUMENT);
+        text_of(|buffer, capacity, needed| sins_last_error(null_mut(), buffer, capacity, needed))
+    };
+    assert_eq!(text, "options.truth_summary = 2: must be of enum sins_summary, 0 to 1");
+}
