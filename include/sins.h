@@ -86,7 +86,7 @@
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
  *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures in their time
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time of the first sample
  *         sins_push_sample(sim, &sample);
  *         sins_step(sim);
  *     }
@@ -1724,7 +1724,7 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
  * period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
  * rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
  *
- * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.98e9 to 1e10. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+ * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 1e10. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
  * increments, which have no stamps.
  */
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
@@ -2138,8 +2138,8 @@ SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene,
  * interval that starts at their time or later; failures of outputs for which it plans none are left alone.
  * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
  *
- * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges. SINS_ERROR_BAD_STATE: as
- * sins_scene_parse().
+ * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
+ * from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare(
     const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);

@@ -187,3 +187,61 @@ fn what_is_set_is_given_back_and_a_bad_value_changes_nothing() {
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
     }
 }
+
+#[test]
+fn prepare_rejects_what_no_push_takes_and_changes_nothing() {
+    let text =
+        b"[flight]\nbuiltin = \"rest\"\n[[failure]]\nsensor = \"altimeter\"\nkind = \"dead\"\nfrom_s = 0\n";
+    let (status, scene) = parsed(text);
+    assert_eq!(status, SINS_OK);
+    let (mut sim, mut failure) = (null_mut(), init::<sins_failure>());
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create_simulator(scene, &mut sim), SINS_OK);
+        let mut sample = init::<sins_flight_sample>();
+        for time_s in [0.0, 0.01] {
+            sample.time_s = time_s;
+            assert_eq!(sins_scene_prepare(scene, sim, 0.0, &mut sample), SINS_OK);
+            assert_eq!(sins_push_sample(sim, &sample), SINS_OK);
+        }
+        let cases =
+            [(f64::NAN, 0.02, 0.0), (f64::INFINITY, 0.02, 0.0), (0.0, f64::NAN, 0.0), (0.0, 0.02, 2.0)];
+        for (start_s, time_s, latitude_rad) in cases {
+            (sample.time_s, sample.latitude_rad) = (time_s, latitude_rad);
+            assert_eq!(sins_scene_prepare(scene, sim, start_s, &mut sample), SINS_ERROR_INVALID_ARGUMENT);
+            assert_eq!(sins_get_failure(sim, SINS_SENSOR_ALTIMETER, 0, &mut failure), SINS_OK);
+            assert_eq!(failure.kind, SINS_FAILURE_DEAD);
+        }
+        assert_eq!(sins_destroy(sim), SINS_OK);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn a_temperature_that_is_not_used_is_named() {
+    let (mut scene, mut setup, mut info) =
+        (null_mut(), init::<sins_scene_setup>(), init::<sins_error_info>());
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
+        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
+        setup.temperature_change_c_s = 1.0;
+        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_last_error_info(null_mut(), &mut info), SINS_OK);
+        assert_eq!(CStr::from_ptr(info.field.as_ptr()).to_str(), Ok("setup.temperature_change_c_s"));
+        assert_eq!(info.value, 1.0);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn an_enumeration_is_named_by_its_type() {
+    let (mut sim, mut options) = (null_mut(), init::<sins_options>());
+    options.truth_summary = 2;
+    // SAFETY: options that state their size, and a place for a handle.
+    let text = unsafe {
+        assert_eq!(sins_create(&options, &mut sim), SINS_ERROR_INVALID_ARGUMENT);
+        text_of(|buffer, capacity, needed| sins_last_error(null_mut(), buffer, capacity, needed))
+    };
+    assert_eq!(text, "options.truth_summary = 2: must be of enum sins_summary, 0 to 1");
+}

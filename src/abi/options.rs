@@ -246,7 +246,7 @@ impl sins_options {
             "options.truth_summary",
             self.truth_summary,
             &[(SINS_SUMMARY_OFF, false), (SINS_SUMMARY_ON, true)],
-            "must be a SINS_SUMMARY_ constant, 0 or 1",
+            "sins_summary",
         )?;
         let frame = one_of(
             "options.frame",

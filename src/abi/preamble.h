@@ -86,7 +86,7 @@
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
  *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures in their time
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time of the first sample
  *         sins_push_sample(sim, &sample);
  *         sins_step(sim);
  *     }

@@ -278,8 +278,8 @@ pub unsafe extern "C" fn sins_scene_create_flight(
 /// interval that starts at their time or later; failures of outputs for which it plans none are left alone.
 /// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges. SINS_ERROR_BAD_STATE: as
-/// sins_scene_parse().
+/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
+/// from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_prepare(
     scene: *const sins_scene,

@@ -159,9 +159,14 @@ pub unsafe extern "C" fn sins_scene_set_setup(
         changed.output.every_s = some(setup.every_s);
         changed.output.quiet = flag("setup.quiet", setup.quiet)?;
         changed.temperature = flag("setup.has_temperature", setup.has_temperature)?.then_some(temperature);
-        if changed.temperature.is_none() && (temperature.at_start_c, temperature.change_c_s) != (0.0, 0.0) {
-            let rule = Rule::Words("must be 0, and its change too: has_temperature is 0");
-            return Err(Error::invalid("setup.temperature_c", setup.temperature_c, rule).into());
+        let unused = [
+            ("setup.temperature_c", setup.temperature_c),
+            ("setup.temperature_change_c_s", setup.temperature_change_c_s),
+        ];
+        if let (None, Some((field, value))) =
+            (&changed.temperature, unused.iter().find(|(_, value)| *value != 0.0))
+        {
+            return Err(Error::invalid(field, *value, Rule::Words("must be 0: has_temperature is 0")).into());
         }
         if !scene.is_log() {
             changed.rate_hz = setup.rate_hz;

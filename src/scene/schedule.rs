@@ -46,6 +46,9 @@ impl Temperature {
 /// Planned failures at the most.
 const MAX_FAILURES: usize = 4096;
 
+/// Largest time stamp of a flight's first sample, of either sign [s]: twice that of a sample, as moved time moves it along.
+const LATEST_START_S: f64 = 2e10;
+
 /// What rounding of time stamps may leave of the time of a failure, in intervals.
 const ROUNDING: f64 = 1e-9;
 
@@ -60,6 +63,8 @@ impl Scene {
         start_s: f64,
         sample: &mut FlightSample,
     ) -> Result<(), Error> {
+        check_range("flight_start_s", start_s, -LATEST_START_S, LATEST_START_S)?;
+        sample.validate()?;
         if let Some(temperature) = &self.temperature {
             sample.temperature_c = Some(temperature.at(sample.time_s - start_s));
         }
