@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The main job: builds the library, the program sins and the C and C++ examples; flies one scene by the C host; flies the paper's
-# two simulations and two real flights by the program; draws one page of all, with the errors of simulation 2 as a picture of its
-# own. Needs Rust and a C and C++ compiler.
+# two simulations and two logs of a flight simulator by the program; draws one page of all, with the errors of simulation 2 as a
+# picture of its own. Needs Rust and a C and C++ compiler.
 # FLY_HOURS: duration of the simulations, 48 unless stated. Output: target/flights.
 set -eu
 
