@@ -553,7 +553,10 @@ public:
         sins_fault fault = make<sins_fault>();
         const sins_status status = sins_log_parse(text.data(), text.size(), &log_, &fault);
         if (status == SINS_ERROR_INVALID_ARGUMENT) {
-            throw Error(status, std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.sentence);
+            sins_error_info info = make<sins_error_info>();
+            sins_last_error_info(nullptr, &info);
+            throw Error(status, std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.sentence,
+                        info);
         }
         detail::done(status, nullptr);
     }
