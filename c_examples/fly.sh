@@ -1,17 +1,28 @@
 #!/usr/bin/env bash
-# Builds the program, flies the paper's two simulations and two real flights, and writes the report, with the errors of
-# simulation 2 as a picture of its own. Needs Rust alone.
+# The main job: builds the library, the program sins and the C and C++ examples; flies one scene by the C host; flies the paper's
+# two simulations and two logs of a flight simulator by the program; draws one page of all, with the errors of simulation 2 as a
+# picture of its own. Needs Rust and a C and C++ compiler.
 # FLY_HOURS: duration of the simulations, 48 unless stated. Output: target/flights.
 set -eu
 
 cd "$(dirname "$0")/.."
 hours=${FLY_HOURS:-48}
 out=target/flights
-
-cargo build --release --quiet -p sins-cli
 sins=${CARGO_TARGET_DIR:-target}/release/sins
 
+echo "building (some minutes, once)"
+cargo build --release --quiet -p sins-cli
+c_examples/build.sh # last: of both builds of the library it is this one, optimised across crates, that stays
+
 rm -rf "$out"
+mkdir -p "$out"
+scene=c_examples/scenes/fighter.toml
+printf '\ntarget/c_examples/harness %s, first and last lines of %s/harness.txt:\n' "$scene" "$out"
+target/c_examples/harness "$scene" >"$out/harness.txt"
+head -n 4 "$out/harness.txt"
+echo ...
+tail -n 14 "$out/harness.txt"
+
 fly() {
     echo
     "$sins" fly "$@" --out "$out"
@@ -33,4 +44,4 @@ echo
     "$out/simulation2_patrol.csv" "$out/simulation2_rest.csv" \
     "$out/simulation1_patrol.csv" "$out/simulation1_rest.csv" \
     "$out/airliner_cruise.csv" "$out/fighter_aerobatics.csv"
-echo "picture: $PWD/$out/simulation2.svg"
+printf '\nopen the page: %s\nthe picture:   %s\n' "$PWD/$out/report.html" "$PWD/$out/simulation2.svg"
