@@ -1724,7 +1724,7 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
  * period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
  * rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
  *
- * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 1e10. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+ * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
  * increments, which have no stamps.
  */
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);

@@ -319,7 +319,7 @@ fn a_move_that_makes_no_sense_is_refused() {
     let mut simulator = troubled(&Options { frame: Frame::Geographic, ..Options::default() });
     refused(&mut simulator, ErrorKind::BadState, &|simulator| simulator.move_time(5.0));
     fly(&mut simulator, &[resting_sample(0.0), resting_sample(0.02)]);
-    for time_s in [f64::NAN, f64::INFINITY, 1.1e10, -1e10] {
+    for time_s in [f64::NAN, f64::INFINITY, 9.99999e9, 1e10, -1e10] {
         refused(&mut simulator, ErrorKind::InvalidArgument, &|simulator| simulator.move_time(time_s));
     }
     let pole = elsewhere(0.0, 89.999, 0.0, 0.0);
@@ -345,6 +345,28 @@ fn a_move_that_makes_no_sense_is_refused() {
 }
 
 /// The interval of a gap is told when its sample is pushed: by the library's own rule, of the two intervals before.
+/// At either end of the time that there is: stamps before and behind their place in the stated period are still read back.
+#[test]
+fn a_flight_at_the_ends_of_time_is_saved_and_loaded() {
+    let options = Options {
+        intake: IntakeLimits { period_s: Some(0.01), ..IntakeLimits::default() },
+        ..Options::default()
+    };
+    for end_s in [-9.99998e9, 9.99998e9] {
+        for off_s in [-0.003, 0.003] {
+            let mut simulator = Simulator::new(&options).unwrap();
+            for time_s in [0.0, 0.01, 0.02 + off_s] {
+                simulator.push_sample(&resting_sample(time_s)).unwrap();
+            }
+            simulator.move_time(end_s).unwrap();
+            let saved = snapshot(&simulator);
+            let mut loaded = Simulator::new(&options).unwrap();
+            loaded.load_snapshot(&saved).unwrap();
+            assert!(snapshot(&loaded) == saved, "{end_s} {off_s}");
+        }
+    }
+}
+
 #[test]
 fn a_gap_is_told_by_its_push() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();

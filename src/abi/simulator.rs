@@ -160,7 +160,7 @@ pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::erro
 /// period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
 /// rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 1e10. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+/// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
 /// increments, which have no stamps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {

@@ -28,6 +28,9 @@ pub(crate) const INTERVALS_S: (f64, f64) = {
 /// Earliest time that a sample can be moved to [s]: those before it, at most 18 intervals, have room then.
 const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
 
+/// And the latest: one that came before its place in the stated period has room behind it, and a snapshot of it.
+const LATEST_MOVED_S: f64 = LATEST_S - 20.0 * MAX_GAP_S;
+
 /// What a time stamp may be off the stated period by, in periods.
 const OFF_PERIOD: f64 = 0.4;
 
@@ -118,7 +121,7 @@ impl Intake {
         let Some(newest) = self.ring.pushed(0) else {
             return Err(Error::bad_state("no sample yet: the first one brings its own time"));
         };
-        check_range("time_s", time_s, EARLIEST_MOVED_S, LATEST_S)?;
+        check_range("time_s", time_s, EARLIEST_MOVED_S, LATEST_MOVED_S)?;
         let shift_s = time_s - newest.sample.time_s;
         let period_s = self.limits.period_s;
         let off_time_base = |point: &TruthPoint| {
