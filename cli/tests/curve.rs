@@ -33,7 +33,7 @@ fn accuracy_and_its_cost_are_measured() {
     .unwrap();
     let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("../c_examples/flights/airliner_cruise.csv");
     let output = Command::new(env!("CARGO_BIN_EXE_sins"))
-        .args(["curve", "--quick", "--scene", "aerobatics", "--scene", "pole", "--instructions"])
+        .args(["curve", "--quick", "--flight", "aerobatics", "--flight", "pole", "--instructions"])
         .arg(&counts)
         .arg("-o")
         .arg(&out)
@@ -83,8 +83,9 @@ fn accuracy_and_its_cost_are_measured() {
         assert!(sensors[0] > 0.01 && sensors[1] > sensors[0], "{scene:?}");
     }
     let table = std::fs::read_to_string(out.join("table.md")).unwrap();
+    let (_, table) = table.split_once("\n\n").unwrap();
     assert_eq!(table.lines().count(), 2 + 3);
-    assert!(String::from_utf8_lossy(&output.stdout).starts_with(&table));
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with(table) && table.contains("100 m in 2 min"));
     for name in ["aerobatics", "pole", "airliner_cruise"] {
         assert!(std::fs::read_to_string(out.join(name).with_extension("svg")).unwrap().contains("<svg"));
     }
@@ -96,9 +97,9 @@ fn a_bad_order_is_refused() {
         let output = Command::new(env!("CARGO_BIN_EXE_sins")).arg("curve").args(arguments).output().unwrap();
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
-    let (code, errors) = run(&["--scene", "moon", "-o", "nowhere"]);
+    let (code, errors) = run(&["--flight", "moon", "-o", "nowhere"]);
     assert!(code == Some(2) && errors.contains("moon"), "{errors}");
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
     let (code, errors) = run(&["-o", out.to_str().unwrap(), "missing.csv"]);
-    assert!(code == Some(1) && errors.contains("missing.csv"), "{errors}");
+    assert!(code == Some(2) && errors.contains("missing.csv"), "{errors}");
 }
