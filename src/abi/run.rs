@@ -76,8 +76,10 @@ fn run(
     for index in 0..samples.count() {
         let sample =
             samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
-        let pushed = push(simulator, &sample).map_err(|f| f.of_sample(index))?;
-        answer = answer.max(pushed);
+        let pushed = push(simulator, &sample).map_err(|error| Failure::from(error).of_sample(index))?;
+        if pushed != SINS_OK {
+            answer = pushed;
+        }
         while fly(simulator, every, records, done).map_err(|f| f.of_sample(index))? != SINS_NEED_SAMPLE {}
     }
     Ok(answer)

@@ -121,7 +121,7 @@ pub unsafe extern "C" fn sins_push_sample(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let sample = unsafe { read(sample, "sample")? };
-        push(simulator, &sample.to_sample()?)
+        Ok(push(simulator, &sample.to_sample()?)?)
     })
 }
 
@@ -139,7 +139,11 @@ pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))
 }
 
-pub(super) fn push(simulator: &mut Simulator, sample: &FlightSample) -> Result<sins_status, Failure> {
+#[inline]
+pub(super) fn push(
+    simulator: &mut Simulator,
+    sample: &FlightSample,
+) -> Result<sins_status, crate::error::Error> {
     Ok(match simulator.push_sample(sample)? {
         Pushed::Regular | Pushed::FirstVelocity => SINS_OK,
         Pushed::BehindGap => SINS_GAP,

@@ -121,12 +121,18 @@ impl Simulator {
         self.refuse_while_navigating()?;
         self.sensors.check_temperature(sample.temperature_c)?;
         let pushed = self.intake.push(sample)?;
-        if pushed == Pushed::FirstVelocity
-            && let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current())
-        {
-            chain.take_first_velocity(current);
+        if pushed == Pushed::FirstVelocity {
+            self.take_first_velocity();
         }
         Ok(pushed)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn take_first_velocity(&mut self) {
+        if let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current()) {
+            chain.take_first_velocity(current);
+        }
     }
 
     /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors.

@@ -211,10 +211,10 @@ impl Intake {
             point.set_velocity(&self.earth, self.velocity_from_positions(&point));
         }
         Steps { last, before: [self.ring.pushed(1), self.ring.pushed(2)] }.check(&point, &self.limits)?;
-        let mut pushed = match point.gap_ratio(last, self.ring.pushed(1)) {
-            None => Pushed::Regular,
-            Some(_) => Pushed::BehindGap,
-        };
+        let mut pushed = Pushed::Regular;
+        if point.ends_gap(last) && point.gap_ratio(last, self.ring.pushed(1)).is_some() {
+            pushed = Pushed::BehindGap;
+        }
         if last.sample.v_n.is_none() && self.ring.pushed(1).is_none() {
             // The first velocity is known only now: the mean of the first interval.
             if let Some(first) = self.ring.pushed_mut() {
