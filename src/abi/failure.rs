@@ -24,7 +24,7 @@ pub const SINS_SCENE_HAS_FAULTS: sins_status_code = 3;
 pub const SINS_GAP: sins_status_code = 4;
 /// A pointer that must not be null is.
 pub const SINS_ERROR_NULL_POINTER: sins_status_code = -1;
-/// The handle is null, made up, destroyed, or of the other kind.
+/// The handle is null, made up, destroyed, or of another kind.
 pub const SINS_ERROR_BAD_HANDLE: sins_status_code = -2;
 /// A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
 pub const SINS_ERROR_STRUCT_SIZE: sins_status_code = -3;

@@ -49,7 +49,7 @@ fn with_log(
 }
 
 /// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
-/// order; columns of other names are passed over:
+/// order; columns of other names are passed over, and a row with more fields than columns is a fault:
 ///
 ///   time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
 ///   heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,

@@ -25,12 +25,12 @@
  * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
  *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
  *   height above the ellipsoid.
- * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value. On an
- *   error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a buffer is
- *   too small, sins_last_error() and sins_error_budget() report the size that is needed.) SINS_ERROR_NULL_POINTER,
- *   SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE
- *   and SINS_ERROR_INTERNAL can come from every function that has the argument in question; what else can is told there, or
- *   under Threads and Unloading.
+ * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value.
+ *   On an error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a
+ *   buffer is too small, sins_last_error() and sins_error_budget() report the size that is needed.)
+ *   Every function that has the argument in question can return SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE,
+ *   SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under
+ *   Threads and Unloading.
  *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
  *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
  *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
@@ -50,9 +50,10 @@
  *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
  *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
  *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
- * Real time. Push, step, run, the reads, the setters, reset, reposition, moving time and truth, and saving a snapshot make no allocation and no system
- *   call, unless the handle is in use in another thread. The library prints nothing, reads no environment and no file, and
- *   leaves the host's floating-point control state and x87 registers as it found them.
+ * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The library prints
+ *   nothing, reads no environment and no file, and leaves the host's floating-point control state and x87 registers as it
+ *   found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
  *   themselves, and the first create draws the numbers of its handles from the clock.)
  *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. If the
@@ -71,9 +72,9 @@
  *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
  *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
  *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
- *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place, and its errors
- *     with it: for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to a saved moment:
- *     sins_snapshot_load().
+ *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards
+ *     its errors: it is for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to
+ *     a saved moment: sins_snapshot_load().
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
@@ -147,8 +148,8 @@ extern "C" {
 #endif
 
 /*
- * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up, destroyed or
- * wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up,
+ * destroyed or wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
