@@ -50,7 +50,7 @@ const EFFECTS: [&str; 18] = [
 ];
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 31] = [
+const SOURCES: [&str; 32] = [
     "version",
     "failure",
     "options",
@@ -78,6 +78,7 @@ const SOURCES: [&str; 31] = [
     "fault_report",
     "scene_settings",
     "scene_flight",
+    "scene_failure",
     "log",
     "recommend",
     "budget",

@@ -50,6 +50,8 @@ mod sample;
 #[cfg(feature = "scenes")]
 mod scene;
 #[cfg(feature = "scenes")]
+mod scene_failure;
+#[cfg(feature = "scenes")]
 mod scene_flight;
 #[cfg(feature = "scenes")]
 mod scene_settings;
@@ -90,6 +92,8 @@ pub use run::sins_run;
 pub use sample::*;
 #[cfg(feature = "scenes")]
 pub use scene::*;
+#[cfg(feature = "scenes")]
+pub use scene_failure::*;
 #[cfg(feature = "scenes")]
 pub use scene_flight::*;
 #[cfg(feature = "scenes")]

@@ -1,0 +1,160 @@
+//! The failures that a scene plans.
+
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::{Output, interface_struct, put, read};
+use super::options::check_reserved;
+use super::scene::{sins_scene, with_scene};
+use super::sensor_failure::{output, sins_failure};
+use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
+use crate::error::{Error, Rule};
+use crate::scene::{Failing, PlannedFailure};
+use crate::sensors::SensorOutput;
+
+/// A failure that a scene plans.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_planned_failure {
+    /// sizeof(sins_planned_failure)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Of enum sins_sensor.
+    pub sensor: i32,
+    /// 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
+    pub axis: i32,
+    /// When it begins, 0 to 1e9 since the start of the flight [s].
+    pub from_s: f64,
+    /// When it ends, likewise; 0: at the end of the flight [s].
+    pub until_s: f64,
+    /// Of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+    pub kind: i32,
+    /// Must be 0.
+    pub reserved2: u32,
+    /// This and the following as in sins_failure.
+    pub size: f64,
+    /// See sins_failure.
+    pub density: f64,
+    /// See sins_failure [s].
+    pub interval_s: f64,
+    /// See sins_failure [s].
+    pub duration_s: f64,
+    /// See sins_failure.
+    pub probability: f64,
+}
+
+interface_struct!(sins_planned_failure, "failure", 80);
+
+/// How many failures the scene plans.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_failure_count(
+    scene: *const sins_scene,
+    count: *mut usize,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        unsafe { put(count, scene.failures.len(), "count")? };
+        Ok(SINS_OK)
+    })
+}
+
+/// Planned failure `index`, from 0.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_failure(
+    scene: *const sins_scene,
+    index: usize,
+    failure: *mut sins_planned_failure,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(failure, "failure")? };
+        let Some(planned) = scene.failures.get(index) else {
+            let rule =
+                Rule::WordsAnd("must be less than the failures of the scene:", scene.failures.len() as f64);
+            return Err(Error::invalid("index", index, rule).into());
+        };
+        output.write(&sins_planned_failure::new(planned));
+        Ok(SINS_OK)
+    })
+}
+
+/// Plans one failure more.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_add_failure(
+    scene: *mut sins_scene,
+    failure: *const sins_planned_failure,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let planned = unsafe { read(failure, "failure")? }.to_planned()?;
+        scene.add_failure(planned)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Plans no failure any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_clear_failures(scene: *mut sins_scene) -> sins_status {
+    with_scene(scene, |scene| {
+        scene.failures.clear();
+        Ok(SINS_OK)
+    })
+}
+
+impl sins_planned_failure {
+    fn new(planned: &PlannedFailure) -> Self {
+        let (sensor, axis) = match planned.output {
+            SensorOutput::Gyro(axis) => (SINS_SENSOR_GYRO, axis as i32),
+            SensorOutput::Accelerometer(axis) => (SINS_SENSOR_ACCEL, axis as i32),
+            SensorOutput::Altimeter => (SINS_SENSOR_ALTIMETER, 0),
+        };
+        let Failing { from_s, until_s } = planned.failing;
+        let sins_failure { kind, size, density, interval_s, duration_s, probability, .. } =
+            sins_failure::from_failure(Some(&planned.failure));
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            sensor,
+            axis,
+            from_s,
+            until_s: if until_s.is_infinite() { 0.0 } else { until_s },
+            kind,
+            reserved2: 0,
+            size,
+            density,
+            interval_s,
+            duration_s,
+            probability,
+        }
+    }
+
+    fn to_planned(self) -> Result<PlannedFailure, Failure> {
+        let Self { kind, size, density, interval_s, duration_s, probability, .. } = self;
+        check_reserved("failure.reserved", self.reserved)?;
+        let failure = sins_failure {
+            struct_size: size_of::<sins_failure>() as u32,
+            reserved: 0,
+            kind,
+            reserved2: self.reserved2,
+            size,
+            density,
+            interval_s,
+            duration_s,
+            probability,
+        };
+        let output = output(self.sensor, self.axis)?;
+        let Some(failure) = failure.to_failure()? else {
+            let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
+            return Err(Error::invalid("failure.kind", kind, rule).into());
+        };
+        let until_s = match self.until_s {
+            0.0 => f64::INFINITY,
+            f64::INFINITY => f64::NAN,
+            until_s => until_s,
+        };
+        Ok(PlannedFailure::new(output, failure, self.from_s, until_s)?)
+    }
+}
