@@ -1,28 +1,26 @@
 #!/usr/bin/env bash
-# The DLLs of the release under wine, 64 and 32 bits, and the programs of tests/c with them. What cannot be had is told at the
+# The DLLs that are shipped (release/windows.sh), under wine, 64 and 32 bits, and the programs of tests/c with them. What cannot be had is told at the
 # end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/pe.sh
+. release/build.sh
 
 programs="digests float_environment misuse sentences run threads destroyed tls_indexes unload terminated"
 wine32=$PWD/target/wine32
 export WINEDEBUG=-all
 need g++ c++
 
-# dll PROCESSOR FOLDER: the DLL, the programs, and what wine lacks.
+# dll PROCESSOR FOLDER: the DLL that is shipped, what it is for the loader, and the programs.
 dll() {
-    local target=$1-pc-windows-gnu compiler=$1-w64-mingw32-gcc
-    need "gcc-mingw-w64-$(echo "$1" | tr _ -)" "$compiler"
-    rustup target add "$target"
-    cargo rustc --quiet --release --lib --crate-type cdylib --target "$target"
-    mkdir -p "$2"
-    cp "target/$target/release/sins.dll" "$2"
+    local compiler=$1-w64-mingw32-gcc
+    release/windows.sh "$1" "$2"
+    check_pe "$2/sins.dll" "$1" kernel32.dll msvcrt.dll ntdll.dll
     cp "$2/sins.dll" "$2/second.dll"
-    "$compiler" -shared -Wl,--kill-at -o "$2/bcryptprimitives.dll" tests/c/bcryptprimitives.c
     for name in $programs; do
         "$compiler" -std=c99 -D__USE_MINGW_ANSI_STDIO=1 -O1 -I include "tests/c/$name.c" -o "$2/$name.exe" \
-            "target/$target/release/libsins.dll.a" -static -lpthread
+            "$2/libsins.dll.a" -static -lpthread
     done
 }
 
