@@ -1,5 +1,4 @@
-//! Writes the structs of the table of sensor parameters and the C header from the sources of `src/abi`, and names the shared
-//! library.
+//! Writes the structs of the table of sensor parameters and the C header from the sources of `src/abi`.
 //!
 //! The header goes to the build's own folder, where a test compares it with the committed `include/sins.h`;
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed one.
@@ -113,11 +112,6 @@ fn main() {
         write(&root.join("include/sins.h"), &header);
     }
     println!("cargo:rustc-env=SINS_GENERATED_HEADER={}", generated.display());
-
-    // The number is SINS_HEADER_ABI: libraries of another one do not take this one's place.
-    if variable("CARGO_CFG_TARGET_OS") == "linux" {
-        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libsins.so.1");
-    }
 }
 
 fn variable(name: &str) -> String {
