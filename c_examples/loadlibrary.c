@@ -10,13 +10,6 @@
 
 #include "sins_loader.h"
 
-#if defined(_WIN32)
-#include <shellapi.h>
-#define LIBRARY "sins.dll"
-#else
-#define LIBRARY "libsins.so.1"
-#endif
-
 /* Times in seconds are exact in binary: no compiler rounds them otherwise. */
 #define RATE_HZ 128.0
 #define FRAMES (60 * 128)
@@ -113,37 +106,21 @@ static int fly(const sins_loader *sins)
         sins->sins_last_error(sim, sentence, sizeof sentence, NULL);
         fprintf(stderr, "loadlibrary: %s: %s\n", sins->sins_status_string(status), sentence);
     } else {
-        printf("digest %08lx%08lx\n", (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu));
+        printf("60 s of a turn, digest %08lx%08lx\n", (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu));
     }
     sins->sins_destroy(sim); /* a handle that is NULL is answered, not followed */
     sins->sins_flight_destroy(flight);
     return status >= 0;
 }
 
-/* The path of the library in UTF-8. On Windows main() gets its arguments in a code page that lacks most letters. */
-static const char *library_path(int count, char **arguments)
-{
-#if defined(_WIN32)
-    static char path[4096];
-    LPWSTR *wide = CommandLineToArgvW(GetCommandLineW(), &count);
-
-    (void)arguments;
-    if (wide == NULL || count < 2) {
-        return LIBRARY;
-    }
-    return WideCharToMultiByte(CP_UTF8, 0, wide[1], -1, path, sizeof path, NULL, NULL) > 0 ? path : "";
-#else
-    return count < 2 ? LIBRARY : arguments[1];
-#endif
-}
-
-int main(int count, char **arguments)
+/* Returns the exit code. */
+static int fly_with(const char *path)
 {
     sins_loader sins;
     char message[1024];
     int flown;
 
-    if (!sins_loader_open(&sins, library_path(count, arguments), message, sizeof message)) {
+    if (!sins_loader_open(&sins, path, message, sizeof message)) {
         fprintf(stderr, "loadlibrary: %s\n", message);
         return 1;
     }
@@ -152,3 +129,32 @@ int main(int count, char **arguments)
     flown = fly(&sins);
     return sins_loader_close(&sins) && flown ? 0 : 1;
 }
+
+#if defined(_WIN32)
+
+/* The arguments of main() are in a code page, which lacks most letters. Compilers of mingw want -municode for this main function. */
+#if defined(__cplusplus)
+extern "C"
+#endif
+int wmain(int count, wchar_t **arguments)
+{
+    char path[4096];
+
+    if (count < 2) {
+        return fly_with("sins.dll");
+    }
+    if (WideCharToMultiByte(CP_UTF8, 0, arguments[1], -1, path, sizeof path, NULL, NULL) == 0) {
+        fprintf(stderr, "loadlibrary: the path is longer than 4095 bytes\n");
+        return 1;
+    }
+    return fly_with(path);
+}
+
+#else
+
+int main(int count, char **arguments)
+{
+    return fly_with(count < 2 ? "libsins.so.1" : arguments[1]);
+}
+
+#endif

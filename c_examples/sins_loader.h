@@ -56,6 +56,7 @@ typedef struct sins_loader {
 /* No box on the screen for a file that is no DLL. */
 SINS_LOADER_INLINE sins_loader_library sins_loader_load(const char *path, char *message, size_t size)
 {
+    const int bits = sizeof(void *) * 8;
     wchar_t wide[1024];
     sins_loader_library library;
     UINT mode;
@@ -73,7 +74,7 @@ SINS_LOADER_INLINE sins_loader_library sins_loader_load(const char *path, char *
         SINS_LOADER_PRINT(message, size, "%s: no such file, or a DLL that it needs is missing (Windows error %lu)", path, error);
     } else if (library == NULL && error == ERROR_BAD_EXE_FORMAT) {
         SINS_LOADER_PRINT(message, size, "%s: not a DLL for programs of %d bits, as this one is (Windows error %lu)", path,
-                          (int)sizeof(void *) * 8, error);
+                          bits, error);
     } else if (library == NULL) {
         SINS_LOADER_PRINT(message, size, "%s: cannot be loaded (Windows error %lu)", path, error);
     }
@@ -159,6 +160,7 @@ SINS_LOADER_INLINE int sins_loader_close(sins_loader *loader)
 SINS_LOADER_INLINE int sins_loader_open(sins_loader *loader, const char *path, char *message, size_t size)
 {
     const char *lacks;
+    unsigned long version;
 
     memset(loader, 0, sizeof *loader);
     message[0] = '\0';
@@ -170,10 +172,9 @@ SINS_LOADER_INLINE int sins_loader_open(sins_loader *loader, const char *path, c
     if (!sins_loader_find(loader->library, "sins_abi_version", &loader->sins_abi_version) ||
         !sins_loader_find(loader->library, "sins_version_string", &loader->sins_version_string)) {
         SINS_LOADER_PRINT(message, size, "%s: a library, but not sins", path);
-    } else if (loader->sins_abi_version() != SINS_HEADER_ABI) {
-        SINS_LOADER_PRINT(message, size, "%s: sins %s has version %lu of the interface, this program needs version %lu", path,
-                          loader->sins_version_string(), (unsigned long)loader->sins_abi_version(),
-                          (unsigned long)SINS_HEADER_ABI);
+    } else if ((version = loader->sins_abi_version()) != SINS_HEADER_ABI) {
+        SINS_LOADER_PRINT(message, size, "%s: sins %s has version %lu of the interface, this program needs version %d", path,
+                          loader->sins_version_string(), version, SINS_HEADER_ABI);
     } else if ((lacks = sins_loader_find_all(loader)) != NULL) {
         SINS_LOADER_PRINT(message, size, "%s: sins %s is older than this program: it has no function %s", path,
                           loader->sins_version_string(), lacks);
