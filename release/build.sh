@@ -17,5 +17,5 @@ flags() {
 
 # The functions of the header, sorted.
 functions() {
-    grep -oE 'SINS_CALL sins_[a-z0-9_]+' include/sins.h | cut -d' ' -f2 | LC_ALL=C sort
+    sed -nE 's/^ *X\([^,]*, (sins_[a-z0-9_]+), .*/\1/p' include/sins_functions.h | LC_ALL=C sort
 }
