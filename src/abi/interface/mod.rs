@@ -4,9 +4,11 @@
 mod c_functions;
 mod c_header;
 mod c_types;
+mod fortran;
 mod model;
 pub mod sensor_structs;
 mod sizes;
+mod text;
 mod units;
 
 use std::fs;
@@ -66,6 +68,7 @@ pub fn generate(abi: &Path, sensor_params: &str) -> (Vec<Output>, String) {
     let outputs = vec![
         ("include/sins.h", c_header::write(&interface, &preamble)),
         ("include/sins_functions.h", c_functions::write(&interface)),
+        ("c_examples/fortran/sins.f90", fortran::write(&interface)),
     ];
     (outputs, sizes::check(&interface))
 }
