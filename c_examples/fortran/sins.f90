@@ -296,8 +296,7 @@ module sins
   !> Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
   integer(c_int32_t), parameter :: SINS_GRADE_TACTICAL = 3
   !> Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own.
-  !> Its
-  !> range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+  !> Its range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
   integer(c_int32_t), parameter :: SINS_GRADE_INDUSTRIAL = 4
   !> Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
   integer(c_int32_t), parameter :: SINS_GRADE_CONSUMER = 5
@@ -522,10 +521,9 @@ module sins
   !>
   !> Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
   !> sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f
-  !> loses by
-  !> that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean
-  !> size
-  !> (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.
+  !> loses by that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of
+  !> its mean size (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 %
+  !> with one.
   type, bind(C) :: sins_gyro_params
     !> sizeof(sins_gyro_params)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_GYRO_PARAMS
@@ -751,11 +749,10 @@ module sins
   !> point, along body axes; so is the barometric height.
   !>
   !> Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of
-  !> the
-  !> first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval
-  !> has
-  !> it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
-  !> sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is lacking.
+  !> the first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second
+  !> interval has it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what
+  !> the next sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is
+  !> lacking.
   type, bind(C) :: sins_mounting
     !> sizeof(sins_mounting)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_MOUNTING
@@ -968,8 +965,8 @@ module sins
   end type sins_errors
 
   !> Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors
-  !> sampled once a second. They describe one run,
-  !> which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
+  !> sampled once a second. They describe one run, which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data
+  !> sheets.
   type, bind(C) :: sins_accuracy
     !> sizeof(sins_accuracy)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_ACCURACY
@@ -1023,8 +1020,7 @@ module sins
   !> The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
   !> exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
   !> exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights
-  !> and
-  !> climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
+  !> and climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
   !> time stamp of the sample that it came with.
   type, bind(C) :: sins_truth_summary
     !> sizeof(sins_truth_summary)
@@ -1448,13 +1444,11 @@ module sins
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
     !> SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
     !> SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it
-    !> as
-    !> motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call sins_move_time()
-    !> before this push; the push cannot be taken back.
-    !> SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is
-    !> taken
-    !> until one fits, or until sins_move_time() for a gap, sins_move_truth() or sins_reposition() for a jump.
-    !> SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+    !> as motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call
+    !> sins_move_time() before this push; the push cannot be taken back. SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a
+    !> jump or half a turn since the last that was taken: no other is taken until one fits, or until sins_move_time() for a gap,
+    !> sins_move_truth() or sins_reposition() for a jump. SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on
+    !> increments.
     function sins_push_sample(sim, sample) bind(C, name="sins_push_sample")
       import
       type(c_ptr), value :: sim
@@ -1478,14 +1472,11 @@ module sins
     end function sins_step
 
     !> The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause
-    !> in
-    !> which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors, noise,
-    !> waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight goes on
-    !> to
-    !> the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles; with a
-    !> stated
-    !> period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
-    !> rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+    !> in which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors,
+    !> noise, waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight
+    !> goes on to the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles;
+    !> with a stated period they always are. (Without velocities the differences over three samples count too; durations in
+    !> sins_accuracy are rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
     !> increments, which have no stamps.
@@ -1498,21 +1489,16 @@ module sins
 
     !> The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
     !> the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are
-    !> those
-    !> before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the
-    !> velocity
-    !> there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
+    !> those before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and
+    !> the velocity there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
     !> factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once.
-    !> Waiting
-    !> samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval
-    !> before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+    !> Waiting samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the
+    !> interval before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
     !>
     !> Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
     !> common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the
-    !> shortest
-    !> way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm and
-    !> boresight,
-    !> and what is wrong of them, make of that in the new attitude.
+    !> shortest way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm
+    !> and boresight, and what is wrong of them, make of that in the new attitude.
     !>
     !> Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
     !> SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
@@ -1526,13 +1512,11 @@ module sins
     end function sins_move_truth
 
     !> The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors
-    !> that
-    !> it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go on
-    !> where
-    !> they were. Waiting samples and the running accuracy figures are dropped. Time may jump
-    !> too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
-    !> next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
-    !> first, and the next push makes an interval.
+    !> that it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go
+    !> on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump too, forward or back: the
+    !> run, and the count of a stated period, go on from the sample's time stamp. What is read until the next step is that of the
+    !> sample; an interval to read there is none. It may be the first call of a run: the sample is then the first, and the next push
+    !> makes an interval.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
     !> (a pole, in geographic axes) it is the reads and the next step that say so.
@@ -1552,11 +1536,10 @@ module sins
       integer(sins_status) :: sins_reset
     end function sins_reset
 
-    !> Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
-    !> terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
-    !> (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or
-    !> SINS_ERROR_BAD_STATE: see
-    !> Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+    !> Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always terminated;
+    !> "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator (create,
+    !> presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or
+    !> SINS_ERROR_BAD_STATE: see Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
     !>
     !> needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
     !> alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -1830,11 +1813,10 @@ module sins
       integer(sins_status) :: sins_get_record
     end function sins_get_record
 
-    !> Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
-    !> read) of navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the
-    !> quaternion
-    !> is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and
-    !> flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+    !> Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not read) of
+    !> navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion is 1
+    !> within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and flagged so,
+    !> errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
     !> started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
@@ -1903,8 +1885,7 @@ module sins
     end function sins_snapshot_load
 
     !> Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at
-    !> turn-on
-    !> with the standard deviations that the source states; what it does not state is 0.
+    !> turn-on with the standard deviations that the source states; what it does not state is 0.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: no such grade.
     function sins_gyro_preset(grade, params) bind(C, name="sins_gyro_preset")
@@ -1928,8 +1909,7 @@ module sins
     !> to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
     !>
     !> Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600
-    !> s
-    !> of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+    !> s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
     !>
     !> On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
     !> value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
@@ -2082,9 +2062,8 @@ module sins
 
     !> Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
     !> next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the
-    !> first
-    !> interval that starts at their time or later; failures of outputs for which it plans none are left alone.
-    !> flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+    !> first interval that starts at their time or later; failures of outputs for which it plans none are left alone. flight_start_s
+    !> is the time stamp of the flight's first sample. No allocation, no system call.
     !>
     !> SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
     !> from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
@@ -2272,8 +2251,8 @@ module sins
     end function sins_scene_get_manoeuvres
 
     !> Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most.
-    !> start->earth
-    !> is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+    !> start->earth is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from
+    !> then on.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
     function sins_scene_set_manoeuvres(scene, start, manoeuvres, count, repeat) bind(C, name="sins_scene_set_manoeuvres")
@@ -2379,8 +2358,7 @@ module sins
     end function sins_log_get_info
 
     !> The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the
-    !> text
-    !> on which it stands, from 1. No allocation.
+    !> text on which it stands, from 1. No allocation.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: no such sample.
     function sins_log_get_sample(log, index, sample, line) bind(C, name="sins_log_get_sample")
@@ -2410,9 +2388,8 @@ module sins
     !> for sins_create(); what these three were does not matter.
     !>
     !> Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with
-    !> that
-    !> of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
-    !> that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+    !> that of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error
+    !> is that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
     !> alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
     !> error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
     !> pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
@@ -2442,11 +2419,9 @@ module sins
     !> of the rows anything.
     !>
     !> configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros,
-    !> the
-    !> accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the
-    !> call
-    !> and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
-    !> limits; written and budget may be NULL.
+    !> the accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the
+    !> call and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs
+    !> and no limits; written and budget may be NULL.
     !>
     !> An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
     !> none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all

@@ -118,7 +118,7 @@ fn prototype(interface: &Interface, function: &Function) -> String {
     let names: Vec<&str> = arguments.iter().map(|argument| argument.name.as_str()).collect();
     let mut text = "\n".to_owned() + &remark("    ", doc);
     let head = format!("    function {name}({}) bind(C, name=\"{name}\")", names.join(", "));
-    text += &broken(&head, WIDTH, " &");
+    text += &broken(&head, ", ", WIDTH, " &");
     text += "      import\n";
     for (index, argument) in arguments.iter().enumerate() {
         text += &format!("      {}\n", dummy(interface, argument, function.is_array(index)));

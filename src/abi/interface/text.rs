@@ -1,31 +1,42 @@
 //! Lines that are not too long.
 
-/// The lines of a comment, each behind `mark`; longer ones are broken between words.
+/// The lines of a comment, each behind `mark`; a paragraph with a line that is too long is broken anew between its words.
 pub fn comment(mark: &str, lines: &[String], width: usize) -> String {
+    let fits = |line: &String| mark.len() + 1 + line.len() <= width;
     let mut text = String::new();
-    for line in lines {
-        let mut column = mark.len();
-        text += mark;
-        for word in line.split(' ') {
-            if column + 1 + word.len() > width {
-                text = text + "\n" + mark;
-                column = mark.len();
-            }
-            text = text + " " + word;
-            column += 1 + word.len();
+    for (index, paragraph) in lines.split(String::is_empty).enumerate() {
+        if index > 0 {
+            text = text + mark.trim_end() + "\n";
         }
-        text.truncate(text.trim_end().len());
-        text += "\n";
+        let broken =
+            if paragraph.iter().all(fits) { paragraph } else { &filled(paragraph, width - mark.len() - 1) };
+        text.extend(broken.iter().map(|line| format!("{mark} {line}\n")));
     }
     text
 }
 
-/// A statement, broken behind commas; `mark` says that it goes on in the next line, which stands four columns further right.
-pub fn broken(statement: &str, width: usize, mark: &str) -> String {
+/// The words of a paragraph in lines that are as long as they may be.
+fn filled(paragraph: &[String], width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in paragraph.iter().flat_map(|line| line.split(' ')) {
+        let line = lines.last_mut().expect("there is one");
+        if line.is_empty() {
+            *line = word.to_owned();
+        } else if line.len() + 1 + word.len() <= width {
+            *line = format!("{line} {word}");
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
+/// A statement, broken behind its `separator`s; `mark` says that it goes on in the next line, which stands four columns further right.
+pub fn broken(statement: &str, separator: &str, width: usize, mark: &str) -> String {
     let indent = " ".repeat(4 + statement.len() - statement.trim_start().len());
     let mut text = String::new();
     let mut column = 0;
-    for part in statement.split_inclusive(", ") {
+    for part in statement.split_inclusive(separator) {
         if column + part.len() + mark.len() > width {
             text.truncate(text.trim_end().len());
             text = text + mark + "\n" + &indent;

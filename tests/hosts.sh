@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# Hosts in other languages than C: each is built with its compiler's warnings as errors, flies built-in scenes to the bits of the C
+# host, and has every struct, field and constant of the header in its place and of its value.
+#
+#     tests/hosts.sh             all hosts
+#     tests/hosts.sh fortran     one of them
+#
+# SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+hosts="fortran ada"
+scenes="aerobatics commuter"
+out=$PWD/target/hosts
+library=$PWD/target/c_examples/libsins.so.1
+link=("$library" "-Wl,-rpath,${library%/*}")
+
+# The C host and the C compiler say what is right.
+c() {
+    need g++ c++
+    c_examples/build.sh >"$out/build_c" 2>&1 || { cat "$out/build_c"; return 1; }
+    for scene in $scenes; do
+        target/c_examples/harness "$scene" >"$out/$scene.c"
+    done
+    awk -f tests/hosts/layout_c.awk include/sins.h >"$out/layout.c"
+    cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I include -o "$out/layout_c" "$out/layout.c"
+    "$out/layout_c" | LC_ALL=C sort >"$out/layout.of_c"
+    echo "c: $(grep -c . "$out/layout.of_c") sizes, offsets and constants; scenes $scenes"
+}
+
+fortran() {
+    need gfortran gfortran
+    local compiler=(gfortran -std=f2008 -Wall -Wextra -Werror -O2 -J "$out/fortran" -I "$out/fortran")
+    mkdir -p "$out/fortran"
+    awk -f tests/hosts/layout_fortran.awk c_examples/fortran/sins.f90 >"$out/fortran/layout.f90"
+    "${compiler[@]}" -c -o "$out/fortran/sins.o" c_examples/fortran/sins.f90
+    for program in c_examples/fortran/fly.f90 "$out/fortran/layout.f90"; do
+        "${compiler[@]}" -o "$out/fortran/$(basename "$program" .f90)" "$program" "$out/fortran/sins.o" "${link[@]}"
+    done
+    same_as_c fortran
+}
+
+ada() {
+    need gnat gnatmake
+    mkdir -p "$out/ada"
+    awk -f tests/hosts/layout_ada.awk c_examples/ada/sins.ads >"$out/ada/layout.adb"
+    for program in "$PWD/c_examples/ada/fly.adb" "$out/ada/layout.adb"; do
+        (cd "$out/ada" && gnatmake -q -gnat2012 -gnatwa -gnatwe -O2 -I../../../c_examples/ada "$program" -largs "${link[@]}")
+    done
+    same_as_c ada
+}
+
+# same_as_c HOST: its program `fly` flies and reports an error, its program `layout` prints what that of C prints.
+same_as_c() {
+    for scene in $scenes; do
+        "$out/$1/fly" "$scene" >"$out/$scene.$1"
+        paste <(figures 1 "$out/$scene.c") <(figures 3 "$out/$scene.$1") |
+            awk -v host="$1 $scene" '
+                NF != 2 || $1 + 0 != $2 + 0 || $1 == 0 { print host ": line " NR ": " $0; bad = 1 }
+                END { if (NR != 9 || bad) { print host ": not the figures of the C host"; exit 1 } }'
+    done
+    if "$out/$1/fly" no_such_scene 2>"$out/refused.$1"; then
+        echo "$1: a scene that there is not was flown"
+        return 1
+    fi
+    grep -q "name: must be the name of a built-in scene.*SINS_ERROR_INVALID_ARGUMENT" "$out/refused.$1"
+    "$out/$1/layout" | LC_ALL=C sort >"$out/layout.of_$1"
+    paste "$out/layout.of_c" "$out/layout.of_$1" | awk -v host="$1" '
+        NF != 4 || $1 != $3 || $2 + 0 != $4 + 0 { print host ": in C and here: " $0; bad = 1 }
+        END { exit bad }'
+    echo "$1: flies to the bits of C; sizes, offsets and constants are those of C"
+}
+
+# figures COUNT FILE: the errors at the end in the output of a host, one a line: COUNT of them in a line, behind the title. Those of
+# the C host stand before the column of the error equations.
+figures() {
+    awk -v count="$1" '
+        /errors at the end/ { end = 1; next }
+        end && /^ *(position|velocity|misalignment)/ {
+            if (count == 1) print $(NF - 1)
+            else for (k = NF - count + 1; k <= NF; k++) print $k
+        }' "$2"
+}
+
+mkdir -p "$out"
+c
+for host in ${*:-$hosts}; do
+    "$host"
+done
+report_not_run
