@@ -71,12 +71,17 @@ pub fn link(
 /// Standards that C sources are clean of warnings in.
 pub const C_AND_CPP: [&str; 3] = ["c99", "c++11", "c++17"];
 
-/// A program built to a standard of C or C++.
-pub fn built_to(standard: &str, sources: &[&str], folder: &Path, program: &str) -> PathBuf {
-    let (compiler, language) = match standard.starts_with("c++") {
+/// The compiler for a standard, and the language for its option -x.
+pub fn compiler_of(standard: &str) -> (Command, &'static str) {
+    match standard.starts_with("c++") {
         true => (cpp_compiler(), "c++"),
         false => (c_compiler(), "c"),
-    };
+    }
+}
+
+/// A program built to a standard of C or C++.
+pub fn built_to(standard: &str, sources: &[&str], folder: &Path, program: &str) -> PathBuf {
+    let (compiler, language) = compiler_of(standard);
     let standard = format!("-std={standard}");
     link(compiler, &["-x", language, &standard], sources, folder, program)
 }
