@@ -17,6 +17,7 @@ else
     x86_64-w64-mingw32-gcc -shared -Wl,--kill-at -o target/windows/program/bcryptprimitives.dll tests/c/bcryptprimitives.c
     WINEPATH=$(/usr/lib/wine/wine64 winepath -w "$PWD/target/windows/program")
     export WINEPATH CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=/usr/lib/wine/wine64
-    cargo test -p sins-cli --target "$target" --bin sins --test hostile --test fly -- "$@"
+    # 700 programs for the pages of bad numbers, of a second each under wine: what they check does not depend on the system.
+    cargo test -p sins-cli --target "$target" --bin sins --test hostile --test fly -- --skip no_number_of_a_record "$@"
 fi
 report_not_run
