@@ -23,13 +23,13 @@ fn a_terminal_sees_how_far_how_fast_and_how_long_still() {
     let folder = folder("terminal");
     for (arguments, words) in [
         ("fly simulation2 --set flight.hours=24 --set output.every_s=60", "flying: "),
-        ("budget simulation2 --hours 0.5", "flying each effect alone: "),
+        ("budget simulation2 --hours 0.3", "flying each effect alone: "),
     ] {
         let said = on_a_terminal(&folder, arguments);
         let line = said.split(words).find(|line| line.contains(" left"));
         let line = line.unwrap_or_else(|| panic!("{arguments}: {said}"));
         assert!(line.contains(" %, ") && line.contains(" simulated seconds a second, "), "{line}");
     }
-    let (code, said, errors) = run(&folder, &["budget", "simulation2", "--hours", "0.5"]);
+    let (code, said, errors) = run(&folder, &["budget", "simulation2", "--hours", "0.3"]);
     assert!(code == 0 && !(said + &errors).contains(" left"), "{errors}");
 }
