@@ -1,6 +1,6 @@
 /* The library loaded at run time: two copies of it side by side, and rounds of load, work on two threads, unload. After each,
- * memory and mappings are those of before, and the host can fork; on Windows, where the library stays, the TLS indexes. Arguments: two copies of the
- * library. */
+ * memory and mappings are those of before, and the host can fork; on Windows, where the library stays, the TLS indexes are those
+ * of before. Arguments: two copies of the library. */
 
 #define _GNU_SOURCE
 #include <fcntl.h>
