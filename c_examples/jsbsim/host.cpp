@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -59,23 +60,27 @@ public:
     {
         const std::size_t equals = assignment.find('=');
         const std::string name = assignment.substr(0, equals);
-        std::size_t used = 0;
         if (equals == std::string::npos || !fdm.GetPropertyManager()->HasNode(name)) {
             throw std::runtime_error(assignment + ": expected PROPERTY=VALUE with a property of JSBSim or of the script");
         }
-        const std::string text = assignment.substr(equals + 1);
-        const double value = std::stod(text, &used);
-        if (used != text.size()) {
+        const char *text = assignment.c_str() + equals + 1;
+        char *end = nullptr;
+        const double value = std::strtod(text, &end);
+        if (end == text || *end != '\0') {
             throw std::runtime_error(assignment + ": expected a number");
         }
-        set(name, value);
+        if (!fdm.GetPropertyManager()->GetNode(name)->setDoubleValue(value)) {
+            throw std::runtime_error(assignment + ": the property can only be read");
+        }
     }
 
-    /* A frame, at its time if the flight is in real time. False: the script has ended. */
+    /* A frame, in its time. False: the script has ended. */
     bool run()
     {
-        if (get("ins/real-time") != 0.0) {
-            next_frame_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(get("simulation/dt")));
+        const double pace = get("ins/pace");
+        if (pace > 0.0) {
+            const std::chrono::duration<double> step(get("simulation/dt") / pace);
+            next_frame_ += std::chrono::duration_cast<Clock::duration>(step);
             std::this_thread::sleep_until(next_frame_);
         }
         return fdm.Run();
