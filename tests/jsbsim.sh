@@ -62,14 +62,31 @@ closed() {
         }' "$out/$1_truth.csv" "$out/$1.csv" || fail "$1 does not close"
 }
 
+# force NAME J2: JSBSim's specific force is that of perfect accelerometers, less the difference of two gravities: the J2 that JSBSim
+# was made to forget, at 29.44 degrees of geocentric latitude, and J4, which it lacks: 5 J4 g (a/r)^4 = 1.2e-4 m/s2 at the most, at a
+# pole. A wrong axis, sign or unit would be meters per second squared.
+force() {
+    awk -v name="$1" -v j2="$2" '/^JSBSim.s force m\/s2 / {
+        latitude = 29.44 * 3.14159265 / 180
+        north = -9.79 * 3 * j2 * sin(latitude) * cos(latitude)
+        up = -9.79 * 1.5 * j2 * (1 - 3 * sin(latitude) ^ 2)
+        off = sqrt($3 * $3 + ($4 - north) ^ 2 + ($5 - up) ^ 2)
+        printf "%s: force %.2g m/s2, expected %.2g m/s2, off by %.2g of 1.2e-4 m/s2\n", name, sqrt($4 * $4 + $5 * $5),
+            sqrt(north * north + up * up), off
+        good = off < 1.2e-4
+    } END { exit !good }' "$out/$1.txt" || fail "$1: JSBSim's force is not that of the INS"
+}
+
 # Fuel that burns moves the centre of gravity, and on the wheels JSBSim moves its position by that, without a velocity.
-echo "== perfect sensors close on the truth, from the air, from the ground, and under another gravity"
+echo "== perfect sensors close on the truth, from the air, from the ground, and in a gravity without J2"
 fly air $perfect ins/start-s=60
 closed air
+force air 0
 fly ground $perfect propulsion/fuel_freeze=1
 closed ground
 fly round_earth $perfect propulsion/fuel_freeze=1 simulation/gravity-model=0
 closed round_earth
+force round_earth 1.08263e-3
 
 echo "== pause, slew, snapshot and a gyro's failure"
 fly all
@@ -86,14 +103,15 @@ cmp "$out/all.csv" "$out/fast.csv" || fail "the pace changed the flight"
 echo "615 s in $milliseconds ms, at pace 60"
 [ "$milliseconds" -ge $((615000 / 60)) ] || fail "the flight is faster than its pace"
 
-# The truth moves 5 km, the error goes on by its velocity alone. (Of the height also by the altimeter.)
+# The truth moves 5 km in a frame, and the error is that before. In the other 99 frames of this second it goes on by its velocity,
+# that of the height also by the altimeter.
 awk -F, '
     function size(x) { return x < 0 ? -x : x }
     $1 > 199 && $1 < 200 { longitude = $3; for (i = 5; i < 11; i++) before[i] = $i }
     $1 > 200 && $1 < 201 {
         moved = ($3 - longitude) * 6378137
         for (i = 5; i < 7; i++) {
-            step = size($i - before[i] - (before[i + 3] + $(i + 3)) / 2)
+            step = size($i - before[i] - (before[i + 3] + $(i + 3)) / 2 * 0.99)
             bad += step > size($(i + 3) - before[i + 3])
             largest = step > largest ? step : largest
         }

@@ -6,25 +6,16 @@
  * OUT.csv gets truth, navigation and its errors once a second, OUT_truth.csv each frame as a flight log, which "sins fly" takes
  * if the flight has no slew. */
 
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include <FGFDMExec.h>
-#include <models/FGAccelerations.h>
-
-#include "sins.hpp"
+#include "flight_simulator.hpp"
 
 namespace {
-
-const double FOOT_M = 0.3048;
 
 struct CloseFile {
     void operator()(std::FILE *file) const { std::fclose(file); }
@@ -39,100 +30,6 @@ File create_file(const std::string &path)
     }
     return file;
 }
-
-/* JSBSim with its script, and its state as a flight sample. */
-class FlightSimulator {
-public:
-    FlightSimulator(const std::string &folder, const std::string &script)
-    {
-        fdm.SetDebugLevel(0);
-        fdm.SetRootDir(SGPath(folder));
-        fdm.SetAircraftPath(SGPath("aircraft"));
-        fdm.SetEnginePath(SGPath("engine"));
-        fdm.SetSystemsPath(SGPath("systems"));
-        if (!fdm.LoadScript(SGPath(std::filesystem::absolute(script).string()))) { /* else it is sought in the folder */
-            throw std::runtime_error(script + ": no script of JSBSim's");
-        }
-    }
-
-    /* PROPERTY=VALUE of the command line. */
-    void set(const std::string &assignment)
-    {
-        const std::size_t equals = assignment.find('=');
-        const std::string name = assignment.substr(0, equals);
-        if (equals == std::string::npos || !fdm.GetPropertyManager()->HasNode(name)) {
-            throw std::runtime_error(assignment + ": expected PROPERTY=VALUE with a property of JSBSim or of the script");
-        }
-        const char *text = assignment.c_str() + equals + 1;
-        char *end = nullptr;
-        const double value = std::strtod(text, &end);
-        if (end == text || *end != '\0') {
-            throw std::runtime_error(assignment + ": expected a number");
-        }
-        if (!fdm.GetPropertyManager()->GetNode(name)->setDoubleValue(value)) {
-            throw std::runtime_error(assignment + ": the property can only be read");
-        }
-    }
-
-    /* A frame, in its time. False: the script has ended. */
-    bool run()
-    {
-        const double pace = get("ins/pace");
-        if (pace > 0.0) {
-            const std::chrono::duration<double> step(get("simulation/dt") / pace);
-            next_frame_ += std::chrono::duration_cast<Clock::duration>(step);
-            std::this_thread::sleep_until(next_frame_);
-        }
-        return fdm.Run();
-    }
-
-    void set(const std::string &name, double value) { fdm.SetPropertyValue(name, value); }
-    double get(const std::string &name) { return fdm.GetPropertyValue(name); }
-
-    /* Value of a property that stands for an order; it is 0 again then. */
-    double take(const std::string &name)
-    {
-        const double value = get(name);
-        set(name, 0.0);
-        return value;
-    }
-
-    /* JSBSim's place is that of the centre of gravity, its local frame that of the WGS-84 ellipsoid, its body axes
-     * forward-right-down. */
-    sins_flight_sample sample(double time_s, int signals)
-    {
-        auto sample = sins::make<sins_flight_sample>();
-        sample.time_s = time_s;
-        sample.latitude_rad = get("position/lat-geod-rad");
-        sample.longitude_rad = get("position/long-gc-rad");
-        sample.height_m = get("position/geod-alt-ft") * FOOT_M;
-        sample.velocity_enu_m_s[0] = get("velocities/v-east-fps") * FOOT_M;
-        sample.velocity_enu_m_s[1] = get("velocities/v-north-fps") * FOOT_M;
-        sample.velocity_enu_m_s[2] = -get("velocities/v-down-fps") * FOOT_M;
-        sample.roll_rad = get("attitude/phi-rad");
-        sample.pitch_rad = get("attitude/theta-rad");
-        sample.heading_rad = get("attitude/psi-rad");
-        if (signals >= 1) {
-            sample.flags |= SINS_SAMPLE_ANGULAR_RATE;
-            sample.angular_rate_rad_s[0] = get("velocities/pi-rad_sec");
-            sample.angular_rate_rad_s[1] = get("velocities/qi-rad_sec");
-            sample.angular_rate_rad_s[2] = get("velocities/ri-rad_sec");
-        }
-        if (signals >= 2) {
-            sample.flags |= SINS_SAMPLE_SPECIFIC_FORCE;
-            for (int i = 0; i < 3; i++) {
-                sample.specific_force_m_s2[i] = fdm.GetAccelerations()->GetBodyAccel(i + 1) * FOOT_M;
-            }
-        }
-        return sample;
-    }
-
-    JSBSim::FGFDMExec fdm;
-
-private:
-    typedef std::chrono::steady_clock Clock;
-    Clock::time_point next_frame_ = Clock::now();
-};
 
 sins_options options_for(FlightSimulator &simulator)
 {
@@ -168,7 +65,7 @@ public:
     {
         const double flight_s = simulator_.get("simulation/sim-time-sec");
         const sins_flight_sample sample = simulator_.sample(flight_s + paused_s_, signals_);
-        fail_gyro();
+        fail_gyro(flight_s);
         if (simulator_.take("ins/slewed") != 0.0) {
             std::printf("%8.2f the aircraft is moved, and the INS keeps its errors\n", flight_s);
             sim_.move_truth(sample);
@@ -185,8 +82,9 @@ public:
         }
         const double pause_s = simulator_.take("ins/pause-s");
         if (pause_s > 0.0) {
-            pause(sample.time_s, pause_s);
+            pause(flight_s, pause_s);
         }
+        force_before_ = simulator_.specific_force_m_s2();
         write(flight_s, sample);
     }
 
@@ -206,13 +104,16 @@ public:
         row("closure m/s", accuracy.closure_velocity_enu_m_s);
         row("of it the truth's m/s", accuracy.host_velocity_enu_m_s);
         row("velocity - position m", accuracy.inconsistency_enu_m);
+        const JSBSim::FGColumnVector3 ned = force_surplus_ / static_cast<double>(accuracy.intervals);
+        const double surplus[3] = {ned(2), ned(1), -ned(3)};
+        row("JSBSim's force m/s2", surplus);
         std::printf("%lu intervals, %lu of them inconsistent, %lu samples refused\n",
                     static_cast<unsigned long>(accuracy.intervals),
                     static_cast<unsigned long>(accuracy.inconsistent_samples), refused_);
     }
 
 private:
-    /* A sample that is refused changes nothing: its time is a gap in the INS's flight, or the run ends with the next. */
+    /* A refused sample changes nothing, and the next ends a gap. */
     void fly(const sins_flight_sample &sample, double flight_s)
     {
         try {
@@ -224,11 +125,25 @@ private:
             refused_++;
             return;
         }
-        sim_.step(); /* false: it was the first sample */
+        if (sim_.step()) { /* false: it was the first sample */
+            compare_force();
+        }
         flown_.push_back(sample);
     }
 
-    void fail_gyro()
+    /* JSBSim's specific force less that of perfect accelerometers: the difference of two gravities, if axes and units are right. */
+    void compare_force()
+    {
+        auto imu = sins::make<sins_imu>();
+        sim_.get_imu(imu);
+        JSBSim::FGColumnVector3 surplus = (force_before_ + simulator_.specific_force_m_s2()) / 2.0;
+        for (int i = 0; i < 3; i++) {
+            surplus(i + 1) -= imu.ideal_force_m_s2[i];
+        }
+        force_surplus_ += simulator_.fdm.GetPropagate()->GetTb2l() * surplus;
+    }
+
+    void fail_gyro(double flight_s)
     {
         const double step_rad_s = simulator_.get("ins/gyro-z-step-rad_sec");
         if (step_rad_s == failure_rad_s_) {
@@ -238,8 +153,7 @@ private:
         failure.kind = step_rad_s == 0.0 ? SINS_FAILURE_NONE : SINS_FAILURE_BIAS_STEP;
         failure.size = step_rad_s;
         sim_.set_failure(SINS_SENSOR_GYRO, 2, failure);
-        std::printf("%8.2f yaw gyro: %+.1f deg/h\n", simulator_.get("simulation/sim-time-sec"),
-                    step_rad_s / SINS_DEG_PER_HOUR);
+        std::printf("%8.2f yaw gyro: %+.1f deg/h\n", flight_s, step_rad_s / SINS_DEG_PER_HOUR);
         failure_rad_s_ = step_rad_s;
     }
 
@@ -254,7 +168,7 @@ private:
     }
 
     /* JSBSim's clock stands still, the host's runs on: the samples to come are stamped later. */
-    void pause(double time_s, double pause_s)
+    void pause(double flight_s, double pause_s)
     {
         const double step_s = simulator_.get("simulation/dt");
         simulator_.fdm.Hold();
@@ -263,8 +177,8 @@ private:
         }
         simulator_.fdm.Resume();
         paused_s_ += pause_s;
-        sim_.move_time(time_s + pause_s);
-        std::printf("%8.2f paused for %g s\n", simulator_.get("simulation/sim-time-sec"), pause_s);
+        sim_.move_time(flight_s + paused_s_);
+        std::printf("%8.2f paused for %g s\n", flight_s, pause_s);
     }
 
     void write(double flight_s, const sins_flight_sample &s)
@@ -303,6 +217,8 @@ private:
     double next_record_s_ = 0.0;
     unsigned long records_written_ = 0;
     unsigned long refused_ = 0;
+    JSBSim::FGColumnVector3 force_before_;
+    JSBSim::FGColumnVector3 force_surplus_; /* summed up, north-east-down */
     std::vector<unsigned char> saved_;
     std::vector<sins_flight_sample> flown_; /* since then */
 };
