@@ -70,8 +70,8 @@ force() {
         latitude = 29.44 * 3.14159265 / 180
         north = -9.79 * 3 * j2 * sin(latitude) * cos(latitude)
         up = -9.79 * 1.5 * j2 * (1 - 3 * sin(latitude) ^ 2)
-        off = sqrt($3 * $3 + ($4 - north) ^ 2 + ($5 - up) ^ 2)
-        printf "%s: force %.2g m/s2, expected %.2g m/s2, off by %.2g of 1.2e-4 m/s2\n", name, sqrt($4 * $4 + $5 * $5),
+        off = sqrt($4 * $4 + ($5 - north) ^ 2 + ($6 - up) ^ 2)
+        printf "%s: force %.2g m/s2, expected %.2g m/s2, off by %.2g of 1.2e-4 m/s2\n", name, sqrt($5 * $5 + $6 * $6),
             sqrt(north * north + up * up), off
         good = off < 1.2e-4
     } END { exit !good }' "$out/$1.txt" || fail "$1: JSBSim's force is not that of the INS"
