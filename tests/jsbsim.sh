@@ -103,6 +103,24 @@ cmp "$out/all.csv" "$out/fast.csv" || fail "the pace changed the flight"
 echo "615 s in $milliseconds ms, at pace 60"
 [ "$milliseconds" -ge $((615000 / 60)) ] || fail "the flight is faster than its pace"
 
+# A flight without a slew is a flight log: flown by the C host of the other examples, it ends with the same bits.
+fly log ins/slews=0 ins/gyro-failure=0
+cat >"$out/log.toml" <<'SCENE'
+[flight]
+file = "log_truth.csv"
+[gyro]
+preset = "navigation"
+[accelerometer]
+preset = "navigation"
+[options]
+axes = "frd"
+sample_period_s = 0.01
+SCENE
+cc -O2 -Iinclude c_examples/harness.c -o target/jsbsim/harness target/jsbsim/libsins.so.1 '-Wl,-rpath,$ORIGIN' -lm
+cmp <(target/jsbsim/harness "$out/log.toml" | awk '/^(position m|velocity m.s|misalignment rad) / { print $4 }') \
+    <(tail -n 1 "$out/log.csv" | cut -d, -f 5-13 | tr , '\n') || fail "the log of the flight has other bits"
+echo "the log of the flight: the same bits"
+
 # The truth moves 5 km in a frame, and the error is that before. In the other 99 frames of this second it goes on by its velocity,
 # that of the height also by the altimeter.
 awk -F, '

@@ -16,7 +16,7 @@ need cmake cmake
 need make make
 
 if ! [ -e "$archive" ]; then
-    need python3-pip pip3
+    need python3-pip pip3 || exit 2
     mkdir -p "$out/fetched"
     pip3 download --quiet --no-deps --no-binary jsbsim --dest "$out/fetched" "jsbsim==$version" || exit 2
     (cd "$out/fetched" && echo "$sha256  jsbsim-$version.tar.gz" | sha256sum --check --quiet)

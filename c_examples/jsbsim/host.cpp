@@ -3,7 +3,7 @@
  *
  *   host JSBSIM_FOLDER SCRIPT OUT [PROPERTY=VALUE]...
  *
- * OUT.csv gets truth, navigation and its errors once a second, OUT_truth.csv each frame as a flight log, which "sins fly" takes
+ * OUT.csv gets truth and errors of the navigation once a second, OUT_truth.csv each frame as a flight log, which "sins fly" takes
  * if the flight has no slew. */
 
 #include <cstdio>
@@ -88,9 +88,10 @@ public:
         write(flight_s, sample);
     }
 
-    /* Where navigation and truth part. */
-    void summary() const
+    /* The last record, and where navigation and truth part. */
+    void finish()
     {
+        record();
         auto accuracy = sins::make<sins_accuracy>();
         if (!sim_.get_accuracy(accuracy)) {
             throw std::runtime_error("the script ends before the INS has started");
@@ -186,25 +187,30 @@ private:
         std::fprintf(truth_.get(), "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", flight_s, s.latitude_rad,
                      s.longitude_rad, s.height_m, s.velocity_enu_m_s[0], s.velocity_enu_m_s[1], s.velocity_enu_m_s[2],
                      s.roll_rad, s.pitch_rad, s.heading_rad);
-        if (flight_s < next_record_s_) {
-            return;
+        flight_s_ = flight_s;
+        if (flight_s >= next_record_s_) {
+            record();
+            next_record_s_ = flight_s + 1.0 - 1e-6;
         }
+    }
+
+    void record()
+    {
         auto truth = sins::make<sins_navigation>();
         auto errors = sins::make<sins_errors>();
         if (!sim_.get_truth(truth) || !sim_.get_errors(SINS_ERRORS_NAVIGATION, errors)) {
             return;
         }
-        std::fprintf(records_.get(), "%.17g,%.17g,%.17g,%.17g", flight_s, truth.latitude_rad, truth.longitude_rad,
+        std::fprintf(records_.get(), "%.17g,%.17g,%.17g,%.17g", flight_s_, truth.latitude_rad, truth.longitude_rad,
                      truth.height_m);
         for (const double *three : {errors.position_enu_m, errors.velocity_enu_m_s, errors.misalignment_enu_rad}) {
             std::fprintf(records_.get(), ",%.17g,%.17g,%.17g", three[0], three[1], three[2]);
         }
         std::fprintf(records_.get(), "\n");
         if (records_written_++ % 30 == 0) {
-            std::printf("%8.2f %10.1f %9.2f %11.3g %11.3g %11.3g\n", flight_s, truth.height_m, truth.heading_rad / SINS_DEG,
+            std::printf("%8.2f %10.1f %9.2f %11.3g %11.3g %11.3g\n", flight_s_, truth.height_m, truth.heading_rad / SINS_DEG,
                         errors.position_enu_m[0], errors.position_enu_m[1], errors.position_enu_m[2]);
         }
-        next_record_s_ = flight_s + 1.0 - 1e-6;
     }
 
     FlightSimulator &simulator_;
@@ -214,6 +220,7 @@ private:
     File truth_;
     double paused_s_ = 0.0;
     double failure_rad_s_ = 0.0;
+    double flight_s_ = 0.0;
     double next_record_s_ = 0.0;
     unsigned long records_written_ = 0;
     unsigned long refused_ = 0;
@@ -245,7 +252,7 @@ int main(int count, char **words)
                 ins.frame();
             }
         }
-        ins.summary();
+        ins.finish();
     } catch (const std::exception &error) {
         std::fprintf(stderr, "host: %s\n", error.what());
         return 1;
