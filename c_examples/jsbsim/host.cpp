@@ -158,7 +158,8 @@ private:
         failure_rad_s_ = step_rad_s;
     }
 
-    /* Back to the saved moment, and to now by the samples that came since: the same bits. */
+    /* Back to the saved moment, and to now by the samples that came since: the same bits, if they are all that came. A pause, a
+     * slew or a failure on the way would have to be kept and called again as well. */
     void replay(double flight_s)
     {
         const std::vector<unsigned char> now = sim_.snapshot_save();
