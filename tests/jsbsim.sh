@@ -116,7 +116,7 @@ preset = "navigation"
 axes = "frd"
 sample_period_s = 0.01
 SCENE
-cc -O2 -Iinclude c_examples/harness.c -o target/jsbsim/harness target/jsbsim/libsins.so.1 '-Wl,-rpath,$ORIGIN' -lm
+cc -O2 -Iinclude c_examples/harness.c -o target/jsbsim/harness -Ltarget/jsbsim -l:libsins.so.1 '-Wl,-rpath,$ORIGIN' -lm
 cmp <(target/jsbsim/harness "$out/log.toml" | awk '/^(position m|velocity m.s|misalignment rad) / { print $4 }') \
     <(tail -n 1 "$out/log.csv" | cut -d, -f 5-13 | tr , '\n') || fail "the log of the flight has other bits"
 echo "the log of the flight: the same bits"

@@ -36,5 +36,5 @@ if [ -z "${SINS_LIB_DIR:-}" ]; then
 fi
 cp "$SINS_LIB_DIR/libsins.so" "$out/libsins.so.1"
 c++ -std=c++17 -O2 -Wall -Wextra -Wpedantic -Werror -Iinclude -isystem "$out/source/src" c_examples/jsbsim/host.cpp \
-    -o "$out/host" "$out/build/src/libJSBSim.a" "$out/libsins.so.1" '-Wl,-rpath,$ORIGIN'
+    -o "$out/host" "$out/build/src/libJSBSim.a" -L"$out" -l:libsins.so.1 '-Wl,-rpath,$ORIGIN'
 echo "built: target/jsbsim/host"
