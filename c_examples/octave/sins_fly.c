@@ -9,6 +9,8 @@
  * misalignment rad, each east, north, up. A failure is an error with the identifier "sins:" and the name of the status.
  */
 
+#include <stdio.h>
+
 #include "mex.h"
 #include "sins.h"
 

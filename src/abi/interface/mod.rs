@@ -5,6 +5,7 @@ mod c_functions;
 mod c_header;
 mod c_types;
 mod model;
+mod python;
 pub mod sensor_structs;
 mod sizes;
 mod units;
@@ -66,6 +67,7 @@ pub fn generate(abi: &Path, sensor_params: &str) -> (Vec<Output>, String) {
     let outputs = vec![
         ("include/sins.h", c_header::write(&interface, &preamble)),
         ("include/sins_functions.h", c_functions::write(&interface)),
+        ("c_examples/python/sins.py", python::write(&interface)),
     ];
     (outputs, sizes::check(&interface))
 }

@@ -1,0 +1,132 @@
+//! `c_examples/python/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
+
+use super::model::{Constant, Enumeration, Function, Interface, Struct, Type};
+
+const TEXT: &str = include_str!("sins.py");
+
+pub fn write(interface: &Interface) -> String {
+    let units = interface
+        .units
+        .iter()
+        .map(|unit| format!("{} = {:?}  # {}\n", plain(&unit.name), unit.value, unit.doc));
+    let constants = interface.constants.iter().map(constant).chain(units).collect();
+    let types = interface.enumerations.iter().map(enumeration);
+    let types = types
+        .chain(interface.aliases.iter().map(|one| format!("{} = {}", plain(&one.name), value(&one.kind))));
+    let types = types.chain(interface.handles.iter().map(|name| handle(interface, name)));
+    let types: Vec<String> = types.chain(interface.structs.iter().map(structure)).collect();
+    let functions: Vec<String> = interface.functions.iter().map(|one| function(interface, one)).collect();
+    [("constants", constants), ("types", types.join("\n\n\n")), ("functions", functions.join("\n\n\n"))]
+        .iter()
+        .fold(TEXT.to_owned(), |text, (mark, generated)| {
+            text.replace(&format!("# <{mark}>"), generated.trim_end())
+        })
+}
+
+/// A name, or a text that has names: the module stands for the prefix that they have in C.
+fn plain(name: &str) -> &str {
+    name.trim_start_matches("sins_").trim_start_matches("SINS_")
+}
+
+fn words(text: &str) -> String {
+    text.replace("sins_", "sins.").replace("SINS_", "sins.")
+}
+
+fn constant(one: &Constant) -> String {
+    let doc: String = one.doc.iter().map(|line| format!("# {}\n", words(line))).collect();
+    format!("{doc}{} = {}\n", plain(&one.name), one.value)
+}
+
+/// A documentation string: what it is, and what each of its parts is.
+fn documentation<'a>(doc: &[String], parts: impl Iterator<Item = (String, &'a [String])>) -> String {
+    let mut lines: Vec<String> = doc.iter().map(|line| words(line)).collect();
+    for (index, (name, doc)) in parts.enumerate() {
+        let doc: Vec<String> = doc.iter().map(|line| words(line)).collect();
+        lines.extend((index == 0).then(String::new));
+        lines.push(format!("{name}: {}", doc.join("\n        ")));
+    }
+    let end = if lines.len() > 1 { "\n    " } else { "" };
+    let text = lines.join("\n    ").replace("\n    \n", "\n\n");
+    format!("    \"\"\"{text}{end}\"\"\"\n")
+}
+
+fn enumeration(family: &Enumeration) -> String {
+    let name = plain(&family.name);
+    let base = if name.ends_with("_flags") { "IntFlag" } else { "IntEnum" };
+    let parts = family.constants.iter().map(|one| (plain(&one.name).to_owned(), &one.doc[..]));
+    let doc = documentation(&family.doc, parts);
+    let members: String =
+        family.constants.iter().map(|one| format!("\n    {} = {}", plain(&one.name), one.value)).collect();
+    format!("@_exported\nclass {name}(enum.{base}):\n{doc}{members}")
+}
+
+/// Its function to destroy it is that of its name; a simulator's has none in its name.
+fn handle(interface: &Interface, name: &str) -> String {
+    let own = format!("{name}_destroy");
+    let destroy = interface.functions.iter().map(|one| &one.name).find(|one| **one == own);
+    let destroy = destroy.map_or("sins_destroy", |name| name);
+    format!("class {}(_Handle):\n    _destroy = \"{destroy}\"", plain(name))
+}
+
+fn structure(one: &Struct) -> String {
+    let is_told = |name: &str| name != "struct_size" && !name.starts_with("reserved");
+    let parts = one.fields.iter().filter(|field| is_told(&field.name)).map(|field| match field.kind {
+        Type::Array(_, count) => (format!("{}[{count}]", field.name), &field.doc[..]),
+        _ => (field.name.clone(), &field.doc[..]),
+    });
+    let doc = documentation(&one.doc, parts);
+    let fields: String = one
+        .fields
+        .iter()
+        .map(|field| format!("        (\"{}\", {}),\n", field.name, value(&field.kind)))
+        .collect();
+    format!("class {}(_Struct):\n{doc}\n    _fields_ = [\n{fields}    ]", plain(&one.name))
+}
+
+fn function(interface: &Interface, one: &Function) -> String {
+    // The number of elements behind an array is not an argument here.
+    let is_array = |index: usize| match &one.arguments[index].kind {
+        Type::Const(target) | Type::Mut(target) => one.is_array(index) && !interface.is_handle(target),
+        _ => false,
+    };
+    let told = || (0..one.arguments.len()).filter(|index| *index == 0 || !is_array(index - 1));
+    let kinds = told().map(|index| match (&one.arguments[index].kind, is_array(index)) {
+        (Type::Const(target), true) => format!("_Array({}, is_input=True)", value(target)),
+        (Type::Mut(target), true) => format!("_Array({})", value(target)),
+        (Type::Const(target), false) if **target == Type::Char => "_Text".to_owned(),
+        (Type::Const(target) | Type::Mut(target), false) if interface.is_handle(target) => value(target),
+        (Type::Const(target) | Type::Mut(target), false) => format!("POINTER({})", value(target)),
+        (kind, _) => value(kind),
+    });
+    let result = match &one.result {
+        Type::Const(target) if **target == Type::Char => "ctypes.c_char_p".to_owned(),
+        kind => value(kind),
+    };
+    let kinds: Vec<String> = [result].into_iter().chain(kinds).collect();
+    let names: Vec<&str> = told().map(|index| &one.arguments[index].name[..]).collect();
+    let doc = documentation(&one.doc, std::iter::empty());
+    format!(
+        "@_function({})\ndef {}({}):\n{}",
+        kinds.join(", "),
+        plain(&one.name),
+        names.join(", "),
+        doc.trim_end()
+    )
+}
+
+/// A type of `ctypes`, or of the module.
+fn value(kind: &Type) -> String {
+    match kind {
+        // Bytes.
+        Type::Void | Type::Char => "c_char".to_owned(),
+        Type::Int32 => "c_int32".to_owned(),
+        Type::Uint32 => "c_uint32".to_owned(),
+        Type::Int64 => "c_int64".to_owned(),
+        Type::Uint64 => "c_uint64".to_owned(),
+        Type::Size => "c_size_t".to_owned(),
+        Type::Double => "c_double".to_owned(),
+        Type::Named(name) => plain(name).to_owned(),
+        Type::Array(element, count) => format!("{} * {count}", value(element)),
+        Type::Const(target) | Type::Mut(target) => format!("POINTER({})", value(target)),
+    }
+}
