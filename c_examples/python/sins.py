@@ -103,6 +103,8 @@ def _exported(enumeration):
 class _Struct(ctypes.Structure):
     """All zero but for the fields that are named, and struct_size, which is set."""
 
+    __slots__ = ()  # a field that does not exist is an error
+
     def __init__(self, **fields):
         super().__init__(**fields)
         if hasattr(self, "struct_size"):
@@ -610,6 +612,7 @@ class options(_Struct):
     truth_summary: Of enum sins.summary.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -659,6 +662,7 @@ class flight_sample(_Struct):
         sins.ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
@@ -689,6 +693,7 @@ class error_info(_Struct):
     maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
@@ -757,6 +762,7 @@ class gyro_params(_Struct):
         pulse/sqrt(12).
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -835,6 +841,7 @@ class accel_params(_Struct):
         pulse/sqrt(12).
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -877,6 +884,7 @@ class altimeter_params(_Struct):
     lag_s: Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -901,6 +909,7 @@ class failure(_Struct):
     probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -929,6 +938,7 @@ class initial_errors(_Struct):
     alignment: Of enum sins.alignment.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -965,6 +975,7 @@ class mounting(_Struct):
         out too small by as much.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -998,6 +1009,7 @@ class gravity_params(_Struct):
     anomaly_distance_m: Correlation distance of that, 1 to 1e9 [m].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1027,6 +1039,7 @@ class record_solution(_Struct):
     flags: Flags of enum sins.navigation_flags, or'ed.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("latitude_rad", c_double),
         ("longitude_rad", c_double),
@@ -1056,6 +1069,7 @@ class record_errors(_Struct):
     flags: Flags of enum sins.errors_flags, or'ed.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("position_enu_m", c_double * 3),
         ("latitude_rad", c_double),
@@ -1081,6 +1095,7 @@ class record(_Struct):
     model_errors: As sins.get_errors() with sins.ERRORS_MODEL: error data 1; flagged sins.ERRORS_NOT_COMPUTED while the model is off.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1107,6 +1122,7 @@ class navigation(_Struct):
     flags: Flags of enum sins.navigation_flags, or'ed.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1140,6 +1156,7 @@ class imu(_Struct):
     measured_force_m_s2[3]: measured_velocity_m_s over the interval [m/s2].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
@@ -1173,6 +1190,7 @@ class errors(_Struct):
     flags: Flags of enum sins.errors_flags, or'ed.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1221,6 +1239,7 @@ class accuracy(_Struct):
     trim_force_max_m_s2: The same of the specific force [m/s2].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1284,6 +1303,7 @@ class truth_summary(_Struct):
     height_max_at_s: When [s].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1328,6 +1348,7 @@ class imu_increment(_Struct):
     velocity_m_s[15]: Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1352,6 +1373,7 @@ class flight_start(_Struct):
     earth: Of enum sins.earth, as in the options of the simulator that will fly it.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1386,6 +1408,7 @@ class manoeuvre(_Struct):
     phase_rad[6]: Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1414,6 +1437,7 @@ class fault(_Struct):
     sentence[256]: Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1438,6 +1462,7 @@ class scene_setup(_Struct):
     every_s: Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1469,6 +1494,7 @@ class planned_failure(_Struct):
     probability: See sins.failure.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1494,6 +1520,7 @@ class log_info(_Struct):
     title[192]: The comment in the first line of the log, UTF-8, terminated; empty: none.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1514,6 +1541,7 @@ class requirement(_Struct):
     margin: How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1541,6 +1569,7 @@ class cost(_Struct):
     tried: Algorithms that were tried, the recommended one among them.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1567,6 +1596,7 @@ class budget_request(_Struct):
     attitude_rad: Misalignment [rad].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1595,6 +1625,7 @@ class budget_row(_Struct):
         nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
@@ -1631,6 +1662,7 @@ class budget(_Struct):
     ns_per_step: Measured here and now: what a step takes with all effects [ns].
     """
 
+    __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
@@ -1657,7 +1689,10 @@ class _Text(ctypes.c_char_p):
 
     @classmethod
     def from_param(cls, value):
-        return super().from_param(value.encode() if isinstance(value, str) else value)
+        value = value.encode() if isinstance(value, str) else value
+        if value is not None and b"\0" in value:
+            raise ValueError(f"{value!r}: a text has no zero byte")
+        return super().from_param(value)
 
 
 class _Array:
@@ -1665,7 +1700,7 @@ class _Array:
 
     def __init__(self, element, is_input=False):
         self.element = element
-        self.types = (_Text if is_input and element is c_char else POINTER(element), c_size_t)
+        self.types = (ctypes.c_char_p if is_input and element is c_char else POINTER(element), c_size_t)
 
     def __call__(self, value):
         if value is None:
@@ -1676,7 +1711,7 @@ class _Array:
             value = value.encode()
         if hasattr(value, "dtype"):  # of numpy
             if value.dtype != _dtype(self.element):
-                raise TypeError(f"an array of {value.dtype}: make it by sins.array(sins.{self.element.__name__}, count)")
+                raise TypeError("not an array as sins.array(sins.{0}, count) makes it".format(self.element.__name__))
             value = (self.element * value.size).from_buffer(value)
         return value, len(value)
 
@@ -1757,7 +1792,7 @@ def get_options(sim, options):
     """Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0."""
 
 
-@_function(status, POINTER(options), POINTER(POINTER(sim)))
+@_function(status, POINTER(options), POINTER(sim))
 def create(options, sim):
     """Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
 
@@ -2146,7 +2181,7 @@ def accel_preset(grade, params):
     """
 
 
-@_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), POINTER(POINTER(flight)))
+@_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), POINTER(flight))
 def flight_create(start, manoeuvres, flight):
     """Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
     to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
@@ -2182,7 +2217,7 @@ def flight_destroy(flight):
     """
 
 
-@_function(status, POINTER(POINTER(scene)))
+@_function(status, POINTER(scene))
 def scene_create(scene):
     """Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
     height 0, sampled at 100 Hz.
@@ -2194,7 +2229,7 @@ def scene_create(scene):
     """
 
 
-@_function(status, _Array(c_char, is_input=True), POINTER(POINTER(scene)))
+@_function(status, _Array(c_char, is_input=True), POINTER(scene))
 def scene_parse(text, scene):
     """Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins.scene_write_keys() lists the keys.
 
@@ -2212,7 +2247,7 @@ def scene_get_fault(scene, index, fault):
     """
 
 
-@_function(status, _Text, POINTER(POINTER(scene)))
+@_function(status, _Text, POINTER(scene))
 def scene_create_builtin(name, scene):
     """Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
     "over_the_pole", "coning", "commuter".
@@ -2246,7 +2281,7 @@ def scene_write_keys(buffer, needed):
     """
 
 
-@_function(status, scene, POINTER(POINTER(sim)))
+@_function(status, scene, POINTER(sim))
 def scene_create_simulator(scene, sim):
     """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
     their time by sins.scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
@@ -2256,7 +2291,7 @@ def scene_create_simulator(scene, sim):
     """
 
 
-@_function(status, scene, POINTER(POINTER(flight)))
+@_function(status, scene, POINTER(flight))
 def scene_create_flight(scene, flight):
     """Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
     up to sins.scene_setup.flown_s.
@@ -2456,7 +2491,7 @@ def scene_clear_failures(scene):
     """Plans no failure any more."""
 
 
-@_function(status, _Array(c_char, is_input=True), POINTER(POINTER(log)), POINTER(fault))
+@_function(status, _Array(c_char, is_input=True), POINTER(log), POINTER(fault))
 def log_parse(text, log, fault):
     """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
     order; columns of other names are passed over, and a row with more fields than columns is a fault:
@@ -2592,7 +2627,7 @@ def samples_at(flight, times_s):
 
 def fly(sim, samples, every=1):
     """Flies an array of samples by run(); an array of the record of each `every` intervals."""
-    records = array(record, len(samples) // every + 1)
+    records = array(record, len(samples) // every + 1 if every else 0)
     written = c_size_t()
     run(sim, samples, every, records, written)
     return records[: written.value]

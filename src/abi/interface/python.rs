@@ -80,7 +80,10 @@ fn structure(one: &Struct) -> String {
         .iter()
         .map(|field| format!("        (\"{}\", {}),\n", field.name, value(&field.kind)))
         .collect();
-    format!("class {}(_Struct):\n{doc}\n    _fields_ = [\n{fields}    ]", plain(&one.name))
+    format!(
+        "class {}(_Struct):\n{doc}\n    __slots__ = ()\n    _fields_ = [\n{fields}    ]",
+        plain(&one.name)
+    )
 }
 
 fn function(interface: &Interface, one: &Function) -> String {
@@ -94,8 +97,7 @@ fn function(interface: &Interface, one: &Function) -> String {
         (Type::Const(target), true) => format!("_Array({}, is_input=True)", value(target)),
         (Type::Mut(target), true) => format!("_Array({})", value(target)),
         (Type::Const(target), false) if **target == Type::Char => "_Text".to_owned(),
-        (Type::Const(target) | Type::Mut(target), false) if interface.is_handle(target) => value(target),
-        (Type::Const(target) | Type::Mut(target), false) => format!("POINTER({})", value(target)),
+        (Type::Const(target) | Type::Mut(target), false) => pointer(interface, target),
         (kind, _) => value(kind),
     });
     let result = match &one.result {
@@ -127,6 +129,15 @@ fn value(kind: &Type) -> String {
         Type::Double => "c_double".to_owned(),
         Type::Named(name) => plain(name).to_owned(),
         Type::Array(element, count) => format!("{} * {count}", value(element)),
-        Type::Const(target) | Type::Mut(target) => format!("POINTER({})", value(target)),
+        Type::Const(_) | Type::Mut(_) => unreachable!("no struct has a pointer"),
+    }
+}
+
+/// A pointer as an argument. A handle is one by itself.
+fn pointer(interface: &Interface, target: &Type) -> String {
+    match target {
+        kind if interface.is_handle(kind) => value(kind),
+        Type::Const(target) | Type::Mut(target) => format!("POINTER({})", pointer(interface, target)),
+        kind => format!("POINTER({})", value(kind)),
     }
 }

@@ -80,6 +80,8 @@ def _exported(enumeration):
 class _Struct(ctypes.Structure):
     """All zero but for the fields that are named, and struct_size, which is set."""
 
+    __slots__ = ()  # a field that does not exist is an error
+
     def __init__(self, **fields):
         super().__init__(**fields)
         if hasattr(self, "struct_size"):
@@ -118,7 +120,10 @@ class _Text(ctypes.c_char_p):
 
     @classmethod
     def from_param(cls, value):
-        return super().from_param(value.encode() if isinstance(value, str) else value)
+        value = value.encode() if isinstance(value, str) else value
+        if value is not None and b"\0" in value:
+            raise ValueError(f"{value!r}: a text has no zero byte")
+        return super().from_param(value)
 
 
 class _Array:
@@ -126,7 +131,7 @@ class _Array:
 
     def __init__(self, element, is_input=False):
         self.element = element
-        self.types = (_Text if is_input and element is c_char else POINTER(element), c_size_t)
+        self.types = (ctypes.c_char_p if is_input and element is c_char else POINTER(element), c_size_t)
 
     def __call__(self, value):
         if value is None:
@@ -137,7 +142,7 @@ class _Array:
             value = value.encode()
         if hasattr(value, "dtype"):  # of numpy
             if value.dtype != _dtype(self.element):
-                raise TypeError(f"an array of {value.dtype}: make it by sins.array(sins.{self.element.__name__}, count)")
+                raise TypeError("not an array as sins.array(sins.{0}, count) makes it".format(self.element.__name__))
             value = (self.element * value.size).from_buffer(value)
         return value, len(value)
 
@@ -228,7 +233,7 @@ def samples_at(flight, times_s):
 
 def fly(sim, samples, every=1):
     """Flies an array of samples by run(); an array of the record of each `every` intervals."""
-    records = array(record, len(samples) // every + 1)
+    records = array(record, len(samples) // every + 1 if every else 0)
     written = c_size_t()
     run(sim, samples, every, records, written)
     return records[: written.value]
