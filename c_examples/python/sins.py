@@ -1695,6 +1695,18 @@ class _Text(ctypes.c_char_p):
         return super().from_param(value)
 
 
+class _New:
+    """An argument that is a handle which stands for nothing yet."""
+
+    def __init__(self, handle):
+        self.pointer = POINTER(handle)
+
+    def from_param(self, value):
+        if value:
+            raise ValueError("the handle stands for something already: close() it first")
+        return self.pointer.from_param(value)
+
+
 class _Array:
     """Two arguments: a pointer to elements, and their number."""
 
@@ -1792,7 +1804,7 @@ def get_options(sim, options):
     """Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0."""
 
 
-@_function(status, POINTER(options), POINTER(sim))
+@_function(status, POINTER(options), _New(sim))
 def create(options, sim):
     """Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
 
@@ -2181,7 +2193,7 @@ def accel_preset(grade, params):
     """
 
 
-@_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), POINTER(flight))
+@_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), _New(flight))
 def flight_create(start, manoeuvres, flight):
     """Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
     to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
@@ -2217,7 +2229,7 @@ def flight_destroy(flight):
     """
 
 
-@_function(status, POINTER(scene))
+@_function(status, _New(scene))
 def scene_create(scene):
     """Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
     height 0, sampled at 100 Hz.
@@ -2229,7 +2241,7 @@ def scene_create(scene):
     """
 
 
-@_function(status, _Array(c_char, is_input=True), POINTER(scene))
+@_function(status, _Array(c_char, is_input=True), _New(scene))
 def scene_parse(text, scene):
     """Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins.scene_write_keys() lists the keys.
 
@@ -2247,7 +2259,7 @@ def scene_get_fault(scene, index, fault):
     """
 
 
-@_function(status, _Text, POINTER(scene))
+@_function(status, _Text, _New(scene))
 def scene_create_builtin(name, scene):
     """Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
     "over_the_pole", "coning", "commuter".
@@ -2281,7 +2293,7 @@ def scene_write_keys(buffer, needed):
     """
 
 
-@_function(status, scene, POINTER(sim))
+@_function(status, scene, _New(sim))
 def scene_create_simulator(scene, sim):
     """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
     their time by sins.scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
@@ -2291,7 +2303,7 @@ def scene_create_simulator(scene, sim):
     """
 
 
-@_function(status, scene, POINTER(flight))
+@_function(status, scene, _New(flight))
 def scene_create_flight(scene, flight):
     """Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
     up to sins.scene_setup.flown_s.
@@ -2491,7 +2503,7 @@ def scene_clear_failures(scene):
     """Plans no failure any more."""
 
 
-@_function(status, _Array(c_char, is_input=True), POINTER(log), POINTER(fault))
+@_function(status, _Array(c_char, is_input=True), _New(log), POINTER(fault))
 def log_parse(text, log, fault):
     """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
     order; columns of other names are passed over, and a row with more fields than columns is a fault:

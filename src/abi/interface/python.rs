@@ -133,11 +133,11 @@ fn value(kind: &Type) -> String {
     }
 }
 
-/// A pointer as an argument. A handle is one by itself.
+/// A pointer to the target as an argument. A handle is one by itself.
 fn pointer(interface: &Interface, target: &Type) -> String {
     match target {
         kind if interface.is_handle(kind) => value(kind),
-        Type::Const(target) | Type::Mut(target) => format!("POINTER({})", pointer(interface, target)),
+        Type::Mut(handle) => format!("_New({})", pointer(interface, handle)),
         kind => format!("POINTER({})", value(kind)),
     }
 }

@@ -126,6 +126,18 @@ class _Text(ctypes.c_char_p):
         return super().from_param(value)
 
 
+class _New:
+    """An argument that is a handle which stands for nothing yet."""
+
+    def __init__(self, handle):
+        self.pointer = POINTER(handle)
+
+    def from_param(self, value):
+        if value:
+            raise ValueError("the handle stands for something already: close() it first")
+        return self.pointer.from_param(value)
+
+
 class _Array:
     """Two arguments: a pointer to elements, and their number."""
 
