@@ -6,14 +6,14 @@ samples = dlmread(fullfile(examples, 'flights', 'fighter_aerobatics.csv'), ',', 
 scene = fileread(fullfile(examples, 'scenes', 'fighter.toml'));
 
 table = sins_fly(samples, scene);
-errors = reshape(table(end, 11:19), 3, 3).'; % rows: position, velocity, misalignment; columns: east, north, up
-for axis = 1:3
-    fprintf('%.17g %.17g %.17g\n', errors(:, axis));
-end
+fprintf('errors at the end, navigation - truth, east-north-up\n');
+fprintf('position m       %.17g %.17g %.17g\n', table(end, 11:13));
+fprintf('velocity m/s     %.17g %.17g %.17g\n', table(end, 14:16));
+fprintf('misalignment rad %.17g %.17g %.17g\n', table(end, 17:19));
 
-% A sample that stands still in time is refused, by name and with its row.
+% A sample that is not later than the one before is an error with the name of the status, and with its row.
 try
     sins_fly(samples([1 2 2], :), scene);
 catch failure
-    fprintf(2, '%s: %s\n', failure.identifier, failure.message);
+    fprintf('%s\n%s\n', failure.identifier, failure.message);
 end

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Flies a scene and draws the errors of its navigation: fly.py c_examples/scenes/patrol.toml -o patrol.png
 
-Its flight is built in or of manoeuvres. It is flown by sins_run(), ten minutes in a call; the samples of all 48 hours of the
+Its flight is built-in or of manoeuvres. It is flown by sins_run(), ten minutes in a call; the samples of all 48 hours of the
 patrol would take 2.5 GB.
 """
 
@@ -15,14 +15,17 @@ import sins
 CALL_S = 600.0
 
 
-def open_scene(path, hours):
-    """The scene of a file; hours replaces the duration that it states."""
+def open_scene(name, hours):
+    """The scene of a file, or a built-in one; hours replaces the duration that it states."""
     scene, fault, setup = sins.scene(), sins.fault(), sins.scene_setup()
-    with open(path, "rb") as file:
-        status = sins.scene_parse(file.read(), scene)
-    if status == sins.SCENE_HAS_FAULTS:
-        sins.scene_get_fault(scene, 0, fault)
-        sys.exit(f"{path}:{fault.line}:{fault.column}: {fault.sentence.decode()}")
+    if name.endswith(".toml"):
+        with open(name, "rb") as file:
+            status = sins.scene_parse(file.read(), scene)
+        if status == sins.SCENE_HAS_FAULTS:
+            sins.scene_get_fault(scene, 0, fault)
+            sys.exit(f"{name}:{fault.line}:{fault.column}: {fault.sentence.decode()}")
+    else:
+        sins.scene_create_builtin(name, scene)
     sins.scene_get_setup(scene, setup)
     if hours is not None:
         setup.duration_s = hours * 3600
@@ -31,7 +34,7 @@ def open_scene(path, hours):
     failures = ctypes.c_size_t()
     sins.scene_get_failure_count(scene, failures)
     if setup.flight == sins.SCENE_FLIGHT_LOG or setup.has_temperature or failures.value:
-        sys.exit(f"{path}: a log, a temperature or failures want sins.scene_prepare() before each sample: see harness.c")
+        sys.exit(f"{name}: a log, a temperature or failures want sins.scene_prepare() before each sample: see harness.c")
     return scene, setup
 
 
@@ -75,7 +78,7 @@ def draw(records, title, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("scene", help="a scene in TOML")
+    parser.add_argument("scene", help="a scene, SCENE.toml, or the name of a built-in one")
     parser.add_argument("--hours", type=float, help="how long to fly, in place of what the scene states")
     parser.add_argument("-o", "--output", help="the picture, .png or .svg")
     arguments = parser.parse_args()
@@ -85,13 +88,15 @@ def main():
         title = sins.text(sins.scene_get_text, scene, sins.SCENE_TEXT_TITLE) or arguments.scene
         if arguments.output:
             draw(records, title, arguments.output)
-    except (OSError, ValueError, sins.Error) as error:  # ValueError: no format of that name
+    except sins.Error as error:
+        sys.exit(f"fly.py: {error} ({sins.status_string(error.status)})")
+    except (OSError, ValueError) as error:  # ValueError: no format of that name
         sys.exit(f"fly.py: {error}")
     errors = last.navigation_errors
-    for name, values in [("position m", errors.position_enu_m), ("velocity m/s", errors.velocity_enu_m_s),
-                         ("misalignment rad", errors.misalignment_enu_rad)]:
-        for axis, value in zip(("east", "north", "up"), values):
-            print(f"{name:16} {axis:7} {value:24.17g}")
+    print("errors at the end, navigation - truth, east-north-up")
+    print("position m      ", *errors.position_enu_m)
+    print("velocity m/s    ", *errors.velocity_enu_m_s)
+    print("misalignment rad", *errors.misalignment_enu_rad)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""sins.py beside the header: names, values, layout and types, as a C parser and a C compiler have them; and how it behaves.
+"""sins.py beside the header: names and types as a C parser has them; and how it behaves.
 
-Wants SINS_LIBRARY, pycparser and numpy: tests/hosts.sh.
+Wants SINS_LIBRARY, PYTHONPATH, pycparser and numpy: tests/hosts.sh.
 """
 
 import ctypes
@@ -13,14 +13,10 @@ import tempfile
 import unittest
 
 import numpy
+import sins
 from pycparser import CParser, c_ast
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-HEADER = ROOT / "include/sins.h"
-MODULE = ROOT / "c_examples/python"
-sys.path.insert(0, str(MODULE))
-import sins  # noqa: E402
-
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins.h"
 COMPILER = os.environ.get("CC", "cc")
 # Words of the system's headers, which pycparser does not know; sins.h has none.
 GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]
@@ -68,15 +64,6 @@ def of_module(kind):
     return f"{sign}{ctypes.sizeof(kind)}"
 
 
-def printed(folder, expressions):
-    """The values of expressions as a C program prints them, to all digits."""
-    lines = "".join(f'    printf("%.17g\\n", (double)({one}));\n' for one in expressions)
-    source, program = folder / "print.c", folder / "print"
-    source.write_text(f'#include <stdio.h>\n#include "sins.h"\nint main(void)\n{{\n{lines}    return 0;\n}}\n')
-    run(COMPILER, "-std=c99", "-I", HEADER.parent, source, "-o", program)
-    return [float(line) for line in run(program).split()]
-
-
 class Header(unittest.TestCase):
     """What stands in the header, by a parser that does not know this project, is in the module."""
 
@@ -84,7 +71,7 @@ class Header(unittest.TestCase):
     def setUpClass(cls):
         without = [f"-D{word}=" for word in GNU]
         text = run(COMPILER, "-std=c99", "-E", "-P", *without, HEADER)
-        cls.structs, cls.constants, cls.functions = {}, [], {}
+        cls.structs, cls.functions = {}, {}
         for item in CParser().parse(text, str(HEADER)).ext:
             kind = getattr(item, "type", None)
             if isinstance(kind, c_ast.FuncDecl) and item.name.startswith("sins_"):
@@ -92,13 +79,6 @@ class Header(unittest.TestCase):
             inner = getattr(kind, "type", kind) if isinstance(item, c_ast.Typedef) else kind
             if isinstance(inner, c_ast.Struct) and inner.decls and inner.name and inner.name.startswith("sins_"):
                 cls.structs[inner.name] = inner.decls
-            if isinstance(inner, c_ast.Enum) and inner.name != "sins_sizeof":
-                cls.constants += [one.name for one in inner.values.enumerators]
-        macros = re.findall(r"#define (SINS_\w+) [\d(S]", HEADER.read_text())
-        cls.constants += macros
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
 
     def test_the_parser_found_all(self):
         declared = re.findall(r"SINS_CALL (sins_\w+)\(", HEADER.read_text())
@@ -107,22 +87,10 @@ class Header(unittest.TestCase):
         sizes = re.findall(r"    SINS_SIZEOF_\w+ = ", HEADER.read_text())
         self.assertEqual(len(sizes), len(self.structs))
 
-    def test_constants(self):
-        self.assertGreater(len(self.constants), 100)
-        self.assertEqual([getattr(sins, plain(name)) for name in self.constants], printed(self.folder, self.constants))
-
-    def test_sizes_and_offsets(self):
-        wanted, found = [], []
+    def test_fields(self):
         for name, fields in self.structs.items():
-            struct = getattr(sins, plain(name))
-            told = [(field, of_module(kind)) for field, kind in struct._fields_]
+            told = [(field, of_module(kind)) for field, kind in getattr(sins, plain(name))._fields_]
             self.assertEqual(told, [(field.name, of_header(field.type)) for field in fields], name)
-            wanted.append(f"sizeof({name})")
-            found.append(ctypes.sizeof(struct))
-            for field in fields:
-                wanted.append(f"offsetof({name}, {field.name})")
-                found.append(getattr(struct, field.name).offset)
-        self.assertEqual(dict(zip(wanted, found)), dict(zip(wanted, printed(self.folder, wanted))))
 
     def test_functions(self):
         for name, declaration in self.functions.items():
@@ -227,7 +195,7 @@ class Loading(unittest.TestCase):
     """What an import says of a library that will not do."""
 
     def imported(self, library, then=""):
-        environment = {**os.environ, "SINS_LIBRARY": str(library), "PYTHONPATH": str(MODULE)}
+        environment = {**os.environ, "SINS_LIBRARY": str(library)}
         done = subprocess.run([sys.executable, "-c", f"import sins; {then}"], env=environment, capture_output=True, text=True)
         return done.stderr.strip().splitlines()[-1] if done.returncode else ""
 
