@@ -119,7 +119,7 @@ class _Struct(ctypes.Structure):
 
 
 class _Handle(ctypes.c_void_p):
-    """None until a call creates what it stands for. Destroyed by close(), at the end of a with statement, or when it is dropped."""
+    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped."""
 
     def close(self):
         if self:
@@ -143,14 +143,16 @@ class status_code(enum.IntEnum):
     NEED_SAMPLE: There is no complete interval yet: push the next sample.
     REQUIREMENT_NOT_MET: No options meet the requirement; the outputs tell the best there are.
     SCENE_HAS_FAULTS: The text of a scene has faults: the handle was made, for sins.scene_get_fault() alone.
-    GAP: The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
-        two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
-        the vehicle stood still, that is wrong: see sins.move_time().
+    GAP: The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than
+        2.5 times each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at
+        213 m/s. If the host's clock ran on while the vehicle stood still, that is wrong: see sins.move_time().
     ERROR_NULL_POINTER: A pointer that must not be null is.
     ERROR_BAD_HANDLE: The handle is null, made up, destroyed, or of another kind.
-    ERROR_STRUCT_SIZE: A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
+    ERROR_STRUCT_SIZE: A struct_size that no release knows, or a struct of a newer release that uses what this one
+        lacks.
     ERROR_INVALID_ARGUMENT: A value out of its range; sins.last_error() names field, value and limit.
-    ERROR_BAD_STATE: The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads).
+    ERROR_BAD_STATE: The right call at the wrong moment, or on a handle that this thread is inside or that is held
+        for ever (see Threads).
     ERROR_TIME_ORDER: A sample that is not later than the one before, or off the stated sample period.
     ERROR_DISCONTINUITY: Truth jumped: a gap, a teleport, half a turn between two samples. See sins.move_truth().
     ERROR_QUEUE_FULL: The queue of samples is full: step first.
@@ -188,8 +190,8 @@ class frame(enum.IntEnum):
     """Axes in which the mechanization integrates.
 
     FRAME_EARTH_FIXED: Navigation in Earth-fixed axes: regular everywhere, poles included.
-    FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper; sins.ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
-        than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+    FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper; sins.ERROR_SINGULAR within 6.4 km of a pole,
+        and where an update moves by more than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
     """
 
     FRAME_EARTH_FIXED = 0
@@ -202,7 +204,8 @@ class scheme(enum.IntEnum):
 
     SCHEME_EXACT: Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
     SCHEME_PAPER: The paper's equations (7)-(24), misprints mended, approximations kept.
-    SCHEME_POLYNOMIAL: As sins.SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
+    SCHEME_POLYNOMIAL: As sins.SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large
+        rotations within an update.
     """
 
     SCHEME_EXACT = 0
@@ -214,8 +217,8 @@ class scheme(enum.IntEnum):
 class vertical(enum.IntEnum):
     """What holds the vertical channel.
 
-    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
-        the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response is that of the
+        continuous loop to second order in the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
     VERTICAL_FOLLOW_TRUTH: Height and vertical velocity set to the truth at each sample.
     VERTICAL_FREE: Left to itself: any error grows by e every 569 s.
     """
@@ -270,7 +273,8 @@ class gravity(enum.IntEnum):
     """Formulas of normal gravity.
 
     GRAVITY_NORMAL: Normal gravity in closed form at any height, with its north component.
-    GRAVITY_SOMIGLIANA: Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
+    GRAVITY_SOMIGLIANA: Somigliana's formula with the second-order height term, along the ellipsoid normal, as
+        most tools have it.
     """
 
     GRAVITY_NORMAL = 0
@@ -294,9 +298,9 @@ class signal(enum.IntEnum):
     """Ideal signals.
 
     SIGNAL_PHYSICAL: Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
-    SIGNAL_CLOSED_LOOP: The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
-        for hosts that want nothing but the sensors' errors. sins.accuracy tells how large it was. Where no sensor errs, that
-        navigator is the simulator's own and nothing is computed twice.
+    SIGNAL_CLOSED_LOOP: The same with a small trim that holds an error-free navigator to the truth over any time,
+        the free vertical channel too: for hosts that want nothing but the sensors' errors. sins.accuracy tells how
+        large it was. Where no sensor errs, that navigator is the simulator's own and nothing is computed twice.
     """
 
     SIGNAL_PHYSICAL = 0
@@ -338,16 +342,17 @@ class failure_kind(enum.IntEnum):
     """Kinds of failure.
 
     FAILURE_NONE: None: clears the failure that there is.
-    FAILURE_STUCK: The output holds the measured mean of the interval before, as sins.imu told it; without one its first value. Not flagged:
-        it looks like data.
-    FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as built-in tests do; without the
-        altimeter the vertical channel is left to itself, flagged sins.NAVIGATION_VERTICAL_UNAIDED.
+    FAILURE_STUCK: The output holds the measured mean of the interval before, as sins.imu told it; without one its
+        first value. Not flagged: it looks like data.
+    FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as built-in
+        tests do; without the altimeter the vertical channel is left to itself, flagged
+        sins.NAVIGATION_VERTICAL_UNAIDED.
     FAILURE_BIAS_STEP: A bias of size more. Not flagged.
-    FAILURE_SPIKES: Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
-        mean over its interval. Not flagged but where they saturate.
+    FAILURE_SPIKES: Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample
+        of the altimeter shows their mean over its interval. Not flagged but where they saturate.
     FAILURE_NOISE: White noise of density more; of the altimeter its mean over the interval. Not flagged.
-    FAILURE_DROP_OUTS: Sample intervals are lost: 0, and flagged as sins.FAILURE_DEAD. With probability each by itself, or with interval_s one in
-        that time, the first at once.
+    FAILURE_DROP_OUTS: Sample intervals are lost: 0, and flagged as sins.FAILURE_DEAD. With probability each by
+        itself, or with interval_s one in that time, the first at once.
     """
 
     FAILURE_NONE = 0
@@ -364,9 +369,10 @@ class alignment(enum.IntEnum):
     """How the INS finds its attitude at the start.
 
     ALIGNMENT_GIVEN: The INS starts with the true attitude, turned by the given and the drawn misalignment.
-    ALIGNMENT_LEVEL_AND_GYROCOMPASS: The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
-        the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
-        heading at which the levelled rate of the gyros points north. sins.NAVIGATION_NORTH_UNKNOWN tells that they found none.
+    ALIGNMENT_LEVEL_AND_GYROCOMPASS: The INS starts with the attitude that levelling and gyrocompassing at rest
+        find with the sensor errors of the start, turned by the given and the drawn misalignment. Level first: the
+        tilt at which the accelerometers sense no horizontal force. Then the heading at which the levelled rate of the
+        gyros points north. sins.NAVIGATION_NORTH_UNKNOWN tells that they found none.
     """
 
     ALIGNMENT_GIVEN = 0
@@ -379,7 +385,8 @@ class sample_flags(enum.IntFlag):
 
     SAMPLE_ANGULAR_RATE: The sample carries angular_rate_rad_s.
     SAMPLE_SPECIFIC_FORCE: The sample carries specific_force_m_s2.
-    SAMPLE_NO_VELOCITY: The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
+    SAMPLE_NO_VELOCITY: The sample has no velocity: it follows from position, with a noise of 2 to 4 position
+        errors over the interval.
     SAMPLE_TEMPERATURE: The sample carries temperature_c.
     """
 
@@ -393,14 +400,17 @@ class sample_flags(enum.IntFlag):
 class navigation_flags(enum.IntFlag):
     """Flags of a sins.navigation.
 
-    NAVIGATION_NEAR_POLE: Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
-        and the errors in metres stay right.
-    NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
-    NAVIGATION_INCONSISTENT: Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
-    NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
-        rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
-        accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
-        horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+    NAVIGATION_NEAR_POLE: Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are
+        undefined. Quaternion, height and the errors in metres stay right.
+    NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, by the options or as the altimeter has no
+        signal: any error grows by e every 569 s.
+    NAVIGATION_INCONSISTENT: Truth: the displacement since the sample before contradicts the velocities by more
+        than 1 % and 1 cm, added as squares.
+    NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so that any heading error is
+        possible: the horizontal error of the levelled rates is not smaller than the Earth rate's north part (where it
+        is smaller, the heading error is below 90 degrees), or the accelerometers show no force. The simulator knows
+        that error. A real INS can be sure of it only where its levelled horizontal rate is more than twice the Earth
+        rate's north part. The flag stays until the INS starts again.
     """
 
     NAVIGATION_NEAR_POLE = 1
@@ -425,9 +435,10 @@ class errors_source(enum.IntEnum):
 class errors_flags(enum.IntFlag):
     """Flags of a sins.errors.
 
-    ERRORS_NEAR_POLE: Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
-    ERRORS_OUTSIDE_VALIDITY: Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
-        pole; what it drops is no longer small.
+    ERRORS_NEAR_POLE: Near a pole: longitude, heading and up misalignment, and east and north of the velocity,
+        have lost their meaning.
+    ERRORS_OUTSIDE_VALIDITY: Error model: misalignment above 2 degrees, displacement above 100 km or, at high
+        latitude, above 3.5 % of the distance to the pole; what it drops is no longer small.
     ERRORS_NOT_COMPUTED: In a sins.record: not computed, all zero.
     """
 
@@ -442,7 +453,8 @@ class imu_flags(enum.IntFlag):
 
     IMU_GYRO_SATURATED: The mean rate of a sub-increment was beyond the range of a gyro.
     IMU_ACCEL_SATURATED: The mean force of a sub-increment was beyond the range of an accelerometer.
-    IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
+    IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with
+        the 0 that it gave.
     IMU_ACCEL_INVALID: An accelerometer had none.
     """
 
@@ -456,15 +468,19 @@ class imu_flags(enum.IntFlag):
 class grade(enum.IntEnum):
     """Grades of sensors.
 
-    GRADE_STRATEGIC: Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
-        angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+    GRADE_STRATEGIC: Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020,
+        table 1, upper ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix
+        200).
     GRADE_NAVIGATION: Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
     GRADE_TACTICAL: Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
-    GRADE_INDUSTRIAL: Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
-        range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
-    GRADE_CONSUMER: Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
-    GRADE_PAPER_SIMULATION2: The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
-        white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+    GRADE_INDUSTRIAL: Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no
+        accelerometer noise: set your own. Its range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1
+        sigma.
+    GRADE_CONSUMER: Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances
+        are taken as 3 sigma.
+    GRADE_PAPER_SIMULATION2: The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005
+        deg/sqrt(h), accelerometer bias 1e-5 g and white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of
+        bandwidth; the paper states none).
     """
 
     GRADE_STRATEGIC = 1
@@ -483,12 +499,13 @@ class manoeuvre_kind(enum.IntEnum):
     MANOEUVRE_STRAIGHT: Along a geodesic at constant speed and height for duration_s.
     MANOEUVRE_ACCELERATE: By speed_change_m_s in duration_s.
     MANOEUVRE_CLIMB: By height_change_m in duration_s, ramp_s.
-    MANOEUVRE_TURN: Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
-        follows.
+    MANOEUVRE_TURN: Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in
+        and out; the duration follows.
     MANOEUVRE_ROLL: turns whole rolls (right positive) in duration_s along a straight path.
     MANOEUVRE_LOOP: turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
     MANOEUVRE_S_TURN: Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
-    MANOEUVRE_SINUSOIDS: Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
+    MANOEUVRE_SINUSOIDS: Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning,
+        vibration.
     """
 
     MANOEUVRE_REST = 0
@@ -541,7 +558,8 @@ class scene_text(enum.IntEnum):
     """The texts of a scene: sins.scene_get_text(), sins.scene_set_text().
 
     SCENE_TEXT_TITLE: The scene in words.
-    SCENE_TEXT_LOG: Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
+    SCENE_TEXT_LOG: Path of the flight log, as seen from the scene's own folder; setting it makes the flight a
+        log.
     SCENE_TEXT_BUILTIN: Name of the built-in scene whose flight is flown; setting it makes the flight that.
     SCENE_TEXT_FOLDER: Folder of the files that a program writes.
     SCENE_TEXT_NAME: Base name of those files.
@@ -593,7 +611,8 @@ class options(_Struct):
     frame: Of enum sins.frame.
     scheme: Of enum sins.scheme.
     subsamples: Sub-increments of a mechanization update, 1 to 5; 0: 2.
-    updates_per_sample: Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
+    updates_per_sample: Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see
+        "Gaps" above).
     vertical: Of enum sins.vertical.
     error_model: Of enum sins.error_model.
     earth: Of enum sins.earth.
@@ -602,13 +621,14 @@ class options(_Struct):
     signal: Of enum sins.signal.
     seed: Seed of all random streams.
     run: Number of the run in an ensemble: same seed, other draws.
-    closed_loop_time_s: Time constant of sins.SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it.
-    sample_period_s: Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-        each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
-    max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
-        100 s cost 40 m in 12 h, longer ones many times that.
-    max_acceleration_m_s2: Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
-        0: 2000 m/s2.
+    closed_loop_time_s: Time constant of sins.SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0:
+        30 s. Must be 0 without it.
+    sample_period_s: Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps
+        only order and check, each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+    max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
+        at rest: those of 100 s cost 40 m in 12 h, longer ones many times that.
+    max_acceleration_m_s2: Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6
+        [m/s2]; 0: 2000 m/s2.
     truth_summary: Of enum sins.summary.
     """
 
@@ -638,28 +658,32 @@ class options(_Struct):
 
 
 class flight_sample(_Struct):
-    """True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
-    are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
-    sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+    """True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal
+    signals are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a
+    tenth of the sample rate cannot be recovered from samples; give angular rate and specific force where you have
+    them.
 
     flags: Flags of enum sins.sample_flags, or'ed.
-    time_s: Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins.options.max_gap_s. Large stamps are coarse
-        (2e-7 s at 1e9 s): state sins.options.sample_period_s with them.
+    time_s: Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins.options.max_gap_s. Large
+        stamps are coarse (2e-7 s at 1e9 s): state sins.options.sample_period_s with them.
     latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
     longitude_rad: Longitude, east positive, -100 to 100 [rad]: any wrap.
     height_m: Height above the ellipsoid, -20 km to 2000 km [m].
     velocity_enu_m_s[3]: Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
     roll_rad: Roll, right wing down positive, any number of turns up to 10000 rad [rad].
-    pitch_rad: Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
-        From one sample to the next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than
-        foreseen by the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond knowledge.
+    pitch_rad: Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the
+        next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than foreseen by
+        the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond
+        knowledge.
     heading_rad: Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
-    angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
-        1000 rad/s [rad/s].
-    specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
-    temperature_c: With sins.SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-        straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
-        sins.ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+    angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this
+        instant, each up to 1000 rad/s [rad/s].
+    specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each
+        up to 1e5 m/s2 [m/s2].
+    temperature_c: With sins.SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant,
+        -273.15 to 1000 [deg C]; straight from one sample to the next. Needed while temperature coefficients are set:
+        a sample without it is then sins.ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in
+        silence.
     """
 
     __slots__ = ()
@@ -685,12 +709,16 @@ class error_info(_Struct):
 
     flags: Flags of enum sins.error_info_flags, or'ed.
     status: What the call returned, of enum sins.status_code; sins.OK if none failed.
-    field[96]: The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself.
+    field[96]: The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty
+        if it is the call itself.
     index: Element of the field, from 0; -1: the field is no array, or all of it is at fault.
     sample: Sample of the array that the call took, from 0; -1: none.
-    value: With sins.ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double.
-    minimum: With sins.ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused.
-    maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
+    value: With sins.ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the
+        nearest double.
+    minimum: With sins.ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself
+        is refused.
+    maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value
+        itself is refused.
     """
 
     __slots__ = ()
@@ -709,57 +737,68 @@ class error_info(_Struct):
 
 
 class gyro_params(_Struct):
-    """Errors of the gyros; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by row. All zero is an ideal
-    triad. Signal: the angular rate. Densities do not depend on the sample rate.
+    """Errors of the gyros; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by row. All
+    zero is an ideal triad. Signal: the angular rate. Densities do not depend on the sample rate.
 
-    Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
-    signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
-    range, quantization.
+    Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity,
+    of the signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added;
+    then dead zone, range, quantization.
 
-    Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
-    sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
-    that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean size
-    (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.
+    Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean
+    signal of a sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a
+    vibration of frequency f loses by that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and,
+    where it changes sign, up to 1 - cos x of its mean size (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 %
+    with two sub-increments an interval, 3.3 % and 4.9 % with one.
 
     bias_rad_s[3]: Constant bias, measured less true [rad/s], -100 to 100.
     bias_sigma_rad_s[3]: Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
-    markov_sigma_rad_s[3]: Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
-        the first sample on.
-    markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
-    random_walk_rad_sqrt_s[3]: White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-        density of the noise [unit of the signal / sqrt(Hz)].
-    rate_random_walk_rad_s_sqrt_s[3]: Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
-    rate_ramp_rad_s2[3]: Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set.
-    flicker_rad_s[3]: Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
-        Allan deviation is flat at 0.664 B from 2 s to 50 h.
+    markov_sigma_rad_s[3]: Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process
+        is stationary from the first sample on.
+    markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s
+        is not 0.
+    random_walk_rad_sqrt_s[3]: White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the
+        square root of the spectral density of the noise [unit of the signal / sqrt(Hz)].
+    rate_random_walk_rad_s_sqrt_s[3]: Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts
+        at 0 at the start of a run.
+    rate_ramp_rad_s2[3]: Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is
+        set.
+    flicker_rad_s[3]: Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the
+        first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
     scale_factor[3]: Scale factor error [1], -1 to 1.
-    scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
-        scale_factor.
+    scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
+        is added to scale_factor.
     scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
-    scale_factor_nonlinearity_s_rad[3]: Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
-    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
-    misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-        misalignment_rad. The diagonal is 0.
-    g_sensitivity_rad_s_per_m_s2[9]: Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
-        The error of a gyro is the sum over the three axes of its row times the true specific force along them.
-    g2_sensitivity_rad_s_per_m2_s4[3]: Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
-        -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-        specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
-        sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
-        nonlinearity.
-    reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-        sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
-        temperature, and sins.push_imu() is not available.
+    scale_factor_nonlinearity_s_rad[3]: Scale factor error that grows with the size of the signal [s/rad], -1 to
+        1.
+    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
+        diagonal is 0.
+    misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
+        is added to misalignment_rad. The diagonal is 0.
+    g_sensitivity_rad_s_per_m_s2[9]: Drift by specific force, g-sensitivity: row = gyro, column = axis of the
+        force [(rad/s)/(m/s2)], -1 to 1. The error of a gyro is the sum over the three axes of its row times the true
+        specific force along them.
+    g2_sensitivity_rad_s_per_m2_s4[3]: Drift by the square of the specific force along the gyro's own axis,
+        g2-sensitivity [(rad/s)/(m/s2)^2], -1 to 1. The rate that gyro i measures is too large by element i times the
+        square of component i of the true specific force at the block's own point, in sensor axes: a positive element
+        makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of a
+        sub-increment is squared, as with nonlinearity.
+    reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
+        -273.15 to 1000. T is sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0,
+        every sample needs a temperature, and sins.push_imu() is not available.
     bias_temperature_rad_s_per_k[3]: Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T.
-    bias_temperature2_rad_s_per_k2[3]: Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2.
-    scale_factor_temperature_per_k[3]: Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
-    scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
-    bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
-        the first interval.
+    bias_temperature2_rad_s_per_k2[3]: Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times
+        T2.
+    scale_factor_temperature_per_k[3]: Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is
+        this times T.
+    scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor
+        error is this times T2.
+    bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter
+        is settled at the first interval.
     dead_zone_rad_s[3]: Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
-    range_rad_s[3]: Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins.imu.
-    quantization_rad[3]: Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
-        pulse/sqrt(12).
+    range_rad_s[3]: Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in
+        sins.imu.
+    quantization_rad[3]: Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The
+        quantization noise Q is pulse/sqrt(12).
     """
 
     __slots__ = ()
@@ -795,50 +834,58 @@ class gyro_params(_Struct):
 
 
 class accel_params(_Struct):
-    """Errors of the accelerometers; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by row. All zero is
-    an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
+    """Errors of the accelerometers; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by
+    row. All zero is an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
 
     Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
-    nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
-    zone, range, quantization. What acts on the mean of a sub-increment: see sins.gyro_params.
+    nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added;
+    then dead zone, range, quantization. What acts on the mean of a sub-increment: see sins.gyro_params.
 
     bias_m_s2[3]: Constant bias, measured less true [m/s2], -10000 to 10000.
     bias_sigma_m_s2[3]: Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000.
-    markov_sigma_m_s2[3]: Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
-        the first sample on.
-    markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
-    velocity_random_walk_m_s_sqrt_s[3]: White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-        spectral density of the noise [unit of the signal / sqrt(Hz)].
-    acceleration_random_walk_m_s2_sqrt_s[3]: Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+    markov_sigma_m_s2[3]: Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process
+        is stationary from the first sample on.
+    markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2
+        is not 0.
+    velocity_random_walk_m_s_sqrt_s[3]: White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000.
+        It is the square root of the spectral density of the noise [unit of the signal / sqrt(Hz)].
+    acceleration_random_walk_m_s2_sqrt_s[3]: Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000.
+        It starts at 0 at the start of a run.
     ramp_m_s3[3]: Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set.
-    flicker_m_s2[3]: Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
-        the Allan deviation is flat at 0.664 B from 2 s to 50 h.
+    flicker_m_s2[3]: Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the
+        first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
     scale_factor[3]: Scale factor error [1], -1 to 1.
-    scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
-        scale_factor.
+    scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
+        is added to scale_factor.
     scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
     scale_factor_nonlinearity_s2_m[3]: Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
-    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
-    misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-        misalignment_rad. The diagonal is 0.
-    vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
-    lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-        -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At the start of a flight in
-        motion see sins.mounting; the velocity lacks the change of rate in the first interval for good. With
-        sins.push_imu() the angular acceleration follows from the increments before.
-    reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-        sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
-        temperature, and sins.push_imu() is not available.
+    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
+        diagonal is 0.
+    misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
+        is added to misalignment_rad. The diagonal is 0.
+    vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r
+        makes a bias of this times r2.
+    lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size
+        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At the start of
+        a flight in motion see sins.mounting; the velocity lacks the change of rate in the first interval for good.
+        With sins.push_imu() the angular acceleration follows from the increments before.
+    reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
+        -273.15 to 1000. T is sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0,
+        every sample needs a temperature, and sins.push_imu() is not available.
     bias_temperature_m_s2_per_k[3]: Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T.
-    bias_temperature2_m_s2_per_k2[3]: Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2.
-    scale_factor_temperature_per_k[3]: Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
-    scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
-    bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
-        the first interval.
+    bias_temperature2_m_s2_per_k2[3]: Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times
+        T2.
+    scale_factor_temperature_per_k[3]: Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is
+        this times T.
+    scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor
+        error is this times T2.
+    bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter
+        is settled at the first interval.
     dead_zone_m_s2[3]: Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
-    range_m_s2[3]: Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins.imu.
-    quantization_m_s[3]: Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
-        pulse/sqrt(12).
+    range_m_s2[3]: Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in
+        sins.imu.
+    quantization_m_s[3]: Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The
+        quantization noise Q is pulse/sqrt(12).
     """
 
     __slots__ = ()
@@ -877,7 +924,8 @@ class altimeter_params(_Struct):
     """Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
 
     bias_m: Constant bias, up to 1e5 m [m].
-    markov_sigma_m: Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
+    markov_sigma_m: Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on,
+        up to 1e5 m [m].
     markov_time_s: Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
     noise_m: Standard deviation of the independent error of each sample, up to 1e5 m [m].
     scale_factor: Scale factor error of the height, -1 to 1.
@@ -898,8 +946,8 @@ class altimeter_params(_Struct):
 
 
 class failure(_Struct):
-    """A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
-    accelerometer, m of the altimeter.
+    """A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2
+    of an accelerometer, m of the altimeter.
 
     kind: Of enum sins.failure_kind.
     size: Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
@@ -924,14 +972,15 @@ class failure(_Struct):
 
 
 class initial_errors(_Struct):
-    """Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
-    Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
-    standard deviations up to 1e5 m and 1e3 m/s.
+    """Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and
+    added. Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up
+    to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
 
     position_enu_m[3]: Position [m].
     velocity_enu_m_s[3]: Velocity [m/s].
-    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
-        east-north-up, the true one or with sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x])
+        C, C from sensor axes to east-north-up, the true one or with sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that
+        the alignment finds.
     position_sigma_enu_m[3]: Standard deviation of position [m].
     velocity_sigma_enu_m_s[3]: Standard deviation of velocity [m/s].
     misalignment_sigma_enu_rad[3]: Standard deviation of misalignment, 0 to 1 [rad].
@@ -954,25 +1003,28 @@ class initial_errors(_Struct):
 
 
 class mounting(_Struct):
-    """Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
-    believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+    """Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes
+    of that: believed = true + error, component by component. All zero is a block at the reference point, along the
+    body axes.
 
-    The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins.imu is about the block. The INS
-    navigates the block and gives out the reference point with what it believes: sins.navigation and sins.errors are about that.
-    Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
-    point, along body axes; so is the barometric height.
+    The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins.imu is about the block.
+    The INS navigates the block and gives out the reference point with what it believes: sins.navigation and
+    sins.errors are about that. Initial errors are those of the INS's solution of the block. Angular rate and specific
+    force of a sample are of the reference point, along body axes; so is the barometric height.
 
-    Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of the
-    first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval has
-    it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
-    sample tells of the block's velocity, the INS has known from the start. With sins.SAMPLE_ANGULAR_RATE nothing is lacking.
+    Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular
+    acceleration of the first interval: the force of a block off the reference point lacks angular acceleration times
+    arm there. The second interval has it to first order of its length, the third to second, later ones to third. The
+    navigation does not suffer: what the next sample tells of the block's velocity, the INS has known from the start.
+    With sins.SAMPLE_ANGULAR_RATE nothing is lacking.
 
     lever_arm_m[3]: From the reference point to the block, body axes (sins.options.axes), -100 to 100 [m].
-    boresight_rad[3]: Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-        down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
+    boresight_rad[3]: Roll, pitch and heading of the block's axes against the body axes, as those of the body
+        against the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
+        flight sample [rad].
     lever_arm_error_m[3]: Believed less true lever arm, -100 to 100 [m].
-    boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
-        out too small by as much.
+    boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. A heading believed too large
+        makes the heading that the INS gives out too small by as much.
     """
 
     __slots__ = ()
@@ -987,21 +1039,23 @@ class mounting(_Struct):
 
 
 class gravity_params(_Struct):
-    """True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
-    disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
-    track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
-    gravity.
+    """True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
+    gravity disturbance: both at the same point). Each has a constant part and a random one, a first-order
+    Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest
+    it does not change. All zero is normal gravity.
 
     Perfect accelerometers feel it: it is in the ideal signals of sins.imu. The INS takes it for an error of its
-    accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
-    times the deflection; a levelled start (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+    accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both
+    sides of R times the deflection; a levelled start (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
 
-    deflection_north_rad: Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
-        the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+    deflection_north_rad: Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad].
+        The true zenith lies north of the ellipsoid's normal, and the accelerometers at rest feel g times this to the
+        north.
     deflection_north_sigma_rad: Standard deviation of its random part, up to 0.01 [rad].
-    deflection_north_distance_m: Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0.
-    deflection_east_rad: Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
-        0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+    deflection_north_distance_m: Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation
+        is not 0.
+    deflection_east_rad: Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the
+        cosine of latitude, -0.01 to 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
     deflection_east_sigma_rad: Standard deviation of its random part, up to 0.01 [rad].
     deflection_east_distance_m: Correlation distance of that, 1 to 1e9 [m].
     anomaly_m_s2: Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
@@ -1092,7 +1146,8 @@ class record(_Struct):
     truth: As sins.get_truth().
     navigation: As sins.get_navigation().
     navigation_errors: As sins.get_errors() with sins.ERRORS_NAVIGATION: error data 2.
-    model_errors: As sins.get_errors() with sins.ERRORS_MODEL: error data 1; flagged sins.ERRORS_NOT_COMPUTED while the model is off.
+    model_errors: As sins.get_errors() with sins.ERRORS_MODEL: error data 1; flagged sins.ERRORS_NOT_COMPUTED
+        while the model is off.
     """
 
     __slots__ = ()
@@ -1182,8 +1237,8 @@ class errors(_Struct):
     longitude_rad: Longitude, wrapped to -pi..pi [rad].
     height_m: Height [m].
     velocity_enu_m_s[3]: Velocity [m/s]: difference of the components, each in its own east-north-up.
-    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
-        has it to first order, computed C = (I - [phi x]) C.
+    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from
+        sensor axes to east-north-up. The error model has it to first order, computed C = (I - [phi x]) C.
     roll_rad: Roll, wrapped [rad].
     pitch_rad: Pitch [rad].
     heading_rad: Heading, wrapped [rad].
@@ -1210,32 +1265,36 @@ class errors(_Struct):
 
 
 class accuracy(_Struct):
-    """Running figures of the flight since its start or last reposition (sins.move_time() and sins.move_truth() leave them), errors sampled once a second. They describe one run,
-    which is no ensemble. Divide the rates by sins.NMI_PER_HOUR for the unit of data sheets.
+    """Running figures of the flight since its start or last reposition (sins.move_time() and sins.move_truth() leave
+    them), errors sampled once a second. They describe one run, which is no ensemble. Divide the rates by
+    sins.NMI_PER_HOUR for the unit of data sheets.
 
     time_s: Time [s].
     duration_s: Time since the start [s].
-    window_start_s: Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
-        over next to nothing [s].
+    window_start_s: Where the window of the radial error rates begins, in time since the start: 300 s; before,
+        they are initial errors over next to nothing [s].
     window_samples: Samples in that window; the rates are 0 while there is none.
-    radial_error_rate_rms_m_s: sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
+    radial_error_rate_rms_m_s: sqrt(mean RER^2); radial error rate RER = horizontal position error / time since
+        the start [m/s].
     cep_rate_m_s: R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
     radial_95_rate_m_s: R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
-    radial_error_slope_m_s: Slope of the straight line of least squares through the horizontal position error [m/s].
-    velocity_rms_enu_m_s[3]: Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
-        east and north turn [m/s].
+    radial_error_slope_m_s: Slope of the straight line of least squares through the horizontal position error
+        [m/s].
+    velocity_rms_enu_m_s[3]: Root mean square velocity error since the start, east-north-up; without samples
+        within 20 km of the Earth's axis, where east and north turn [m/s].
     closure_position_enu_m[3]: Closure: navigation minus truth now, position [m].
     closure_velocity_enu_m_s[3]: Closure: navigation minus truth now, velocity [m/s].
-    host_position_enu_m[3]: Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
-        to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
-        sensors'.
+    host_position_enu_m[3]: Share of the horizontal position closure that the host's own inconsistency explains
+        [m]: the Schuler-tuned answer to displacement by velocity less displacement by position; up is 0. Closure less
+        this is the simulator's and the sensors'.
     host_velocity_enu_m_s[3]: The same of the horizontal velocity closure; up is 0 [m/s].
-    inconsistency_enu_m[3]: Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+    inconsistency_enu_m[3]: Displacement by the host's velocities less displacement by its positions, summed over
+        the flight [m].
     inconsistency_max_m: The largest of it in one interval [m].
     inconsistent_samples: Samples flagged sins.NAVIGATION_INCONSISTENT.
     intervals: Intervals flown since the start or the last reposition: one less than the samples.
-    trim_rate_max_rad_s: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
-        generator and mechanization themselves; 0 with physical signals [rad/s].
+    trim_rate_max_rad_s: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its
+        time constants on: the error of generator and mechanization themselves; 0 with physical signals [rad/s].
     trim_force_max_m_s2: The same of the specific force [m/s2].
     """
 
@@ -1266,11 +1325,11 @@ class accuracy(_Struct):
 
 
 class truth_summary(_Struct):
-    """The motion of the truth in figures, over all intervals since the create or the last sins.reset(): those of wrong units or
-    exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
-    exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights and
-    climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
-    time stamp of the sample that it came with.
+    """The motion of the truth in figures, over all intervals since the create or the last sins.reset(): those of wrong
+    units or exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip;
+    east and north exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s;
+    feet for metres are heights and climbs of 3.3 times their size. Rates, accelerations and forces are means from one
+    sample to the next. Each ..._at_s is the time stamp of the sample that it came with.
 
     intervals: Intervals flown.
     gaps: Those of them that are gaps (see sins.GAP).
@@ -1288,14 +1347,16 @@ class truth_summary(_Struct):
     acceleration_max_at_s: When [s].
     force_max_m_s2: Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
     force_max_at_s: When [s].
-    inconsistency_max_m: Largest displacement in an interval that the mean of the velocities at its ends does not explain [m].
+    inconsistency_max_m: Largest displacement in an interval that the mean of the velocities at its ends does not
+        explain [m].
     inconsistency_max_at_s: When [s].
     speed_max_m_s: Largest speed against the Earth [m/s].
     speed_max_at_s: When [s].
-    sideslip_max_rad: Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it [rad].
+    sideslip_max_rad: Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth,
+        to the right; wind is in it [rad].
     sideslip_max_at_s: When [s].
-    attack_max_rad: Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
-        symmetry [rad].
+    attack_max_rad: Angle of attack of the largest size, from the velocity against the Earth up to the forward
+        axis, in the plane of symmetry [rad].
     attack_max_at_s: When [s].
     height_min_m: Lowest height [m].
     height_min_at_s: When [s].
@@ -1343,8 +1404,8 @@ class imu_increment(_Struct):
 
     interval_s: Length of the whole interval, 5e-5 to 10 [s].
     count: Parts, 1 to 5.
-    angle_rad[15]: Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
-        first, of the second, ... [rad].
+    angle_rad[15]: Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of
+        the first, of the second, ... [rad].
     velocity_m_s[15]: Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     """
 
@@ -1369,7 +1430,8 @@ class flight_start(_Struct):
     speed_m_s: Speed against the Earth, 0 to 10 km/s [m/s].
     heading_rad: Course and heading, -100 to 100 [rad].
     roll_rad: Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
-    pitch_rad: Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
+    pitch_rad: Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or
+        tilt at rest [rad].
     earth: Of enum sins.earth, as in the options of the simulator that will fly it.
     """
 
@@ -1390,7 +1452,8 @@ class flight_start(_Struct):
 
 
 class manoeuvre(_Struct):
-    """One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
+    """One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use
+    must be 0.
 
     kind: Of enum sins.manoeuvre_kind.
     sinusoid_count: Sinusoids, 1 to 6.
@@ -1398,14 +1461,16 @@ class manoeuvre(_Struct):
     ramp_s: Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
     speed_change_m_s: Change of speed, to no less than 0 and no more than 10 km/s [m/s].
     height_change_m: Change of height; the climb angle must stay below 64 degrees [m].
-    heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
+    heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad
+        [rad].
     bank_rad: Bank of a turn, 1e-3 to 1.5 [rad].
     turns: Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     channel[6]: What each sinusoid moves, of enum sins.channel.
-    amplitude[6]: Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
-        [m/s].
+    amplitude[6]: Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together
+        up to it [rad] or [m/s].
     frequency_hz[6]: Frequency of each sinusoid, 0 to 1000 [Hz].
-    phase_rad[6]: Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
+    phase_rad[6]: Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the
+        manoeuvre [rad].
     """
 
     __slots__ = ()
@@ -1434,7 +1499,8 @@ class fault(_Struct):
     count: Faults of the text, 200 at the most.
     line: Line of this one, from 1.
     column: Column, in characters from 1; of a flight log the column of the table.
-    sentence[256]: Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer.
+    sentence[256]: Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated,
+        cut where it is longer.
     """
 
     __slots__ = ()
@@ -1455,9 +1521,11 @@ class scene_setup(_Struct):
     has_temperature: 1: samples get the temperature below; 0: none.
     quiet: 1: a program shows neither progress nor summary; 0: it does.
     duration_s: How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
-    flown_s: How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s].
+    flown_s: How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight
+        has; read only [s].
     rate_hz: Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
-    temperature_c: Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C].
+    temperature_c: Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg
+        C].
     temperature_change_c_s: Its change, -277 to 277 [deg C/s].
     every_s: Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
     """
@@ -1531,8 +1599,8 @@ class log_info(_Struct):
 
 
 class requirement(_Struct):
-    """Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
-    of 0 is none; at least one is needed.
+    """Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration.
+    A limit of 0 is none; at least one is needed.
 
     duration_s: For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
     position_m: Distance from where the exact solution on the same signals is [m].
@@ -1563,9 +1631,12 @@ class cost(_Struct):
     reference_position_m: The part of it that is the uncertainty of the reference: position [m].
     reference_velocity_m_s: Velocity [m/s].
     reference_attitude_rad: Attitude [rad].
-    share: Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
-    instructions_per_step: Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
-    ns_per_step: Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns].
+    share: Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below
+        1e-100 counts as 1e-100.
+    instructions_per_step: Instructions of a step that the algorithm has a part in, the same on every machine:
+        what the algorithms are ordered by.
+    ns_per_step: Measured here and now, in the options that were written, in the mounting and with ideal sensors:
+        push and step of one sample [ns].
     tried: Algorithms that were tried, the recommended one among them.
     """
 
@@ -1608,12 +1679,13 @@ class budget_request(_Struct):
 
 
 class budget_row(_Struct):
-    """An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
-    set.
+    """An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with
+    nothing set.
 
     flags: Flags of enum sins.budget_flags, or'ed.
     effect[32]: Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
-    field[48]: The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row.
+    field[48]: The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the
+        first row.
     position_m: Length of the contribution to the position error, the largest of the scene [m].
     velocity_m_s: Velocity [m/s].
     attitude_rad: Misalignment [rad].
@@ -1621,8 +1693,9 @@ class budget_row(_Struct):
     end_velocity_m_s: Velocity [m/s].
     end_attitude_rad: Misalignment [rad].
     share: The largest share of a limit that the contribution takes up; 0 without limits.
-    ns_per_step: Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
-        nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+    ns_per_step: Measured here and now: what a step takes with all effects less without this one; in the first row
+        what it takes with nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may
+        be negative.
     """
 
     __slots__ = ()
@@ -1650,7 +1723,8 @@ class budget(_Struct):
     flights: Flights that were flown.
     sigma_low: A standard deviation lies with 95 % probability between its row's figure times this, ...
     sigma_high: ... and times this; both are 1 if nothing is random.
-    position_m: Errors with all effects together, root mean square over the runs, the largest of the scene: position [m].
+    position_m: Errors with all effects together, root mean square over the runs, the largest of the scene:
+        position [m].
     velocity_m_s: Velocity [m/s].
     attitude_rad: Misalignment [rad].
     remainder_position_m: What of that the sum of all rows does not explain: position [m].
@@ -1739,7 +1813,7 @@ def _fail(status, sim):
     """Raises what the library says of the last call: of a simulator, or of this thread."""
     sentence, info = ctypes.create_string_buffer(1024), error_info()
     length = ctypes.sizeof(sentence)
-    if _library.sins_last_error(sim, sentence, c_size_t(length), None) not in (OK, ERROR_BUFFER_TOO_SMALL):
+    if _library.sins_last_error(sim, sentence, c_size_t(length), None) not in (status_code.OK, status_code.ERROR_BUFFER_TOO_SMALL):
         sim = None  # a refused handle remembers nothing; the thread does
         _library.sins_last_error(sim, sentence, c_size_t(length), None)
     _library.sins_last_error_info(sim, ctypes.byref(info))
@@ -1801,15 +1875,17 @@ def status_string(status):
 
 @_function(status, sim, POINTER(options))
 def get_options(sim, options):
-    """Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0."""
+    """Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of
+    0.
+    """
 
 
 @_function(status, POINTER(options), _New(sim))
 def create(options, sim):
     """Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
 
-    On an error *sim is untouched, and sins.last_error(NULL, ...) on this thread tells why. sins.ERROR_OUT_OF_MEMORY: no
-    memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+    On an error *sim is untouched, and sins.last_error(NULL, ...) on this thread tells why. sins.ERROR_OUT_OF_MEMORY:
+    no memory, or 4096 simulators live. Not for a real-time frame: it allocates.
     """
 
 
@@ -1826,113 +1902,117 @@ def push_sample(sim, sample):
     """Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
-    sins.ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
-    sins.GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins.step() flies it as
-    motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call sins.move_time()
-    before this push; the push cannot be taken back.
-    sins.ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken
-    until one fits, or until sins.move_time() for a gap, sins.move_truth() or sins.reposition() for a jump.
-    sins.ERROR_QUEUE_FULL: step first. sins.ERROR_BAD_STATE: navigating on increments.
+    sins.ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4
+    of it. sins.GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its
+    sins.step() flies it as motion, the velocity times its length, up to max_gap_s. After a pause of the host whose
+    clock ran on, call sins.move_time() before this push; the push cannot be taken back. sins.ERROR_DISCONTINUITY: a
+    gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken until one fits,
+    or until sins.move_time() for a gap, sins.move_truth() or sins.reposition() for a jump. sins.ERROR_QUEUE_FULL:
+    step first. sins.ERROR_BAD_STATE: navigating on increments.
     """
 
 
 @_function(status, sim)
 def step(sim):
-    """Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
-    further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
-    the velocity times its length; sins.push_sample() answers sins.GAP for it.
+    """Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples,
+    each further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown
+    like any other, the velocity times its length; sins.push_sample() answers sins.GAP for it.
 
-    sins.NEED_SAMPLE: no complete interval waits. sins.ERROR_DIVERGED: the interval would lead the solution of the block, of the
-    reference point or of the closed loop's own error-free navigator beyond -500 km or
-    20000 km of height or 100 km/s; sins.ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
-    solution before it stays readable, and sins.reposition() or sins.reset() start anew. sins.ERROR_BAD_STATE: navigating on
-    increments.
+    sins.NEED_SAMPLE: no complete interval waits. sins.ERROR_DIVERGED: the interval would lead the solution of the
+    block, of the reference point or of the closed loop's own error-free navigator beyond -500 km or 20000 km of
+    height or 100 km/s; sins.ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
+    solution before it stays readable, and sins.reposition() or sins.reset() start anew. sins.ERROR_BAD_STATE:
+    navigating on increments.
     """
 
 
 @_function(status, sim, c_double)
 def move_time(sim, time_s):
-    """The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause in
-    which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors, noise,
-    waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight goes on to
-    the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles; with a stated
-    period they always are. (Without velocities the differences over three samples count too; durations in sins.accuracy are
-    rounded as the time stamps are.) flight_start_s of sins.scene_prepare() is the host's: move it by as much.
+    """The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it:
+    for a pause in which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is
+    as it was: errors, noise, waiting samples, sensor processes, failures, running figures, and the stated period,
+    whose grid moves along. A flight goes on to the same bits as one whose stamps never jumped if the differences
+    between successive stamps are the same doubles; with a stated period they always are. (Without velocities the
+    differences over three samples count too; durations in sins.accuracy are rounded as the time stamps are.)
+    flight_start_s of sins.scene_prepare() is the host's: move it by as much.
 
-    sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. sins.ERROR_BAD_STATE: no sample yet, or navigating on
-    increments, which have no stamps.
+    sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. sins.ERROR_BAD_STATE: no sample yet, or
+    navigating on increments, which have no stamps.
     """
 
 
 @_function(status, sim, POINTER(flight_sample))
 def move_truth(sim, sample):
-    """The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
-    the truth's east and north, and in height), velocity error (components) and misalignment that sins.get_errors() tells are those
-    before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity
-    there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
-    factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting
-    samples are dropped; time may jump too, all clocks with it, as in sins.move_time(). sins.get_imu() still tells the interval
-    before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+    """The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in
+    metres (along the truth's east and north, and in height), velocity error (components) and misalignment that
+    sins.get_errors() tells are those before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of
+    them is up to gravity, the latitude and the velocity there. Noise, sensor processes, failures, the vertical
+    channel, the altimeter's error (but that of its scale factor, which is of the new height) and running figures go
+    on; no draw moves. The sensors follow the new signals at once. Waiting samples are dropped; time may jump too, all
+    clocks with it, as in sins.move_time(). sins.get_imu() still tells the interval before. Where the sample has no
+    velocity, the solution has its velocity error alone until the next is pushed.
 
-    Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
-    common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the shortest
-    way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm and boresight,
-    and what is wrong of them, make of that in the new attitude.
+    Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution
+    have no common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's
+    vertical by the shortest way. With a mounting the errors kept are those of the sensor block; those of the
+    reference point are what its arm and boresight, and what is wrong of them, make of that in the new attitude.
 
     Before the first step there is no INS with errors: it is sins.reposition() then. sins.ERROR_INVALID_ARGUMENT,
     sins.ERROR_BAD_STATE: as sins.reposition(). sins.ERROR_SINGULAR: within reach of a pole, in geographic axes.
-    sins.ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth away.
+    sins.ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the
+    Earth away.
     """
 
 
 @_function(status, sim, POINTER(flight_sample))
 def reposition(sim, sample):
-    """The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors that
-    it had are lost; to keep them call sins.move_truth() (slew) or sins.move_time() (pause) instead. Noise and failures go on where
-    they were. Waiting samples and the running accuracy figures are dropped. Time may jump
-    too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
-    next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
-    first, and the next push makes an interval.
+    """The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors.
+    The errors that it had are lost; to keep them call sins.move_truth() (slew) or sins.move_time() (pause) instead.
+    Noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may
+    jump too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is
+    read until the next step is that of the sample; an interval to read there is none. It may be the first call of a
+    run: the sample is then the first, and the next push makes an interval.
 
-    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample(). sins.ERROR_BAD_STATE: navigating on increments. Where no INS can start
-    (a pole, in geographic axes) it is the reads and the next step that say so.
+    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample(). sins.ERROR_BAD_STATE: navigating on increments. Where no INS
+    can start (a pole, in geographic axes) it is the reads and the next step that say so.
     """
 
 
 @_function(status, sim)
 def reset(sim):
-    """Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
-    from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
-    seed or run; to come back to a moment in flight, see sins.snapshot_save().
+    """Back to before the first sample: same options, the parameters as they were set last, no failures, and the same
+    draws again from their start, so that the same samples and settings give the same bits. For other draws create a
+    simulator with another seed or run; to come back to a moment in flight, see sins.snapshot_save().
     """
 
 
 @_function(status, sim, _Array(c_char), POINTER(c_size_t))
 def last_error(sim, buffer, needed):
     """Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
-    terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
-    (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see
-    Threads). This call and sins.last_error_info() leave no sentence where they fail themselves.
+    terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
+    simulator (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused
+    (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). This call and sins.last_error_info() leave no
+    sentence where they fail themselves.
 
-    needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
-    alone. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+    needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for
+    that alone. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
     """
 
 
 @_function(status, sim, POINTER(error_info))
 def last_error_info(sim, info):
-    """Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins.last_error() has the
-    sentence.
+    """Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which
+    sins.last_error() has the sentence.
     """
 
 
 @_function(status, sim, POINTER(gyro_params))
 def set_gyro(sim, params):
-    """Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
-    move; processes that were active go on from where they are.
+    """Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects
+    do not move; processes that were active go on from where they are.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: temperature coefficients while samples without
-    a temperature wait, or while navigating on increments.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: temperature coefficients while
+    samples without a temperature wait, or while navigating on increments.
     """
 
 
@@ -1957,8 +2037,8 @@ def get_accel(sim, params):
 
 @_function(status, sim, POINTER(altimeter_params))
 def set_altimeter(sim, params):
-    """Sets the errors of the barometric height that damps the vertical channel (sins.VERTICAL_DAMPED), from the next interval
-    on.
+    """Sets the errors of the barometric height that damps the vertical channel (sins.VERTICAL_DAMPED), from the next
+    interval on.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     """
@@ -1971,25 +2051,25 @@ def get_altimeter(sim, params):
 
 @_function(status, sim, c_int32, c_int32, POINTER(failure))
 def set_failure(sim, sensor, axis, failure):
-    """Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
-    until it is cleared by sins.FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
-    once.
+    """Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next
+    interval on, until it is cleared by sins.FAILURE_NONE or another failure of the same output takes its place.
+    Several outputs may fail at once.
 
-    sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
-    range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
-    there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
-    sins.reposition() keeps them; sins.reset() clears them all, so that an exercise begins anew with sound sensors, and failures
-    set again at the same intervals give the same bits.
+    sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before
+    dead zone, range and quantization, the others replace the output. No draw of another effect moves, and what runs
+    on behind a failure is there again when it is cleared. Both error data hear of it. The alignment at the start does
+    not see failures. sins.reposition() keeps them; sins.reset() clears them all, so that an exercise begins anew with
+    sound sensors, and failures set again at the same intervals give the same bits.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
-    solution away makes sins.step() answer sins.ERROR_DIVERGED.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that
+    throws the solution away makes sins.step() answer sins.ERROR_DIVERGED.
     """
 
 
 @_function(status, sim, c_int32, c_int32, POINTER(failure))
 def get_failure(sim, sensor, axis, failure):
-    """Reads the failure of one output: at any moment, after sins.snapshot_load() too; sins.FAILURE_NONE if it is sound. sensor and
-    axis as in sins.set_failure().
+    """Reads the failure of one output: at any moment, after sins.snapshot_load() too; sins.FAILURE_NONE if it is sound.
+    sensor and axis as in sins.set_failure().
 
     sins.ERROR_INVALID_ARGUMENT: no such output.
     """
@@ -2005,13 +2085,15 @@ def set_initial_errors(sim, errors):
 
 @_function(status, sim, POINTER(initial_errors))
 def get_initial_errors(sim, errors):
-    """Reads the errors with which the navigation starts, as they were set last: at any moment, after sins.snapshot_load() too."""
+    """Reads the errors with which the navigation starts, as they were set last: at any moment, after
+    sins.snapshot_load() too.
+    """
 
 
 @_function(status, sim, POINTER(mounting))
 def set_mounting(sim, mounting):
-    """Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
-    increments is not concerned: its solution is that of the block.
+    """Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A
+    navigator on increments is not concerned: its solution is that of the block.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
     """
@@ -2019,14 +2101,16 @@ def set_mounting(sim, mounting):
 
 @_function(status, sim, POINTER(mounting))
 def get_mounting(sim, mounting):
-    """Reads place and attitude of the sensor block, as they were set last: at any moment, after sins.snapshot_load() too."""
+    """Reads place and attitude of the sensor block, as they were set last: at any moment, after sins.snapshot_load()
+    too.
+    """
 
 
 @_function(status, sim, POINTER(gravity_params))
 def set_gravity_disturbance(sim, params):
-    """Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
-    same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
-    felt their own gravity.
+    """Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings
+    the same field back; after a reposition it goes on from its values there. A navigator on increments is not
+    concerned: these have felt their own gravity.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
     """
@@ -2034,31 +2118,33 @@ def set_gravity_disturbance(sim, params):
 
 @_function(status, sim, POINTER(gravity_params))
 def get_gravity_disturbance(sim, params):
-    """Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins.snapshot_load() too."""
+    """Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins.snapshot_load()
+    too.
+    """
 
 
 @_function(status, sim, _Array(flight_sample, is_input=True), c_size_t, _Array(record), POINTER(c_size_t))
 def run(sim, samples, every, records, written):
-    """Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
-    flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+    """Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of
+    a flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
 
-    samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
-    those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
+    samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be
+    0, those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on
+    an error.
 
     sins.GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-    sins.get_truth_summary() counts them.
-    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
-    sins.ERROR_BAD_STATE: navigating on increments. Any error of sins.push_sample() or sins.step() stops the run at the
-    sample that it concerns, which sins.last_error() names: the samples before it have been flown, this and the rest not;
-    sins.accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
-    sins.step(); sins.reposition() and sins.reset() empty it.
+    sins.get_truth_summary() counts them. sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the
+    call would make; nothing is flown. sins.ERROR_BAD_STATE: navigating on increments. Any error of sins.push_sample()
+    or sins.step() stops the run at the sample that it concerns, which sins.last_error() names: the samples before it
+    have been flown, this and the rest not; sins.accuracy.intervals counts them. A sample that could be pushed but not
+    flown waits in the queue, as after sins.step(); sins.reposition() and sins.reset() empty it.
     """
 
 
 @_function(status, sim, POINTER(navigation))
 def get_truth(sim, truth):
-    """Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
-    velocity, that of the first is 0 until the second is pushed.
+    """Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples
+    have no velocity, that of the first is 0 until the second is pushed.
 
     sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
     """
@@ -2068,8 +2154,8 @@ def get_truth(sim, truth):
 def get_navigation(sim, navigation):
     """Reads the navigated solution for the same instant as sins.get_truth().
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: before the first step, no INS can start at the
-    first sample with these options and initial errors.
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: before the first step, no INS can start
+    at the first sample with these options and initial errors.
     """
 
 
@@ -2085,9 +2171,10 @@ def get_imu(sim, imu):
 def get_errors(sim, source, errors):
     """Reads the errors of the navigated solution; source is of enum sins.errors_source.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such source. sins.ERROR_BAD_STATE: sins.ERRORS_MODEL while
-    the error model is off, as it is by default (create the simulator with sins.options.error_model), or navigating on
-    increments. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such source. sins.ERROR_BAD_STATE:
+    sins.ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+    sins.options.error_model), or navigating on increments. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as
+    sins.get_navigation().
     """
 
 
@@ -2104,8 +2191,8 @@ def get_accuracy(sim, accuracy):
 def get_truth_summary(sim, summary):
     """Reads the motion of the truth in figures; sins.reposition() and sins.move_truth() leave them.
 
-    sins.NEED_SAMPLE: no interval yet. sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on increments,
-    there is no truth.
+    sins.NEED_SAMPLE: no interval yet. sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on
+    increments, there is no truth.
     """
 
 
@@ -2120,45 +2207,48 @@ def get_record(sim, record):
 
 @_function(status, sim, POINTER(navigation))
 def start_navigation(sim, navigation):
-    """Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
-    read) of navigation, on increments that sins.push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion
-    is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and
-    flagged so, errors and accuracy are sins.ERROR_BAD_STATE until sins.reset().
+    """Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are
+    not read) of navigation, on increments that sins.push_imu() gives. Ranges are those of a flight sample, the norm
+    of the quaternion is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical
+    channel is free and flagged so, errors and accuracy are sins.ERROR_BAD_STATE until sins.reset().
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: samples were pushed, or it was
-    started already; sins.reset() first; or temperature coefficients are set, for which increments have no temperature.
-    sins.ERROR_SINGULAR: within reach of a pole, in geographic axes.
+    started already; sins.reset() first; or temperature coefficients are set, for which increments have no
+    temperature. sins.ERROR_SINGULAR: within reach of a pole, in geographic axes.
     """
 
 
 @_function(status, sim, POINTER(imu_increment))
 def push_imu(sim, increment):
-    """Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
-    interval_s; sins.get_imu() tells the host's increments as the ideal ones.
-    sins.options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+    """Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes
+    on by interval_s; sins.get_imu() tells the host's increments as the ideal ones. sins.options.subsamples and
+    updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
 
-    sins.ERROR_BAD_STATE: sins.start_navigation() first. sins.ERROR_INVALID_ARGUMENT: a value out of its range, or half a
-    turn in a part or in the interval. sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the
-    solution before it stays readable, and sins.reset() and sins.start_navigation() start anew.
+    sins.ERROR_BAD_STATE: sins.start_navigation() first. sins.ERROR_INVALID_ARGUMENT: a value out of its range, or
+    half a turn in a part or in the interval. sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval
+    is not flown, the solution before it stays readable, and sins.reset() and sins.start_navigation() start anew.
     """
 
 
 @_function(status, sim, POINTER(c_size_t))
 def snapshot_size(sim, size):
-    """The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
-    with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
-    besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+    """The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up
+    to 4.5 KiB with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity,
+    temperature and failures besides; up to 154 bytes more for each sample that waits. It changes with what is set and
+    with the samples that wait.
     """
 
 
 @_function(status, sim, _Array(c_char), POINTER(c_size_t))
 def snapshot_save(sim, buffer, written):
-    """Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
-    stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
-    keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+    """Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each
+    random stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
+    no address: keep them in a file, send them to another machine. The same state gives the same bytes. No allocation,
+    no system call.
 
-    Not saved: handles, and the sentence of sins.last_error(). After sins.ERROR_DIVERGED or sins.ERROR_SINGULAR it is the last
-    good solution that is saved, after sins.ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+    Not saved: handles, and the sentence of sins.last_error(). After sins.ERROR_DIVERGED or sins.ERROR_SINGULAR it is
+    the last good solution that is saved, after sins.ERROR_INTERNAL nothing: load an earlier snapshot into a fresh
+    handle.
 
     sins.ERROR_BUFFER_TOO_SMALL: see sins.snapshot_size(); buffer and written are as they were.
     """
@@ -2166,20 +2256,21 @@ def snapshot_save(sim, buffer, written):
 
 @_function(status, sim, _Array(c_char, is_input=True))
 def snapshot_load(sim, snapshot):
-    """Makes the simulator the one that was saved, whatever it was before: its options too, as sins.get_options() tells, so that a
-    fresh handle of sins.create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
-    what sins.snapshot_save() wrote. Not for a real-time frame: it allocates.
+    """Makes the simulator the one that was saved, whatever it was before: its options too, as sins.get_options() tells,
+    so that a fresh handle of sins.create(NULL, ...) will do. From there the run goes on to the same bits as the saved
+    one did. size is what sins.snapshot_save() wrote. Not for a real-time frame: it allocates.
 
     sins.ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
-    sins.last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
-    where CHANGELOG does not say that the algorithms changed. sins.ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+    sins.last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the
+    same bits where CHANGELOG does not say that the algorithms changed. sins.ERROR_OUT_OF_MEMORY: no memory for a
+    second simulator.
     """
 
 
 @_function(status, c_int32, POINTER(gyro_params))
 def gyro_preset(grade, params):
-    """Fills params with the gyro errors of a grade, of enum sins.grade. Biases, scale factor errors and misalignments are drawn at turn-on
-    with the standard deviations that the source states; what it does not state is 0.
+    """Fills params with the gyro errors of a grade, of enum sins.grade. Biases, scale factor errors and misalignments
+    are drawn at turn-on with the standard deviations that the source states; what it does not state is 0.
 
     sins.ERROR_INVALID_ARGUMENT: no such grade.
     """
@@ -2195,16 +2286,18 @@ def accel_preset(grade, params):
 
 @_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), _New(flight))
 def flight_create(start, manoeuvres, flight):
-    """Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
-    to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+    """Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
+    smooth to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far
+    apart they are.
 
-    Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
-    of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+    Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is
+    up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and
+    heading need none.
 
-    On an error *flight is untouched, and sins.last_error(NULL, ...) on this thread tells why: sins.ERROR_INVALID_ARGUMENT a
-    value out of its range, or a height on the way out of the range of sins.flight_sample.height_m, which no simulator takes (the
-    index in the sentence is that of the manoeuvre), sins.ERROR_OUT_OF_MEMORY no memory, more than
-    200000 pieces (which take 3 s), or 4096 flights that live.
+    On an error *flight is untouched, and sins.last_error(NULL, ...) on this thread tells why:
+    sins.ERROR_INVALID_ARGUMENT a value out of its range, or a height on the way out of the range of
+    sins.flight_sample.height_m, which no simulator takes (the index in the sentence is that of the manoeuvre),
+    sins.ERROR_OUT_OF_MEMORY no memory, more than 200000 pieces (which take 3 s), or 4096 flights that live.
     """
 
 
@@ -2231,23 +2324,24 @@ def flight_destroy(flight):
 
 @_function(status, _New(scene))
 def scene_create(scene):
-    """Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
-    height 0, sampled at 100 Hz.
+    """Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0,
+    longitude 0, height 0, sampled at 100 Hz.
 
-    On an error *scene is untouched, and sins.last_error(NULL, ...) on this thread tells why, as for every function of scenes.
-    sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins.scene_prepare() is for
-    a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
-    it, the process ends. So it is of sins.log_parse(), but for the samples.
+    On an error *scene is untouched, and sins.last_error(NULL, ...) on this thread tells why, as for every function of
+    scenes. sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but
+    sins.scene_prepare() is for a real-time frame. They ask for all the memory of a call first; where it runs out
+    within the call, as another thread takes it, the process ends. So it is of sins.log_parse(), but for the samples.
     """
 
 
 @_function(status, _Array(c_char, is_input=True), _New(scene))
 def scene_parse(text, scene):
-    """Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins.scene_write_keys() lists the keys.
+    """Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins.scene_write_keys()
+    lists the keys.
 
-    sins.SCENE_HAS_FAULTS: the text is no scene; sins.scene_get_fault() tells every fault and its place. The handle is made for
-    that alone: any other function but sins.scene_destroy() answers sins.ERROR_BAD_STATE. sins.ERROR_OUT_OF_MEMORY: as
-    sins.scene_create().
+    sins.SCENE_HAS_FAULTS: the text is no scene; sins.scene_get_fault() tells every fault and its place. The handle is
+    made for that alone: any other function but sins.scene_destroy() answers sins.ERROR_BAD_STATE.
+    sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
     """
 
 
@@ -2280,23 +2374,25 @@ def scene_builtin_name(index, buffer, needed):
 def scene_write(scene, buffer, needed):
     """Writes the scene as commented TOML, which sins.scene_parse() reads back to the same scene, to the bit.
 
-    needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
-    sins.ERROR_BUFFER_TOO_SMALL: the text was cut. sins.ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
-    manoeuvres and failures that the text would have more than 1 MiB. sins.ERROR_BAD_STATE: as sins.scene_parse().
+    needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that
+    alone. sins.ERROR_BUFFER_TOO_SMALL: the text was cut. sins.ERROR_INVALID_ARGUMENT: settings that do not go
+    together, or so many manoeuvres and failures that the text would have more than 1 MiB. sins.ERROR_BAD_STATE: as
+    sins.scene_parse().
     """
 
 
 @_function(status, _Array(c_char), POINTER(c_size_t))
 def scene_write_keys(buffer, needed):
-    """Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
-    needed as in sins.scene_write().
+    """Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer,
+    capacity and needed as in sins.scene_write().
     """
 
 
 @_function(status, scene, _New(sim))
 def scene_create_simulator(scene, sim):
-    """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
-    their time by sins.scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+    """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
+    Failures come in their time by sins.scene_prepare(). Of a flight that is not a log the sample period is stated: 1
+    / rate.
 
     sins.ERROR_INVALID_ARGUMENT: settings that do not go together. sins.ERROR_BAD_STATE: as sins.scene_parse().
     sins.ERROR_OUT_OF_MEMORY: as sins.create().
@@ -2305,23 +2401,23 @@ def scene_create_simulator(scene, sim):
 
 @_function(status, scene, _New(flight))
 def scene_create_flight(scene, flight):
-    """Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
-    up to sins.scene_setup.flown_s.
+    """Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it
+    at k / rate up to sins.scene_setup.flown_s.
 
-    sins.ERROR_BAD_STATE: the flight of the scene is a log, whose name is sins.SCENE_TEXT_LOG; or as sins.scene_parse(). Else as
-    sins.flight_create().
+    sins.ERROR_BAD_STATE: the flight of the scene is a log, whose name is sins.SCENE_TEXT_LOG; or as
+    sins.scene_parse(). Else as sins.flight_create().
     """
 
 
 @_function(status, scene, sim, c_double, POINTER(flight_sample))
 def scene_prepare(scene, sim, flight_start_s, sample):
-    """Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
-    next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
-    interval that starts at their time or later; failures of outputs for which it plans none are left alone.
-    flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+    """Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step
+    before the next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and
+    end on sim with the first interval that starts at their time or later; failures of outputs for which it plans none
+    are left alone. flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
 
-    sins.ERROR_BAD_HANDLE: of scene or sim. sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
-    from -2e10 to 2e10. sins.ERROR_BAD_STATE: as sins.scene_parse().
+    sins.ERROR_BAD_HANDLE: of scene or sim. sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s
+    not from -2e10 to 2e10. sins.ERROR_BAD_STATE: as sins.scene_parse().
     """
 
 
@@ -2343,8 +2439,8 @@ def scene_get_options(scene, options):
 
 @_function(status, scene, POINTER(options))
 def scene_set_options(scene, options):
-    """Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
-    whether they go together is checked where the scene is written and its simulator is created.
+    """Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any
+    order: whether they go together is checked where the scene is written and its simulator is created.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.create().
     """
@@ -2443,19 +2539,20 @@ def scene_set_setup(scene, setup):
 
 @_function(status, scene, POINTER(flight_start), _Array(manoeuvre), POINTER(c_size_t), POINTER(c_size_t))
 def scene_get_manoeuvres(scene, start, manoeuvres, count, repeat):
-    """Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
-    all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
-    count alone manoeuvres with a capacity of 0.
+    """Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how
+    many times all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be
+    NULL, and to ask for count alone manoeuvres with a capacity of 0.
 
-    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. sins.ERROR_BAD_STATE: the flight
-    is a log; or as sins.scene_parse().
+    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. sins.ERROR_BAD_STATE:
+    the flight is a log; or as sins.scene_parse().
     """
 
 
 @_function(status, scene, POINTER(flight_start), _Array(manoeuvre, is_input=True), c_size_t)
 def scene_set_manoeuvres(scene, start, manoeuvres, repeat):
-    """Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most. start->earth
-    is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+    """Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most.
+    start->earth is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at
+    100 Hz from then on.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.flight_create(), but for the height on the way.
     """
@@ -2463,7 +2560,8 @@ def scene_set_manoeuvres(scene, start, manoeuvres, repeat):
 
 @_function(status, scene, c_int32, _Array(c_char), POINTER(c_size_t))
 def scene_get_text(scene, which, buffer, needed):
-    """Reads a text of the scene, which of enum sins.scene_text; an empty one is none. buffer, capacity and needed as in sins.scene_write().
+    """Reads a text of the scene, which of enum sins.scene_text; an empty one is none. buffer, capacity and needed as in
+    sins.scene_write().
 
     sins.ERROR_INVALID_ARGUMENT: no such text.
     """
@@ -2471,7 +2569,8 @@ def scene_get_text(scene, which, buffer, needed):
 
 @_function(status, scene, c_int32, _Text)
 def scene_set_text(scene, which, text):
-    """Sets a text of the scene, which of enum sins.scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+    """Sets a text of the scene, which of enum sins.scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is
+    none; the flight of a scene is never none.
 
     sins.ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
     """
@@ -2505,18 +2604,19 @@ def scene_clear_failures(scene):
 
 @_function(status, _Array(c_char, is_input=True), _New(log), POINTER(fault))
 def log_parse(text, log, fault):
-    """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
-    order; columns of other names are passed over, and a row with more fields than columns is a fault:
+    """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns,
+    in any order; columns of other names are passed over, and a row with more fields than columns is a fault:
 
     time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
     heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
     rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 
-    Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before; their
-    ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+    Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before;
+    their ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates,
+    184 bytes a sample.
 
-    sins.ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
-    *log is untouched. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+    sins.ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place,
+    and *log is untouched. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
     """
 
 
@@ -2527,8 +2627,8 @@ def log_get_info(log, info):
 
 @_function(status, log, c_size_t, POINTER(flight_sample), POINTER(c_uint64))
 def log_get_sample(log, index, sample, line):
-    """The sample `index`, from 0 in the order of the log, ready for sins.push_sample(). line (may be NULL) gets the line of the text
-    on which it stands, from 1. No allocation.
+    """The sample `index`, from 0 in the order of the log, ready for sins.push_sample(). line (may be NULL) gets the line
+    of the text on which it stands, from 1. No allocation.
 
     sins.ERROR_INVALID_ARGUMENT: no such sample.
     """
@@ -2544,69 +2644,72 @@ def log_destroy(log):
 
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(requirement), POINTER(options), POINTER(cost))
 def recommend(configured, samples, requirement, options, cost):
-    """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
-    are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+    """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples;
+    all that are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
 
-    configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
-    the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
-    reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
-    for sins.create(); what these three were does not matter.
+    configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It
+    is read at the start of the call and neither stepped nor changed. NULL is the recommended simulator with its
+    sensor block at the reference point. options gets the options of configured with scheme, subsamples and
+    updates_per_sample of the answer, ready for sins.create(); what these three were does not matter.
 
-    Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
-    of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
-    that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
-    alike and are left out, and so is what the host's samples contradict themselves by. sins.SIGNAL_CLOSED_LOOP would hide the
-    error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
-    pendulum: more than the flight will show as long as it goes on like the piece. With sins.VERTICAL_FREE each error counts as
-    one of height, which grows by e every 569 s.
+    Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every
+    sample with that of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates
+    change) is added. The error is that of the algorithm alone: errors of sensors, altimeter, start, gravity and of
+    the believed mounting move both solutions alike and are left out, and so is what the host's samples contradict
+    themselves by. sins.SIGNAL_CLOSED_LOOP would hide the error: the signals are without it. For a duration beyond the
+    piece its errors go on as steady rates, through Schuler's pendulum: more than the flight will show as long as it
+    goes on like the piece. With sins.VERTICAL_FREE each error counts as one of height, which grows by e every 569 s.
 
-    The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
-    ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
-    nothing meets the requirement.
+    The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and
+    every day; ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a
+    sample, up to 0.4 ms where nothing meets the requirement.
 
-    sins.REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as
-    sins.push_sample(). sins.ERROR_SINGULAR: geographic axes within reach of a pole. sins.ERROR_DIVERGED: the solution of every
-    algorithm left its range. sins.ERROR_OUT_OF_MEMORY. sins.last_error(NULL, ...) on this thread tells why, and at which sample.
+    sins.REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes
+    closest. sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY:
+    as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes within reach of a pole. sins.ERROR_DIVERGED: the
+    solution of every algorithm left its range. sins.ERROR_OUT_OF_MEMORY. sins.last_error(NULL, ...) on this thread
+    tells why, and at which sample.
     """
 
 
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(budget_request), _Array(budget_row), POINTER(c_size_t), POINTER(budget))
 def error_budget(configured, samples, request, rows, written, budget):
-    """Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
-    out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
-    of the rows anything.
+    """Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can
+    be left out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others'
+    may be 0, those of the rows anything.
 
-    configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros, the
-    accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the call
-    and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
-    limits; written and budget may be NULL.
+    configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of
+    the gyros, the accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is
+    read at the start of the call and neither stepped nor changed. NULL is the recommended simulator, in which nothing
+    errs. NULL for request is 16 runs and no limits; written and budget may be NULL.
 
-    An effect is what one field sets; it is active, and has a row, if that is not 0. (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS is
-    none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
-    runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
-    run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
-    instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-    sins.options.run, run + 1 and so on (sins.BUDGET_RANDOM).
+    An effect is what one field sets; it is active, and has a row, if that is not 0.
+    (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS is none: each effect brings the misalignment along that it causes; nor are
+    lever_arm_m and boresight_rad of the mounting: all runs fly with them.) Its contribution is the error, navigation
+    less truth, of a run with this effect alone less that of a run with nothing set: the length of the vector in
+    position, in velocity and in misalignment, the largest of up to 1000 instants, equally spaced, and that of the
+    last sample. Of an effect that is drawn it is the root mean square over the runs sins.options.run, run + 1 and so
+    on (sins.BUDGET_RANDOM).
 
-    rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
-    position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
-    the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+    rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the
+    largest position first, then velocity, then misalignment; with limits the largest share of a limit first. What is
+    not the sum of the rows is in the remainder, draw by draw: effects that act on each other, of second order in
+    their sizes.
 
-    With limits the effects are marked that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
-    while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
-    are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
-    what that changes, left_out, is beyond a limit, the largest of them comes back.
+    With limits the effects are marked that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT): from the smallest
+    share on while the sum of the deterministic contributions, and the root of the sum of squares of the random ones
+    times sigma_high, are together, root of the sum of squares, within each limit. Then all is flown again without
+    them, in every run; while what that changes, left_out, is beyond a limit, the largest of them comes back.
 
-    But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
-    and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-    and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+    But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it
+    allocates, and flies 1 + each deterministic effect + runs times each random effect and all together, with limits
+    again runs times and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
 
-    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
-    may be NULL with a capacity of 0, to ask). sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER,
-    sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
-    pole. sins.ERROR_DIVERGED: a solution left its range. sins.ERROR_OUT_OF_MEMORY. sins.last_error(NULL, ...) on this thread
-    tells why, and at which sample.
+    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown
+    (rows may be NULL with a capacity of 0, to ask). sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes, or
+    gyrocompassing, within reach of a pole. sins.ERROR_DIVERGED: a solution left its range. sins.ERROR_OUT_OF_MEMORY.
+    sins.last_error(NULL, ...) on this thread tells why, and at which sample.
     """
 
 

@@ -1,6 +1,10 @@
 //! `c_examples/python/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
 
 use super::model::{Constant, Enumeration, Function, Interface, Struct, Type};
+use super::text::{self, filled};
+
+/// Longest line of documentation.
+const WIDTH: usize = 118;
 
 const TEXT: &str = include_str!("sins.py");
 
@@ -39,15 +43,14 @@ fn constant(one: &Constant) -> String {
 
 /// A documentation string: what it is, and what each of its parts is.
 fn documentation<'a>(doc: &[String], parts: impl Iterator<Item = (String, &'a [String])>) -> String {
-    let mut lines: Vec<String> = doc.iter().map(|line| words(line)).collect();
+    let doc: Vec<String> = doc.iter().map(|line| words(line)).collect();
+    let mut text = text::comment("   ", &doc, WIDTH);
     for (index, (name, doc)) in parts.enumerate() {
-        let doc: Vec<String> = doc.iter().map(|line| words(line)).collect();
-        lines.extend((index == 0).then(String::new));
-        lines.push(format!("{name}: {}", doc.join("\n        ")));
+        let part = filled(&[words(&format!("{name}: {}", doc.join(" ")))], WIDTH - 8);
+        text += &format!("{}    {}\n", if index == 0 { "\n" } else { "" }, part.join("\n        "));
     }
-    let end = if lines.len() > 1 { "\n    " } else { "" };
-    let text = lines.join("\n    ").replace("\n    \n", "\n\n");
-    format!("    \"\"\"{text}{end}\"\"\"\n")
+    let text = text.trim();
+    format!("    \"\"\"{text}{}\"\"\"\n", if text.contains('\n') { "\n    " } else { "" })
 }
 
 fn enumeration(family: &Enumeration) -> String {

@@ -96,7 +96,7 @@ class _Struct(ctypes.Structure):
 
 
 class _Handle(ctypes.c_void_p):
-    """None until a call creates what it stands for. Destroyed by close(), at the end of a with statement, or when it is dropped."""
+    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped."""
 
     def close(self):
         if self:
@@ -170,7 +170,7 @@ def _fail(status, sim):
     """Raises what the library says of the last call: of a simulator, or of this thread."""
     sentence, info = ctypes.create_string_buffer(1024), error_info()
     length = ctypes.sizeof(sentence)
-    if _library.sins_last_error(sim, sentence, c_size_t(length), None) not in (OK, ERROR_BUFFER_TOO_SMALL):
+    if _library.sins_last_error(sim, sentence, c_size_t(length), None) not in (status_code.OK, status_code.ERROR_BUFFER_TOO_SMALL):
         sim = None  # a refused handle remembers nothing; the thread does
         _library.sins_last_error(sim, sentence, c_size_t(length), None)
     _library.sins_last_error_info(sim, ctypes.byref(info))
