@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Hosts in other languages than C: each is built with its compiler's warnings as errors, flies built-in scenes to the bits of the C
-# host, and has every struct, field and constant of the header in its place and of its value.
+# host, gets from calls with arrays, matrices, texts and bytes what C gets, and has every struct, field and constant of the header
+# in its place and of its value.
 #
 #     tests/hosts.sh             all hosts
 #     tests/hosts.sh fortran     one of them
@@ -23,10 +24,13 @@ c() {
     for scene in $scenes; do
         target/c_examples/harness "$scene" >"$out/$scene.c"
     done
-    awk -f tests/hosts/layout_c.awk include/sins.h >"$out/layout.c"
-    cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I include -o "$out/layout_c" "$out/layout.c"
-    "$out/layout_c" | LC_ALL=C sort >"$out/layout.of_c"
-    echo "c: $(grep -c . "$out/layout.of_c") sizes, offsets and constants; scenes $scenes"
+    mkdir -p "$out/c"
+    awk -f tests/hosts/layout_c.awk include/sins.h >"$out/c/layout.c"
+    for program in tests/hosts/calls.c "$out/c/layout.c"; do
+        cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I include -o "$out/c/$(basename "$program" .c)" "$program" "${link[@]}"
+    done
+    numbers c
+    echo "c: $(grep -c . "$out/numbers.c") numbers; scenes $scenes"
 }
 
 fortran() {
@@ -35,7 +39,7 @@ fortran() {
     mkdir -p "$out/fortran"
     awk -f tests/hosts/layout_fortran.awk c_examples/fortran/sins.f90 >"$out/fortran/layout.f90"
     "${compiler[@]}" -c -o "$out/fortran/sins.o" c_examples/fortran/sins.f90
-    for program in c_examples/fortran/fly.f90 "$out/fortran/layout.f90"; do
+    for program in c_examples/fortran/fly.f90 tests/hosts/calls.f90 "$out/fortran/layout.f90"; do
         "${compiler[@]}" -o "$out/fortran/$(basename "$program" .f90)" "$program" "$out/fortran/sins.o" "${link[@]}"
     done
     same_as_c fortran
@@ -45,7 +49,7 @@ ada() {
     need gnat gnatmake
     mkdir -p "$out/ada"
     awk -f tests/hosts/layout_ada.awk c_examples/ada/sins.ads >"$out/ada/layout.adb"
-    for program in "$PWD/c_examples/ada/fly.adb" "$out/ada/layout.adb"; do
+    for program in "$PWD/c_examples/ada/fly.adb" "$PWD/tests/hosts/calls.adb" "$out/ada/layout.adb"; do
         (cd "$out/ada" && gnatmake -q -gnat2012 -gnatwa -gnatwe -O2 -I../../../c_examples/ada "$program" -largs "${link[@]}")
     done
     same_as_c ada
@@ -60,7 +64,7 @@ python() {
     done
     export SINS_LIBRARY=$library PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
     mkdir -p "$out/python"
-    for program in fly:c_examples/python/fly.py layout:tests/hosts/layout_python.py; do
+    for program in fly:c_examples/python/fly.py layout:tests/hosts/layout_python.py calls:tests/hosts/calls.py; do
         printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$@"\n' "$PWD/${program#*:}" >"$out/python/${program%:*}"
         chmod +x "$out/python/${program%:*}"
     done
@@ -89,7 +93,12 @@ octave() {
     echo "octave: flies a log to the bits of C"
 }
 
-# same_as_c HOST: its program `fly` flies and reports an error, its program `layout` prints what that of C prints.
+# numbers HOST: what its programs `layout` and `calls` print, a name and a number a line.
+numbers() {
+    { "$out/$1/layout" | LC_ALL=C sort; "$out/$1/calls"; } >"$out/numbers.$1"
+}
+
+# same_as_c HOST: its program `fly` flies and reports an error, `layout` and `calls` print what those of C print.
 same_as_c() {
     for scene in $scenes; do
         "$out/$1/fly" "$scene" >"$out/$scene.$1"
@@ -100,11 +109,11 @@ same_as_c() {
         return 1
     fi
     grep -q "name: must be the name of a built-in scene.*SINS_ERROR_INVALID_ARGUMENT" "$out/refused.$1"
-    "$out/$1/layout" | LC_ALL=C sort >"$out/layout.of_$1"
-    paste "$out/layout.of_c" "$out/layout.of_$1" | awk -v host="$1" '
+    numbers "$1"
+    paste "$out/numbers.c" "$out/numbers.$1" | awk -v host="$1" '
         NF != 4 || $1 != $3 || $2 + 0 != $4 + 0 { print host ": in C and here: " $0; bad = 1 }
         END { exit bad }'
-    echo "$1: flies to the bits of C; sizes, offsets and constants are those of C"
+    echo "$1: flies to the bits of C; sizes, offsets, constants and what calls give are those of C"
 }
 
 # same_figures SCENE HOST: the figures that the host printed of the scene are those of the C host.

@@ -16,7 +16,10 @@ BEGIN {
     print "   Its_" name " : " name ";"
     show("sizeof(" name ")", "double (" name "'Size / 8)")
 }
-/^      [a-z0-9_]+ : / && name != "" { show(name "." $1, "double (Its_" name "." $1 "'Position)") }
+/^      [a-z0-9_]+ : / && name != "" {
+    show(name "." $1, "double (Its_" name "." $1 "'Position)")
+    show("sizeof(" name "." $1 ")", "double (Its_" name "." $1 "'Size / 8)")
+}
 /^   end record/ { name = "" }
 END {
     print "begin"

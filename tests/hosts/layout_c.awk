@@ -15,6 +15,7 @@ BEGIN {
     field = $NF
     sub(/[[;].*/, "", field)
     show(name "." field, "offsetof(" name ", " field ")")
+    show("sizeof(" name "." field ")", "sizeof(((" name " *)0)->" field ")")
 }
 /^}/ { name = "" }
 /^    SINS_[A-Z0-9_]+ = / { show($1, $1) }

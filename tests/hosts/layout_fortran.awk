@@ -17,6 +17,7 @@ BEGIN {
     field = $0
     sub(/.* :: /, "", field)
     sub(/[( =].*/, "", field)
+    show("sizeof(" name "." field ")", "c_sizeof(its_" name "%" field ")")
     show(name "." field, "at(c_loc(its_" name "%" field ")) - at(c_loc(its_" name "))")
 }
 /^  end type/ { name = "" }

@@ -10,5 +10,6 @@ for name, value in list(vars(sins).items()):
         print(f"SINS_SIZEOF_{name.upper()}", ctypes.sizeof(value))
         for field, _ in value._fields_:
             print(f"sins_{name}.{field}", getattr(value, field).offset)
+            print(f"sizeof(sins_{name}.{field})", getattr(value, field).size)
     elif isinstance(value, (int, float)) and name.isupper():
         print(f"SINS_{name}", repr(float(value)))

@@ -13,7 +13,7 @@ const HEAD: &str = include_str!("ada_head.ads");
 pub fn write(interface: &Interface) -> String {
     let mut text = HEAD.to_owned();
     for unit in &interface.units {
-        text += &remark("   ", &[unit.doc.clone()]);
+        text += &remark("   ", &unit.doc);
         text += &format!("   {} : constant double := {};\n", unit.name, float(unit.value));
     }
     text += "\n";

@@ -13,7 +13,7 @@ const TAIL: &str = include_str!("fortran_tail.f90");
 pub fn write(interface: &Interface) -> String {
     let mut text = HEAD.to_owned();
     for unit in &interface.units {
-        text += &remark("  ", &[unit.doc.clone()]);
+        text += &remark("  ", &unit.doc);
         text += &format!("  real(c_double), parameter :: {} = {:e}_c_double\n", unit.name, unit.value);
     }
     text += "\n";

@@ -22,7 +22,7 @@ pub struct Interface {
 pub struct Unit {
     pub name: String,
     pub value: f64,
-    pub doc: String,
+    pub doc: Vec<String>,
 }
 
 pub struct Constant {

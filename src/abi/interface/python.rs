@@ -12,7 +12,7 @@ pub fn write(interface: &Interface) -> String {
     let units = interface
         .units
         .iter()
-        .map(|unit| format!("{} = {:?}  # {}\n", plain(&unit.name), unit.value, unit.doc));
+        .map(|unit| format!("{} = {:?}  # {}\n", plain(&unit.name), unit.value, unit.doc.join(" ")));
     let constants = interface.constants.iter().map(constant).chain(units).collect();
     let types = interface.enumerations.iter().map(enumeration);
     let types = types
