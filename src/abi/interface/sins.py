@@ -46,8 +46,8 @@ def _load():
         version = library.sins_abi_version()
     except OSError as error:
         raise ImportError(
-            f"the library sins cannot be loaded: {error}. Put {names[0]} beside {__file__}, "
-            "or set SINS_LIBRARY to its path"
+            f"the library sins cannot be loaded: {error}. Put {names[0]} of {8 * ctypes.sizeof(ctypes.c_void_p)} bits, "
+            f"as this Python has, beside {__file__}, or set SINS_LIBRARY to its path"
         ) from None
     except AttributeError:
         raise ImportError(f"{path} is not the library sins: it has no sins_abi_version()") from None
