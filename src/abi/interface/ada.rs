@@ -1,6 +1,6 @@
 //! `c_examples/ada/sins.ads`: the interface as a package of Ada 2012.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::model::{Constant, Function, Interface, Struct, Type, Variable};
 use super::text::{broken, comment};
@@ -39,7 +39,7 @@ pub fn write(interface: &Interface) -> String {
     }
     text += &arrays(interface);
     for one in &interface.structs {
-        text += &structure(one);
+        text += &structure(interface, one);
     }
     for function in &interface.functions {
         text += &prototype(interface, function);
@@ -69,49 +69,43 @@ fn constants(constants: &[Constant], kind: &str) -> String {
     text
 }
 
-/// The types of the arrays in structs.
+/// The types of the arrays in structs, each once.
 fn arrays(interface: &Interface) -> String {
-    let mut types = BTreeMap::new();
-    for field in interface.structs.iter().flat_map(|one| &one.fields) {
-        if let Type::Array(element, count) = &field.kind {
-            let range = match Type::shape(*count) {
-                _ if **element == Type::Char => {
-                    types.insert(
-                        named(&field.kind),
-                        format!("   subtype {} is char_array (0 .. {});\n", named(&field.kind), count - 1),
-                    );
-                    continue;
-                }
-                (1, count) => format!("0 .. {}", count - 1),
-                (rows, columns) => format!("0 .. {}, 0 .. {}", rows - 1, columns - 1),
-            };
-            let name = named(&field.kind);
-            let text =
-                format!("   type {name} is array ({range}) of {} with Convention => C;\n", named(element));
-            types.insert(name, text);
+    let kinds = interface.structs.iter().flat_map(|one| &one.fields).map(|field| &field.kind);
+    let types: BTreeSet<String> = kinds.filter_map(array).collect();
+    "\n".to_owned() + &types.into_iter().collect::<String>()
+}
+
+fn array(kind: &Type) -> Option<String> {
+    let Type::Array(element, count) = kind else { return None };
+    let name = named(kind);
+    Some(match (element.as_ref(), Type::shape(*count)) {
+        (Type::Char, _) => format!("   subtype {name} is char_array (0 .. {});\n", count - 1),
+        (element, (1, count)) => {
+            format!(
+                "   type {name} is array (0 .. {}) of {} with Convention => C;\n",
+                count - 1,
+                named(element)
+            )
         }
-    }
-    "\n".to_owned() + &types.into_values().collect::<String>()
+        (element, (rows, columns)) => format!(
+            "   type {name} is array (0 .. {}, 0 .. {}) of {} with Convention => C;\n",
+            rows - 1,
+            columns - 1,
+            named(element)
+        ),
+    })
 }
 
 /// The record and the type of an array of them. Every variable of it is ready to be used: its struct_size is set, all else zero.
-fn structure(one: &Struct) -> String {
+fn structure(interface: &Interface, one: &Struct) -> String {
     let mut text = "\n".to_owned() + &remark("   ", &one.doc) + &format!("   type {} is record\n", one.name);
     for field in &one.fields {
         text += &remark("      ", &field.doc);
         let value = match &field.kind {
             _ if field.name == "struct_size" => format!(" := {}", one.size_constant()),
-            Type::Array(element, _) if **element == Type::Char => " := (others => nul)".to_owned(),
-            Type::Array(element, count) => {
-                let zero = if **element == Type::Double { "0.0" } else { "0" };
-                match Type::shape(*count) {
-                    (1, _) => format!(" := (others => {zero})"),
-                    _ => format!(" := (others => (others => {zero}))"),
-                }
-            }
-            Type::Double => " := 0.0".to_owned(),
-            Type::Named(name) if name != "sins_status" => String::new(),
-            _ => " := 0".to_owned(),
+            kind if interface.is_struct(kind) => String::new(),
+            kind => format!(" := {}", zero(kind)),
         };
         text += &format!("      {} : {}{value};\n", field.name, named(&field.kind));
     }
@@ -120,6 +114,18 @@ fn structure(one: &Struct) -> String {
         "   type {0}_array is array (size_t range <>) of aliased {0} with Convention => C;\n",
         one.name
     )
+}
+
+fn zero(kind: &Type) -> String {
+    match kind {
+        Type::Array(element, count) => match Type::shape(*count) {
+            (1, _) => format!("(others => {})", zero(element)),
+            _ => format!("(others => (others => {}))", zero(element)),
+        },
+        Type::Char => "nul".to_owned(),
+        Type::Double => "0.0".to_owned(),
+        _ => "0".to_owned(),
+    }
 }
 
 /// A plain type.

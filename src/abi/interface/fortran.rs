@@ -79,7 +79,7 @@ fn structure(interface: &Interface, one: &Struct) -> String {
             kind => (kind, String::new()),
         };
         let value = match element {
-            Type::Named(name) if interface.structs.iter().any(|one| one.name == *name) => String::new(),
+            element if interface.is_struct(element) => String::new(),
             _ if field.name == "struct_size" => format!(" = {}", one.size_constant()),
             Type::Char => " = c_null_char".to_owned(),
             Type::Double => " = 0.0_c_double".to_owned(),
@@ -105,7 +105,7 @@ fn kind(kind: &Type) -> (&'static str, &'static str) {
 
 fn declared(interface: &Interface, of: &Type) -> String {
     match of {
-        Type::Named(name) if interface.structs.iter().any(|one| one.name == *name) => format!("type({name})"),
+        Type::Named(name) if interface.is_struct(of) => format!("type({name})"),
         Type::Named(name) if interface.is_handle(of) => "type(c_ptr)".to_owned(),
         Type::Named(name) => format!("integer({name})"),
         Type::Char => "character(kind=c_char)".to_owned(),

@@ -1,5 +1,5 @@
-//! What hosts in other languages are told of the interface, written from its Rust sources. `model` reads them; each other file
-//! writes one language. `build.rs` runs this, and the crate does not know it.
+//! What hosts in other languages are told of the interface, written from its Rust sources. `read` reads them into a `model`; each
+//! other file writes one language. `build.rs` runs this, and the crate does not know it.
 
 mod ada;
 mod c_functions;
@@ -8,6 +8,7 @@ mod c_types;
 mod fortran;
 mod model;
 mod python;
+mod read;
 pub mod sensor_structs;
 mod sizes;
 mod text;

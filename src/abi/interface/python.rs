@@ -1,6 +1,6 @@
 //! `c_examples/python/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
 
-use super::model::{Constant, Enumeration, Function, Interface, Struct, Type};
+use super::model::{Constant, Enumeration, Function, Interface, Struct, Type, Unit};
 use super::text::{self, filled};
 
 /// Longest line of documentation.
@@ -9,29 +9,24 @@ const WIDTH: usize = 118;
 const TEXT: &str = include_str!("sins.py");
 
 pub fn write(interface: &Interface) -> String {
-    let units = interface
-        .units
-        .iter()
-        .map(|unit| format!("{} = {:?}  # {}\n", plain(&unit.name), unit.value, unit.doc.join(" ")));
-    let constants = interface.constants.iter().map(constant).chain(units).collect();
-    let types = interface.enumerations.iter().map(enumeration);
-    let types = types
-        .chain(interface.aliases.iter().map(|one| format!("{} = {}", plain(&one.name), value(&one.kind))));
-    let types = types.chain(interface.handles.iter().map(|name| handle(interface, name)));
-    let types: Vec<String> = types.chain(interface.structs.iter().map(structure)).collect();
+    let constants: String =
+        interface.constants.iter().map(constant).chain(interface.units.iter().map(unit)).collect();
+    let mut types: Vec<String> = interface.enumerations.iter().map(enumeration).collect();
+    types.extend(interface.aliases.iter().map(|one| format!("{} = {}", plain(&one.name), value(&one.kind))));
+    types.extend(interface.handles.iter().map(|name| handle(interface, name)));
+    types.extend(interface.structs.iter().map(structure));
     let functions: Vec<String> = interface.functions.iter().map(|one| function(interface, one)).collect();
-    [("constants", constants), ("types", types.join("\n\n\n")), ("functions", functions.join("\n\n\n"))]
-        .iter()
-        .fold(TEXT.to_owned(), |text, (mark, generated)| {
-            text.replace(&format!("# <{mark}>"), generated.trim_end())
-        })
+    TEXT.replace("# <constants>", constants.trim_end())
+        .replace("# <types>", &types.join("\n\n\n"))
+        .replace("# <functions>", &functions.join("\n\n\n"))
 }
 
-/// A name, or a text that has names: the module stands for the prefix that they have in C.
+/// A name without the prefix that it has in C: the module's own name stands for it.
 fn plain(name: &str) -> &str {
     name.trim_start_matches("sins_").trim_start_matches("SINS_")
 }
 
+/// A text with the names as Python has them.
 fn words(text: &str) -> String {
     text.replace("sins_", "sins.").replace("SINS_", "sins.")
 }
@@ -39,6 +34,10 @@ fn words(text: &str) -> String {
 fn constant(one: &Constant) -> String {
     let doc: String = one.doc.iter().map(|line| format!("# {}\n", words(line))).collect();
     format!("{doc}{} = {}\n", plain(&one.name), one.value)
+}
+
+fn unit(one: &Unit) -> String {
+    format!("{} = {:?}  # {}\n", plain(&one.name), one.value, one.doc.join(" "))
 }
 
 /// A documentation string: what it is, and what each of its parts is.
