@@ -9,9 +9,12 @@ import argparse
 import ctypes
 import sys
 
+import matplotlib
 import numpy
 import sins
+from matplotlib import pyplot
 
+matplotlib.use("Agg")  # into a file, no window
 CALL_S = 600.0
 
 
@@ -55,18 +58,13 @@ def fly(scene, setup):
 
 def draw(records, title, path):
     """The errors by both ways: navigation less truth, and on top of it the error differential equations, if they were on."""
-    import matplotlib
-
-    matplotlib.use("Agg")  # into a file, no window
-    from matplotlib import pyplot
-
     hours, model = records["time_s"] / 3600, records["model_errors"]
     rows = [("position_enu_m", 1e3, "position [km]"), ("velocity_enu_m_s", 1, "velocity [m/s]"),
             ("misalignment_enu_rad", sins.ARCSEC, "misalignment [arcsec]")]
     figure, axes = pyplot.subplots(3, 1, figsize=(9, 9), sharex=True, constrained_layout=True)
     for axis, (field, unit, label) in zip(axes, rows):
         axis.plot(hours, records["navigation_errors"][field] / unit, linewidth=1.5, label=["east", "north", "up"])
-        if not model["flags"][0] & sins.ERRORS_NOT_COMPUTED:
+        if not (model["flags"] & sins.ERRORS_NOT_COMPUTED).any():
             axis.plot(hours, model[field] / unit, "k:", linewidth=1, label=["error equations", None, None])
         axis.set_ylabel(label)
         axis.grid(alpha=0.3)

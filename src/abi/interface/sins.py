@@ -15,7 +15,8 @@
 
 sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
 header, but for the number of elements behind an array, which Python knows. NULL is None. An output is an object that the call
-fills: a struct, a handle, or a number as ctypes.c_size_t(). A status below 0 is raised as sins.Error; the others are returned.
+fills: a struct, a handle, or a number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised
+as sins.Error; the others are returned.
 
 An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both; nothing is copied.
 
