@@ -14,23 +14,26 @@
 #include "mex.h"
 #include "sins.h"
 
-/* Destroys the handles and leaves the MEX file with the library's sentence, or with the first fault of the scene. */
-static void fail(sins_sim *sim, sins_scene *scene, sins_status status, const char *where, size_t number)
+/*
+ * Destroys the handles and leaves the MEX file with the library's sentence, or with the first fault of the scene. row: the one at
+ * fault, from 1, or 0.
+ */
+static void fail(sins_sim *sim, sins_scene *scene, sins_status status, size_t row)
 {
     char sentence[512] = "", identifier[64];
+    int length = row > 0 ? sprintf(sentence, "row %d: ", (int)row) : 0;
     sins_fault fault;
 
     SINS_INIT(fault);
     if (status == SINS_SCENE_HAS_FAULTS && sins_scene_get_fault(scene, 0, &fault) == SINS_OK) {
-        number = (size_t)fault.line;
-        strcpy(sentence, fault.sentence);
+        sprintf(sentence, "scene, line %d: %s", (int)fault.line, fault.sentence);
     } else {
-        sins_last_error(sim, sentence, sizeof sentence, NULL);
+        sins_last_error(sim, sentence + length, sizeof sentence - (size_t)length, NULL);
     }
     sprintf(identifier, "sins:%s", sins_status_string(status));
     sins_destroy(sim); /* NULL is answered, not followed */
     sins_scene_destroy(scene);
-    mexErrMsgIdAndTxt(identifier, "%s %d: %s", where, (int)number, sentence);
+    mexErrMsgIdAndTxt(identifier, "%s", sentence);
 }
 
 void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *input[])
@@ -73,7 +76,7 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
     mxFree(text);
     status = status == SINS_OK ? sins_scene_create_simulator(scene, &sim) : status;
     if (status != SINS_OK) {
-        fail(NULL, scene, status, "scene, line", 0);
+        fail(NULL, scene, status, 0);
     }
 
     SINS_INIT(sample);
@@ -84,11 +87,11 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         }
         status = sins_scene_prepare(scene, sim, samples[0], &sample); /* its temperature and failures */
         if (status < 0) {
-            fail(NULL, scene, status, "row", k + 1); /* a sentence of scenes is the thread's */
+            fail(NULL, scene, status, k + 1); /* a sentence of scenes is the thread's */
         }
         if ((status = sins_push_sample(sim, &sample)) < 0 || (status = sins_step(sim)) < 0
             || (status = sins_get_record(sim, &record)) < 0) {
-            fail(sim, scene, status, "row", k + 1);
+            fail(sim, scene, status, k + 1);
         }
         for (column = 0; column < outputs_of_row; column++) {
             mxGetPr(output[0])[k + column * rows] = *values[column];
