@@ -16,7 +16,7 @@
 sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
 header, but for the number of elements behind an array, which Python knows. NULL is None. An output is an object that the call
 fills: a struct, a handle, or a number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised
-as sins.Error; the others are returned.
+as sins.Error; the others are returned. Whole numbers that are too large for their type in C are cut, as everywhere in ctypes.
 
 An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both; nothing is copied.
 
@@ -110,6 +110,15 @@ class _Struct(ctypes.Structure):
         super().__init__(**fields)
         if hasattr(self, "struct_size"):
             self.struct_size = ctypes.sizeof(self)
+
+    def __setattr__(self, name, value):
+        given = value
+        if getattr(value, "ndim", 0):  # an array of numpy; a matrix row by row
+            value = tuple(value.ravel())
+        try:
+            super().__setattr__(name, value)
+        except (IndexError, RuntimeError, TypeError) as error:
+            raise TypeError(f"{type(self).__name__}.{name} = {given!r}: {error}") from None
 
     def __repr__(self):
         def shown(value):
@@ -1765,7 +1774,7 @@ class _Text(ctypes.c_char_p):
     @classmethod
     def from_param(cls, value):
         value = value.encode() if isinstance(value, str) else value
-        if value is not None and b"\0" in value:
+        if isinstance(value, bytes) and b"\0" in value:
             raise ValueError(f"{value!r}: a text has no zero byte")
         return super().from_param(value)
 
@@ -1787,16 +1796,19 @@ class _Array:
 
     def __init__(self, element, is_input=False):
         self.element = element
-        self.types = (ctypes.c_char_p if is_input and element is c_char else POINTER(element), c_size_t)
+        self.is_bytes = is_input and element is c_char
+        self.types = (ctypes.c_char_p if self.is_bytes else POINTER(element), c_size_t)
 
     def __call__(self, value):
         if value is None:
             return None, 0
         if isinstance(value, self.element):
             return value, 1
-        if isinstance(value, str):
-            value = value.encode()
-        if hasattr(value, "dtype"):  # of numpy
+        if self.is_bytes:
+            value = value.encode() if isinstance(value, str) else bytes(memoryview(value))
+        elif isinstance(value, (str, bytes)):
+            raise TypeError("a buffer to write into: make it by ctypes.create_string_buffer(size)")
+        elif hasattr(value, "dtype"):  # of numpy
             if value.dtype != _dtype(self.element):
                 raise TypeError("not an array as sins.array(sins.{0}, count) makes it".format(self.element.__name__))
             value = (self.element * value.size).from_buffer(value)

@@ -27,7 +27,7 @@ sins.create(options, sim)
 matrix = numpy.zeros((3, 3))
 matrix[0, 1] = 1e-3
 matrix[2, 0] = 2e-3
-gyro = sins.gyro_params(misalignment_rad=tuple(matrix.ravel()))
+gyro = sins.gyro_params(misalignment_rad=matrix)
 sins.set_gyro(sim, gyro)
 records, written = sins.array(sins.record, RECORDS), ctypes.c_size_t()
 sins.run(sim, samples, 30, records, written)

@@ -138,6 +138,15 @@ class Calls(unittest.TestCase):
             sins.run(self.sim, self.samples, 10, short, written)
         self.assertEqual(caught.exception.status, sins.ERROR_BUFFER_TOO_SMALL)
         self.assertRaises(TypeError, sins.run, self.sim, self.samples, 10, short)
+        self.assertRaises(TypeError, sins.snapshot_save, self.sim, bytes(sins.SNAPSHOT_MAX_SIZE), None)
+
+    def test_fields_of_structs(self):
+        matrix = numpy.arange(9.0).reshape(3, 3)
+        self.assertEqual(sins.gyro_params(misalignment_rad=matrix).misalignment_rad[3], matrix[1, 0])
+        self.assertEqual(sins.gyro_params(reference_temperature_c=matrix[0, 2]).reference_temperature_c, 2)
+        with self.assertRaisesRegex(TypeError, r"gyro_params.bias_rad_s = \(1, 2, 3, 4\)"):
+            sins.gyro_params(bias_rad_s=(1, 2, 3, 4))
+        self.assertRaises(AttributeError, sins.gyro_params, bais_rad_s=(0, 0, 0))
 
     def test_an_error_has_the_sentence_and_its_parts(self):
         with self.assertRaises(sins.Error) as caught:
@@ -152,7 +161,6 @@ class Calls(unittest.TestCase):
             sins.step(sins.sim())
         with self.assertRaisesRegex(sins.Error, "requirement"):
             sins.recommend(self.sim, self.samples, sins.requirement(), sins.options(), sins.cost())
-        self.assertRaises(AttributeError, sins.gyro_params, bais_rad_s=(0, 0, 0))
         self.assertRaises(ctypes.ArgumentError, sins.step, sins.flight())
 
     def test_handles_are_destroyed(self):
@@ -186,7 +194,7 @@ class Calls(unittest.TestCase):
         sins.fly(self.sim, self.samples[:50])
         sins.snapshot_save(self.sim, buffer, size)
         sins.create(None, copy)
-        sins.snapshot_load(copy, buffer.raw[: size.value])
+        sins.snapshot_load(copy, bytearray(buffer[: size.value]))
         ends = [sins.fly(sim, self.samples[50:]).tobytes() for sim in (self.sim, copy)]
         self.assertEqual(*ends)
 
