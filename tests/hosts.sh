@@ -11,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 
-hosts="fortran ada python octave"
+hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
 library=$PWD/target/c_examples/libsins.so.1
@@ -35,14 +35,45 @@ c() {
 
 fortran() {
     need gfortran gfortran
-    local compiler=(gfortran -std=f2008 -Wall -Wextra -Werror -O2 -J "$out/fortran" -I "$out/fortran")
-    mkdir -p "$out/fortran"
-    awk -f tests/hosts/layout_fortran.awk c_examples/fortran/sins.f90 >"$out/fortran/layout.f90"
-    "${compiler[@]}" -c -o "$out/fortran/sins.o" c_examples/fortran/sins.f90
-    for program in c_examples/fortran/fly.f90 tests/hosts/calls.f90 "$out/fortran/layout.f90"; do
-        "${compiler[@]}" -o "$out/fortran/$(basename "$program" .f90)" "$program" "$out/fortran/sins.o" "${link[@]}"
-    done
+    fortran_programs fortran gfortran "${link[@]}"
     same_as_c fortran
+}
+
+# fortran_programs FOLDER COMPILER LIBRARY...
+fortran_programs() {
+    local folder=$out/$1 compiler=$2 program
+    shift 2
+    mkdir -p "$folder"
+    awk -f tests/hosts/layout_fortran.awk c_examples/fortran/sins.f90 >"$folder/layout.f90"
+    for program in c_examples/fortran/fly.f90 tests/hosts/calls.f90 "$folder/layout.f90"; do
+        "$compiler" -std=f2008 -Wall -Wextra -Werror -O2 -J "$folder" -o "$folder/$(basename "$program" .f90)" \
+            c_examples/fortran/sins.f90 "$program" "$@"
+    done
+}
+
+# With the DLLs and the wine of tests/windows.sh.
+fortran_windows() {
+    fortran_under_wine 64 x86_64 "$PWD/target/wine" /usr/lib/wine/wine64 /usr/lib/wine/wineserver64
+    fortran_under_wine 32 i686 "$PWD/target/wine32/prefix" "$PWD/target/wine32/usr/lib/wine/"{wine,wineserver32}
+}
+
+# fortran_under_wine BITS PROCESSOR PREFIX WINE SERVER
+fortran_under_wine() {
+    local host=fortran_windows_$1 program
+    if ! [ -e "target/windows/$1/sins.dll" ] || ! [ -d "$3" ]; then
+        could_not "Fortran on $1-bit Windows" "there is no DLL and no wine before tests/windows.sh"
+        return
+    fi
+    need "gfortran-mingw-w64-$(echo "$2" | tr _ -)-win32" "$2-w64-mingw32-gfortran-win32"
+    mkdir -p "$out/$host"
+    cp "target/windows/$1"/*.dll "$out/$host"
+    fortran_programs "$host" "$2-w64-mingw32-gfortran-win32" "$out/$host/sins.dll" -static
+    for program in fly calls layout; do
+        printf '#!/bin/sh\nWINEDEBUG=-all WINEPREFIX=%s WINESERVER=%s exec %s %s.exe "$@"\n' \
+            "$3" "$5" "$4" "$out/$host/$program" >"$out/$host/$program"
+        chmod +x "$out/$host/$program"
+    done
+    same_as_c "$host"
 }
 
 ada() {
