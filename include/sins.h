@@ -127,7 +127,7 @@ typedef unsigned __int64 uint64_t;
 #endif
 
 /* Makes a struct the zero of its kind: everything off, or recommended. */
-#define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = (uint32_t)sizeof(object)))
+#define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
 /* Units: multiply by them to get SI, divide to get back. */
 #define SINS_DEG 0.017453292519943295              /* degree [rad] */

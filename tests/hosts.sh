@@ -14,8 +14,8 @@ cd "$(dirname "$0")/.."
 hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
-library=$PWD/target/c_examples/libsins.so.1
-link=("$library" "-Wl,-rpath,${library%/*}")
+library=$(realpath -m "${SINS_LIB_DIR:-target/release}")
+link=(-L "$library" -lsins "-Wl,-rpath,$library")
 
 # The C host and the C compiler say what is right.
 c() {

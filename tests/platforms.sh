@@ -15,7 +15,6 @@ fly() {
     local compiler=$1 library=$2
     shift 2
     cp "$library" "$folder/libsins.so"
-    cp "$library" "$folder/libsins.so.1"
     for name in $programs; do
         "$compiler" -std=c99 -O1 -I include "tests/c/$name.c" -o "$folder/$name" -L "$folder" -lsins -lm -lpthread \
             -Wl,-rpath,"$folder"
@@ -34,6 +33,7 @@ other() {
     variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
     env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test determinism
     fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
+    tests/loading.sh "$compiler -std=c99" "target/$target/debug/deps/libsins.so" "$@"
 }
 
 need g++ c++
@@ -41,7 +41,7 @@ need qemu-user qemu-aarch64
 need libc6-i386-cross /usr/i686-linux-gnu/lib/ld-linux.so.2
 loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
 if "$loader" --version >/dev/null 2>&1; then
-    other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib
+    other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library here
 else
     could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
     other i686 i386 qemu-i386 -L /usr/i686-linux-gnu

@@ -26,7 +26,8 @@ dll() {
     done
 }
 
-# run_in FOLDER WINE SERVER: the programs, each with two copies of the DLL to load, and one server that stays for them. Wine makes or renews its own folder with the first
+# run_in FOLDER WINE SERVER PROCESSOR: the programs, each with two copies of the DLL to load, and the hosts that load it; one server
+# stays for them. Wine makes or renews its own folder with the first
 # that it runs; what it says then of fonts and windows, which they do not have, is told where one of them fails.
 run_in() {
     export WINESERVER=$3
@@ -36,6 +37,7 @@ run_in() {
     for name in $programs; do
         "$2" "$1/$name.exe" "$1/sins.dll" "$1/second.dll" || { cat "$WINEPREFIX/log"; exit 1; }
     done
+    tests/loading.sh "$4-w64-mingw32-gcc -std=c99" "$1/sins.dll" "$2"
 }
 
 # 32-bit wine, unpacked from its packages: no second architecture comes into the packages of this machine, and no root is
@@ -70,7 +72,7 @@ if ! [ -x /usr/lib/wine/wine64 ] && ! install wine64; then
     could_not "64-bit Windows" "no wine to be had"
 else
     dll x86_64 target/windows/64
-    WINEPREFIX=$PWD/target/wine run_in target/windows/64 /usr/lib/wine/wine64 /usr/lib/wine/wineserver64
+    WINEPREFIX=$PWD/target/wine run_in target/windows/64 /usr/lib/wine/wine64 /usr/lib/wine/wineserver64 x86_64
 fi
 
 echo "== 32 bits"
@@ -83,6 +85,6 @@ elif ! "$wine" --version; then
     could_not "32-bit Windows" "the kernel runs no 32-bit programs"
 else
     dll i686 target/windows/32
-    WINEARCH=win32 WINEPREFIX=$wine32/prefix run_in target/windows/32 "$wine" "${wine}server32"
+    WINEARCH=win32 WINEPREFIX=$wine32/prefix run_in target/windows/32 "$wine" "${wine}server32" i686
 fi
 report_not_run
