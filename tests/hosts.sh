@@ -93,7 +93,7 @@ python() {
     for package in numpy matplotlib pycparser; do
         need "python3-$package" "$packages/$package/__init__.py"
     done
-    export SINS_LIBRARY=$library PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
+    export SINS_LIBRARY=$library/libsins.so PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
     mkdir -p "$out/python"
     for program in fly:c_examples/python/fly.py layout:tests/hosts/layout_python.py calls:tests/hosts/calls.py; do
         printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$@"\n' "$PWD/${program#*:}" >"$out/python/${program%:*}"
@@ -115,7 +115,7 @@ octave() {
     need octave-dev mkoctfile
     mkdir -p "$out/octave"
     mkoctfile --mex -Wall -Wextra -Werror -Iinclude -o "$out/octave/sins_fly.mex" c_examples/octave/sins_fly.c \
-        "-L${library%/*}" "-l:${library##*/}" "-Wl,-rpath,${library%/*}"
+        "-L$library" -lsins "-Wl,-rpath,$library"
     octave-cli --norc --path "$out/octave" c_examples/octave/fly.m >"$out/fighter.octave"
     grep -q "^sins:SINS_ERROR_TIME_ORDER" "$out/fighter.octave"
     target/c_examples/harness c_examples/scenes/fighter.toml >"$out/fighter.c"
