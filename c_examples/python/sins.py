@@ -70,7 +70,7 @@ def _load():
         version = library.sins_abi_version()
     except OSError as error:
         raise ImportError(
-            f"the library sins cannot be loaded: {error}. Put {names[0]} of {8 * ctypes.sizeof(ctypes.c_void_p)} bits, "
+            f"the library sins cannot be loaded: {error}. Put {names[-1]} of {8 * ctypes.sizeof(ctypes.c_void_p)} bits, "
             f"as this Python has, beside {__file__}, or set SINS_LIBRARY to its path"
         ) from None
     except AttributeError:
