@@ -73,8 +73,13 @@ int App::run(HINSTANCE instance)
     }
     SetTimer(window_, TIMER, 100, NULL);
     MSG message;
+    ACCEL accelerators[6] = {{FVIRTKEY | FCONTROL, 'O', ID_OPEN}, {FVIRTKEY | FCONTROL, 'S', ID_SAVE}};
+    for (WORD k = 0; k < 4; k++) {
+        accelerators[2 + k] = {FVIRTKEY | FCONTROL, (WORD)('1' + k), (WORD)(ID_PAGE + k)};
+    }
+    HACCEL table = CreateAcceleratorTableW(accelerators, 6);
     while (!(is_unattended && has_failed) && GetMessageW(&message, NULL, 0, 0) > 0) {
-        if (!IsDialogMessageW(window_, &message)) {
+        if (!TranslateAcceleratorW(window_, table, &message) && !IsDialogMessageW(window_, &message)) {
             TranslateMessage(&message);
             DispatchMessageW(&message);
         }
@@ -408,7 +413,9 @@ void App::command(int id)
     case ID_CHINESE: change_language(LANG_CHINESE); break;
     case ID_ABOUT: say(window_, text(IDS_ABOUT, wide(lib.sins_version_string())), MB_ICONINFORMATION); break;
     default:
-        if (id >= ID_RECENT && (size_t)(id - ID_RECENT) < recent_.size() && may_discard()) {
+        if (id >= ID_PAGE && id < ID_PAGE + 4) {
+            show_page(id - ID_PAGE);
+        } else if (id >= ID_RECENT && (size_t)(id - ID_RECENT) < recent_.size() && may_discard()) {
             open(std::wstring(recent_[(size_t)(id - ID_RECENT)]));
         } else if (id >= ID_BUILTIN && (size_t)(id - ID_BUILTIN) < builtins_.size()) {
             open_builtin(narrow(builtins_[(size_t)(id - ID_BUILTIN)]));

@@ -25,7 +25,7 @@ void DisplayPage::on_init()
     for (int id : {IDC_DATA2, IDC_DATA1, IDC_AXIS, IDC_AXIS + 1, IDC_AXIS + 2}) {
         CheckDlgButton(window_, id, BST_CHECKED);
     }
-    columns(IDC_VALUES, parts(IDS_COLUMNS_VALUES), {86, 104});
+    columns(IDC_VALUES, parts(IDS_COLUMNS_VALUES), {88, 124});
     tip(IDC_PLOT, text(IDS_PLOT_TIP));
     grow(IDC_PLOT, 0, 0, 1, 1);
     grow(IDC_VALUES, 1, 0, 0, 1);
@@ -62,10 +62,9 @@ void DisplayPage::on_command(int id, int code)
 
 void DisplayPage::update(const Flight *flight)
 {
-    static const COLORREF NEW = RGB(0, 90, 180), OTHER = RGB(220, 90, 0);
+    static const COLORREF NEW = RGB(0, 70, 160), OTHER = RGB(255, 150, 60);
     const auto &view = VIEWS[max(0, chosen(IDC_QUANTITY))];
     std::vector<std::wstring> axes = parts(view.quantity == DEGREES ? IDS_TRACK : view.axes);
-    std::vector<std::wstring> names = parts(view.channel < RATE ? IDS_DATA : IDS_TRACK + 0);
     bool is_map = view.channel == PLACE, has_model = false;
     Curves curves;
     std::vector<Panel> panels;
@@ -78,7 +77,7 @@ void DisplayPage::update(const Flight *flight)
         keep_rows(IDC_VALUES, 0);
         set(IDC_PROGRESS, text(IDS_READY));
     }
-    names = parts(view.channel >= ATTITUDE ? IDS_VALUES : IDS_DATA);
+    std::vector<std::wstring> names = parts(view.channel >= ATTITUDE ? IDS_VALUES : IDS_DATA);
     for (int k = 0; k < (is_map ? 1 : 3); k++) {
         if (!is_map) {
             set(IDC_AXIS + k, axes[(size_t)k]);
@@ -96,10 +95,10 @@ void DisplayPage::update(const Flight *flight)
         }
         /* Error data 1 below error data 2; of motion the truth below the navigation. */
         if (view.has_two && checked(IDC_DATA1) && (view.channel >= RATE || has_model)) {
-            panel.traces.push_back({names[1], OTHER, false, curves.channel(view.channel + (view.channel < RATE ? 3 : 0) + k)});
+            panel.traces.push_back({names[1], OTHER, true, curves.channel(view.channel + (view.channel < RATE ? 3 : 0) + k)});
         }
         if (checked(IDC_DATA2) || !view.has_two) {
-            panel.traces.push_back({view.has_two ? names[0] : L"", NEW, view.has_two && checked(IDC_DATA1) && panel.traces.size() > 0,
+            panel.traces.push_back({view.has_two ? names[0] : L"", NEW, false,
                                     curves.channel(view.channel + (view.channel < RATE || !view.has_two ? 0 : 3) + k)});
         }
         panels.push_back(panel);
@@ -111,7 +110,12 @@ void DisplayPage::update(const Flight *flight)
 
 static std::wstring of_three(const double *values, double unit)
 {
-    return shown(values[0] / unit, 4) + L"  " + shown(values[1] / unit, 4) + L"  " + shown(values[2] / unit, 4);
+    std::wstring text;
+    for (int k = 0; k < 3; k++) {
+        double value = values[k] / unit;
+        text += (k > 0 ? L"  " : L"") + (std::fabs(value) < 5e-4 ? L"0" : shown(value, std::fabs(value) < 1 ? 3 : 4));
+    }
+    return text;
 }
 
 void DisplayPage::show_values(const Flight::Status &status)
@@ -120,7 +124,7 @@ void DisplayPage::show_values(const Flight::Status &status)
     const sins_record_errors &errors = status.record.navigation_errors, &model = status.record.model_errors;
     const sins_accuracy &accuracy = status.accuracy;
     const double rates = SINS_NMI_PER_HOUR;
-    std::vector<std::wstring> names = parts(IDS_SECTIONS + 0), rows = parts(IDS_PROGRESS);
+    std::vector<std::wstring> rows = parts(IDS_PROGRESS);
     const std::wstring values[] = {
         shown(navigation.latitude_rad / SINS_DEG, 9), shown(navigation.longitude_rad / SINS_DEG, 9), shown(navigation.height_m, 7),
         of_three(navigation.velocity_enu_m_s, 1), of_three(&navigation.roll_rad, SINS_DEG), of_three(&truth.roll_rad, SINS_DEG),

@@ -321,7 +321,7 @@ void Plot::draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trac
     if (points.size() < 2) {
         return;
     }
-    HPEN pen = CreatePen(trace.is_dashed ? PS_DOT : PS_SOLID, trace.is_dashed ? 1 : scaled(1), trace.color);
+    HPEN pen = CreatePen(PS_SOLID, scaled(trace.is_wide ? 3 : 1), trace.color);
     HGDIOBJ before = SelectObject(dc, pen);
     Polyline(dc, points.data(), (int)points.size());
     SelectObject(dc, before);
@@ -372,6 +372,7 @@ bool Plot::save(const std::wstring &path) const
     if (Gdiplus::GdiplusStartup(&token, &input, NULL) != Gdiplus::Ok) {
         return false;
     }
+    cursor_ = -1;
     HBITMAP bitmap = picture(scaled(1000), scaled(700));
     Gdiplus::Bitmap *png = new Gdiplus::Bitmap(bitmap, NULL);
     bool done = png->Save(path.c_str(), &PNG, NULL) == Gdiplus::Ok;
@@ -383,6 +384,7 @@ bool Plot::save(const std::wstring &path) const
 
 bool Plot::copy() const
 {
+    cursor_ = -1;
     HBITMAP bitmap = picture(scaled(1000), scaled(700));
     bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL; /* the clipboard's from now on */
     CloseClipboard();

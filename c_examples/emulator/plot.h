@@ -20,7 +20,7 @@ Unit unit_for(Quantity quantity, double size);
 struct Trace {
     std::wstring name;
     COLORREF color;
-    bool is_dashed;
+    bool is_wide; /* seen below another */
     std::vector<Cell> cells;
 };
 
@@ -71,5 +71,6 @@ private:
     bool is_logarithmic_ = false;
     std::wstring x_title_;
     Range zoomed_ = {0, 0}; /* of x; equal: all */
-    int cursor_ = -1, drag_ = -1;
+    mutable int cursor_ = -1; /* not in pictures */
+    int drag_ = -1;
 };

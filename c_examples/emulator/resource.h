@@ -157,6 +157,7 @@
 #define ID_ENGLISH 2020
 #define ID_CHINESE 2021
 #define ID_ABOUT 2022
+#define ID_PAGE 2030 /* to 2033 */
 #define ID_RECENT 2100  /* to 2108 */
 #define ID_BUILTIN 2200 /* and those that follow */
 

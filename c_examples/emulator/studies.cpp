@@ -101,11 +101,7 @@ void StudyDialog::compute()
         sins_flight_sample &sample = study->samples[k - first];
         SINS_INIT(sample);
         samples.get(k, &sample);
-        /* Temperature alone: failures are of sins_scene_prepare() on a simulator that flies. */
-        Handle<sins_sim> none;
-        if (app_.scene.setup().has_temperature) {
-            lib.sins_scene_prepare(app_.scene.handle(), study->sim, samples.start_s, &sample);
-        }
+        lib.sins_scene_prepare(app_.scene.handle(), study->sim, samples.start_s, &sample); /* its temperature: no failures here */
     }
     study_ = study;
     set(IDC_STATE, text(IDS_COMPUTING, std::to_wstring(study->samples.size())));

@@ -176,3 +176,8 @@
 #define S_PRESET "Preset..."
 #define S_NOT_IN_FLIGHT "A marked field is not valid: mend it before the flight."
 #define S_TOO_LONG "At most %1 samples: choose a shorter piece."
+#define M_VIEW "&View"
+#define M_PAGE_1 "&Trajectory\tCtrl+1"
+#define M_PAGE_2 "&General and sensors\tCtrl+2"
+#define M_PAGE_3 "&INS start\tCtrl+3"
+#define M_PAGE_4 "&Display\tCtrl+4"

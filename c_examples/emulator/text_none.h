@@ -176,3 +176,8 @@
 #undef S_PRESET
 #undef S_NOT_IN_FLIGHT
 #undef S_TOO_LONG
+#undef M_VIEW
+#undef M_PAGE_1
+#undef M_PAGE_2
+#undef M_PAGE_3
+#undef M_PAGE_4

@@ -176,3 +176,8 @@
 #define S_PRESET "预设……"
 #define S_NOT_IN_FLIGHT "有标记的字段无效：请先更正。"
 #define S_TOO_LONG "最多 %1 个采样：请选择更短的一段。"
+#define M_VIEW "视图(&V)"
+#define M_PAGE_1 "轨迹(&T)\tCtrl+1"
+#define M_PAGE_2 "一般参数与传感器(&G)\tCtrl+2"
+#define M_PAGE_3 "惯导初始条件(&I)\tCtrl+3"
+#define M_PAGE_4 "显示(&D)\tCtrl+4"
