@@ -18,13 +18,12 @@ fi
 cd c_examples
 
 mkdir -p "$out"
-ln -sf "$lib/libsins.so" "$out/libsins.so.1"
 
 # build PROGRAM COMPILER AND ITS FLAGS SOURCE...
 build() {
     program=$1
     shift
-    "$@" $warnings -I../include -o "$out/$program" -L"$lib" -lsins -lm '-Wl,-rpath,$ORIGIN'
+    "$@" $warnings -I../include -o "$out/$program" -L"$lib" -lsins -lm -Wl,-rpath,"$lib"
 }
 
 build minimal ${CC:-cc} -std=c99 minimal.c

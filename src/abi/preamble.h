@@ -148,10 +148,13 @@ extern "C" {
 #endif
 
 /*
- * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up,
- * destroyed or wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ * A simulator. This and the next three are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
+ * answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
+/* An embedded flight. */
 typedef struct sins_flight sins_flight;
+/* A scene. */
 typedef struct sins_scene sins_scene;
+/* A flight log. */
 typedef struct sins_log sins_log;
