@@ -175,6 +175,7 @@ void App::show_page(int index)
         ShowWindow(pages_[k]->window(), k == index ? SW_SHOW : SW_HIDE);
     }
     SetWindowPos(pages_[index]->window(), HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
+    RedrawWindow(window_, NULL, NULL, RDW_INVALIDATE | RDW_ALLCHILDREN | RDW_UPDATENOW);
 }
 
 void App::show_title()

@@ -35,6 +35,7 @@ private:
     void edit(int id);
     void preview();
     Plot track_, profile_;
+    std::wstring previewed_; /* the scene that the preview shows */
 };
 
 class GeneralPage : public Page {

@@ -25,7 +25,7 @@ void DisplayPage::on_init()
     for (int id : {IDC_DATA2, IDC_DATA1, IDC_AXIS, IDC_AXIS + 1, IDC_AXIS + 2}) {
         CheckDlgButton(window_, id, BST_CHECKED);
     }
-    columns(IDC_VALUES, parts(IDS_COLUMNS_VALUES), {88, 124});
+    columns(IDC_VALUES, parts(IDS_COLUMNS_VALUES), {82, 118});
     tip(IDC_PLOT, text(IDS_PLOT_TIP));
     grow(IDC_PLOT, 0, 0, 1, 1);
     grow(IDC_VALUES, 1, 0, 0, 1);
@@ -113,7 +113,7 @@ static std::wstring of_three(const double *values, double unit)
     std::wstring text;
     for (int k = 0; k < 3; k++) {
         double value = values[k] / unit;
-        text += (k > 0 ? L"  " : L"") + (std::fabs(value) < 5e-4 ? L"0" : shown(value, std::fabs(value) < 1 ? 3 : 4));
+        text += (k > 0 ? L"  " : L"") + (std::fabs(value) < 5e-4 ? L"0" : std::fabs(value) < 1000 ? shown(value, 3) : shown(std::round(value), 7));
     }
     return text;
 }

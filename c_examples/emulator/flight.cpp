@@ -74,6 +74,7 @@ bool Flight::start(const Scene &scene, const std::wstring &folder, double pace, 
     pace_ = pace;
     paced_at_ms_ = GetTickCount64();
     worker_ = CreateThread(NULL, 0, thread, this, 0, NULL);
+    SetThreadPriority(worker_, THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
     return worker_ != NULL;
 }
 

@@ -22,7 +22,7 @@ void GeneralPage::on_init()
         grades.push_back(label("preset." + word, word));
     }
     fill(IDC_PRESET, grades);
-    columns(IDC_EFFECTS, parts(IDS_COLUMNS_EFFECTS), {200, 120, 90});
+    columns(IDC_EFFECTS, parts(IDS_COLUMNS_EFFECTS), {252, 150, 90});
     grow(IDC_EFFECTS, 0, 0, 1, 1);
     for (int id : {IDC_EFFECT, IDC_WORD, IDC_UNIT, IDC_SAME, IDC_OFF}) {
         grow(id, 0, 1, 0, 0);

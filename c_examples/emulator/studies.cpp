@@ -223,7 +223,7 @@ private:
 void BudgetDialog::on_init()
 {
     StudyDialog::on_init();
-    columns(IDC_RESULT, parts(IDS_COLUMNS_BUDGET), {190, 130, 80, 80, 80});
+    columns(IDC_RESULT, parts(IDS_COLUMNS_BUDGET), {176, 110, 84, 84, 84});
 }
 
 void BudgetDialog::begin(Study &study)

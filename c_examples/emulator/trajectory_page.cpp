@@ -103,7 +103,11 @@ void TrajectoryPage::refresh(bool all_is_new)
 void TrajectoryPage::preview()
 {
     Samples samples;
-    std::wstring why;
+    std::wstring why, seen = wide(app_.scene.text()) + app_.folder();
+    if (seen == previewed_) {
+        return;
+    }
+    previewed_ = seen;
     Panel track = {text(IDS_TRACK), DEGREES, {}, {{L"", RGB(0, 90, 180), false, {}}}};
     Panel profile = {text(IDS_HEIGHT_OVER_TIME), LENGTH, {}, {{L"", RGB(0, 90, 180), false, {}}}};
     if (samples.open(app_.scene, app_.folder(), why)) {

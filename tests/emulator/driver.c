@@ -1,21 +1,26 @@
 /*
- * Drives SINS_Emulator through its dialogs, as a user does:  driver HOURS
+ * Drives SINS_Emulator through its dialogs, as a user does:
  *
- * Sets the flight and the time through the fields, types nonsense into every field of every page and puts back what was there,
- * saves the scene, flies it to its end, shows each page for a picture, flies again and closes the window in flight. Each message
- * has to be answered within a time: the window lives. Prints "page K" when page K is to be seen, and waits for a line.
+ *     driver fly HOURS     sets the time, types nonsense into every field of every page and puts back what was there, saves the
+ *                          scene, flies it to its end, flies again and closes the window in flight
+ *     driver pages         shows each page and dialog: prints "page NAME" and waits for a line; then closes the window
+ *
+ * Each message has to be answered within a minute: the window lives.
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <wchar.h>
 #include <windows.h>
+
+#include <commctrl.h>
 
 #include "../../c_examples/emulator/resource.h"
 
 #define ANSWER_MS 60000
 
 static HWND main_window;
-static int fields, marked;
+static int fields;
 
 static void fail(const char *what)
 {
@@ -89,40 +94,9 @@ static void wait_for_end(HWND progress)
     fail("the flight does not end");
 }
 
-int main(int count, char **arguments)
+static void close_window(void)
 {
-    wchar_t hours[32];
-    char line[64];
     int k;
-    HWND general, display;
-
-    for (k = 0; k < 300 && (main_window = FindWindowW(L"SINS_Emulator", NULL)) == NULL; k++) {
-        Sleep(100);
-    }
-    if (main_window == NULL || count < 2) {
-        fail("no window");
-    }
-    MultiByteToWideChar(CP_ACP, 0, arguments[1], -1, hours, 32);
-    general = page_of(IDC_HOURS);
-    display = page_of(IDC_PROGRESS);
-    command(ID_FLY + 0 * ID_STOP);
-    command(ID_RESET);
-    type(GetDlgItem(general, IDC_HOURS), hours);
-    EnumChildWindows(main_window, try_field, 0);
-    printf("%d fields, %d\n", fields, marked);
-    command(ID_SAVE);
-    command(ID_FLY);
-    wait_for_end(GetDlgItem(display, IDC_PROGRESS));
-    Sleep(500);
-    for (k = 0; k < 4; k++) {
-        command(ID_PAGE + k);
-        printf("page %d\n", k);
-        fflush(stdout);
-        if (fgets(line, sizeof line, stdin) == NULL) {
-            break;
-        }
-    }
-    command(ID_FLY);
     ask(main_window, WM_CLOSE, 0, 0);
     for (k = 0; k < 100 && IsWindow(main_window); k++) {
         Sleep(100);
@@ -130,6 +104,111 @@ int main(int count, char **arguments)
     if (IsWindow(main_window)) {
         fail("the window stays open");
     }
+}
+
+static void fly(const char *hours)
+{
+    wchar_t text[32];
+    MultiByteToWideChar(CP_ACP, 0, hours, -1, text, 32);
+    type(GetDlgItem(page_of(IDC_HOURS), IDC_HOURS), text);
+    EnumChildWindows(main_window, try_field, 0);
+    printf("%d fields took nonsense and have their values again\n", fields);
+    command(ID_SAVE);
+    command(ID_FLY);
+    wait_for_end(GetDlgItem(page_of(IDC_PROGRESS), IDC_PROGRESS));
+    Sleep(1000); /* the records are written */
+    command(ID_FLY);
+    close_window();
     printf("closed in flight\n");
+}
+
+static void look(const char *name)
+{
+    char line[64];
+    Sleep(2000); /* it is drawn */
+    printf("page %s\n", name);
+    fflush(stdout);
+    if (fgets(line, sizeof line, stdin) == NULL) {
+        fail("nobody looks");
+    }
+}
+
+/* The dialog or message box above the main window; NULL: none. */
+static HWND box(void)
+{
+    HWND window = NULL;
+    while ((window = FindWindowExW(NULL, window, L"#32770", NULL)) != NULL
+           && (GetWindow(window, GW_OWNER) != main_window || !IsWindowVisible(window))) {
+    }
+    return window;
+}
+
+/* A dialog that a message opens; a study is computed. */
+static void dialog(HWND window, UINT id, const char *name)
+{
+    HWND dialog;
+    int k;
+    PostMessageW(window, WM_COMMAND, id, 0);
+    for (k = 0; k < 300 && (dialog = box()) == NULL; k++) {
+        Sleep(100);
+    }
+    if (dialog == NULL) {
+        fail(name);
+    }
+    if (GetDlgItem(dialog, IDC_COMPUTE) != NULL) {
+        ask(GetDlgItem(dialog, IDC_TO), WM_SETTEXT, 0, (LPARAM)L"20");
+        ask(dialog, WM_COMMAND, IDC_COMPUTE, 0);
+        for (k = 0; k < 600 && ask(GetDlgItem(dialog, IDC_RESULT), LVM_GETITEMCOUNT, 0, 0) == 0; k++) {
+            Sleep(100);
+        }
+        if (k == 600) {
+            fail("a study has no result");
+        }
+    }
+    look(name);
+    ask(dialog, WM_COMMAND, IDCANCEL, 0);
+    while (box() != NULL) {
+        Sleep(100);
+    }
+}
+
+static void pages(void)
+{
+    HWND trajectory = page_of(IDC_SOURCE), source = GetDlgItem(trajectory, IDC_SOURCE);
+    command(ID_PAGE);
+    look("1");
+    command(ID_PAGE + 1);
+    look("2");
+    command(ID_PAGE + 2);
+    look("3");
+    command(ID_PAGE + 3);
+    look("4");
+    dialog(main_window, ID_FAILURE, "failures");
+    dialog(main_window, ID_RECOMMEND, "recommend");
+    dialog(main_window, ID_BUDGET, "budget");
+    command(ID_PAGE);
+    ask(source, CB_SETCURSEL, 1, 0); /* manoeuvres */
+    ask(trajectory, WM_COMMAND, MAKEWPARAM(IDC_SOURCE, CBN_SELCHANGE), (LPARAM)source);
+    dialog(trajectory, IDC_ADD, "manoeuvre");
+    PostMessageW(main_window, WM_CLOSE, 0, 0); /* the scene was changed: it asks */
+    Sleep(2000);
+    ask(box(), WM_COMMAND, IDNO, 0);
+}
+
+int main(int count, char **arguments)
+{
+    int k;
+    for (k = 0; k < 600 && (main_window = FindWindowW(L"SINS_Emulator", NULL)) == NULL; k++) {
+        Sleep(100);
+    }
+    if (main_window == NULL || count < 2) {
+        fail("no window");
+    }
+    Sleep(1000);
+    if (strcmp(arguments[1], "fly") == 0 && count == 3) {
+        fly(arguments[2]);
+    } else {
+        pages();
+    }
     return 0;
 }
