@@ -48,16 +48,22 @@ refuses() {
     echo "$1: $(head -c 200 "$folder/sentence" | tr -d '\r' | head -1)"
 }
 
-# pictures LANGUAGE: each page.
+# pictures LANGUAGE: each page and dialog.
 pictures() {
-    local page
-    emulator /language "$1" /scene "$(path "$folder/flown/simulation2.toml")" /run &
+    local line program watched
+    emulator /language "$1" /scene "$(path "$folder/flown/trainer.toml")" /run &
+    program=$!
     coproc driver { "$wine" "$folder/driver.exe" pages; }
-    while read -r _ page <&"${driver[0]}"; do
-        import -window root "$folder/$1_${page%?}.png"
+    watched=$driver_PID
+    while read -r line <&"${driver[0]}"; do
+        line=${line%$'\r'}
+        [ "${line% *}" = page ] || fail "$line"
+        import -window root "$folder/$1_${line#page }.png"
         echo >&"${driver[1]}"
-    done
-    wait
+    done 2>/dev/null
+    wait "$watched" || true
+    wait "$program"
+    [ -f "$folder/$1_manoeuvre.png" ] || fail "not all pages were shown"
 }
 
 # check ARCH BITS OTHER: everything, with the DLL of the other word size to be refused.

@@ -10,7 +10,7 @@ static const size_t RECENT = 8;
 
 sins_loader lib;
 
-App::App() : scene("simulation2") {}
+App::App() : scene("simulation2"), saved_(scene.text()) {}
 
 /* The library lies beside the program: from nowhere else is it loaded. */
 static bool load_library()
@@ -63,8 +63,10 @@ int App::run(HINSTANCE instance)
     main.lpszClassName = L"SINS_Emulator";
     RegisterClassExW(&main);
     Plot::register_class();
+    RECT work = {0, 0, 960, 700};
+    SystemParametersInfoW(SPI_GETWORKAREA, 0, &work, 0);
     window_ = CreateWindowExW(WS_EX_ACCEPTFILES | WS_EX_CONTROLPARENT, main.lpszClassName, L"", WS_OVERLAPPEDWINDOW | WS_CLIPCHILDREN, CW_USEDEFAULT,
-                              CW_USEDEFAULT, scaled(960), scaled(700), NULL, NULL, instance, this);
+                              CW_USEDEFAULT, min(scaled(960), (int)(work.right - work.left)), min(scaled(700), (int)(work.bottom - work.top)), NULL, NULL, instance, this);
     automatic();
     build();
     ShowWindow(window_, SW_SHOWDEFAULT);
@@ -181,7 +183,7 @@ void App::show_page(int index)
 void App::show_title()
 {
     std::wstring name = path_.empty() ? parts(IDS_NEW_NAME)[0] : path_.substr(folder_of(path_).size());
-    SetWindowTextW(window_, (name + (is_changed_ ? L"* - " : L" - ") + text(IDS_TITLE)).c_str());
+    SetWindowTextW(window_, (name + (scene.text() != saved_ ? L"* - " : L" - ") + text(IDS_TITLE)).c_str());
 }
 
 void App::say_line(const std::wstring &sentence)
@@ -191,7 +193,6 @@ void App::say_line(const std::wstring &sentence)
 
 void App::edited(const std::wstring &fault)
 {
-    is_changed_ = true;
     show_title();
     say_line(fault);
     for (int k = 0; k < 3; k++) {
@@ -203,7 +204,7 @@ void App::edited(const std::wstring &fault)
 void App::replaced(const std::wstring &path)
 {
     path_ = path;
-    is_changed_ = false;
+    saved_ = scene.text();
     flight_.reset();
     if (pages_[0] != NULL) {
         say_line(L"");
@@ -285,7 +286,18 @@ void App::remember(const std::wstring &path)
 bool App::save(bool ask)
 {
     std::wstring path = path_.empty() || ask ? ask_file(window_, true, IDS_FILTER_SCENE, L"toml", path_) : path_, why;
+    std::wstring log = wide(scene.words(SINS_SCENE_TEXT_LOG));
+    bool is_relative = !log.empty() && log.find(L':') == std::wstring::npos && log.find_first_of(L"/\\") != 0;
     if (path.empty()) {
+        return false;
+    }
+    if (is_relative && folder_of(path) != folder()) { /* a log is seen from the scene's folder */
+        log = folder() + log;
+        is_relative = false;
+        scene.take(lib.sins_scene_set_text(scene.handle(), SINS_SCENE_TEXT_LOG, narrow(log).c_str()));
+    }
+    if (same_file(path, is_relative ? folder() + log : log)) {
+        say(window_, text(IDS_IS_INPUT, path));
         return false;
     }
     if (!write_file(path, scene.text(), why)) {
@@ -293,7 +305,7 @@ bool App::save(bool ask)
         return false;
     }
     path_ = path;
-    is_changed_ = false;
+    saved_ = scene.text();
     remember(path);
     show_title();
     return true;
@@ -301,7 +313,8 @@ bool App::save(bool ask)
 
 bool App::may_discard()
 {
-    if (!is_changed_ || is_unattended) {
+    leave_field();
+    if (scene.text() == saved_ || is_unattended) {
         return true;
     }
     int answer = MessageBoxW(window_, text(IDS_SAVE_CHANGES).c_str(), text(IDS_TITLE).c_str(), MB_YESNOCANCEL | MB_ICONQUESTION);
@@ -361,6 +374,7 @@ void App::change_language(WORD chosen)
 void App::command(int id)
 {
     std::wstring path, why;
+    leave_field();
     if (flight_ == NULL && (id == ID_EXPORT || id == ID_PICTURE || id == ID_COPY || id == ID_SNAPSHOT || id == ID_GO_BACK)) {
         say_line(text(IDS_NOTHING_FLOWN));
         return;
@@ -425,6 +439,15 @@ void App::command(int id)
     display_->update(flight_.get());
 }
 
+/* What was typed counts, though the field has the focus still. */
+void App::leave_field()
+{
+    HWND focus = GetFocus();
+    if (focus != NULL && IsChild(window_, focus)) {
+        SendMessageW(GetParent(focus), WM_COMMAND, MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS), (LPARAM)focus);
+    }
+}
+
 LRESULT App::handle(UINT message, WPARAM wparam, LPARAM lparam)
 {
     switch (message) {
@@ -438,8 +461,7 @@ LRESULT App::handle(UINT message, WPARAM wparam, LPARAM lparam)
         return 0;
     case WM_COMMAND:
         if (LOWORD(wparam) == IDOK) { /* Enter: the field is done */
-            HWND focus = GetFocus();
-            SendMessageW(GetParent(focus), WM_COMMAND, MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS), (LPARAM)focus);
+            leave_field();
         } else {
             command(LOWORD(wparam));
         }
@@ -489,6 +511,7 @@ void App::automatic()
             open(value);
         } else if (option == L"/scene") {
             scene = Scene(narrow(value));
+            saved_ = scene.text();
         } else if (option == L"/export") {
             export_folder_ = value;
         } else if (option == L"/picture") {

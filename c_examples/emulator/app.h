@@ -114,13 +114,14 @@ private:
     void show_title();
     void automatic();
     void finish_automatic();
+    void leave_field();
 
     HWND window_ = NULL, tabs_ = NULL, status_ = NULL;
     std::unique_ptr<Page> pages_[4];
     DisplayPage *display_ = NULL;
     std::unique_ptr<Flight> flight_;
     std::wstring path_;
-    bool is_changed_ = false;
+    std::string saved_; /* text of the scene as it was opened or saved */
     std::vector<std::wstring> builtins_, recent_;
     bool runs_ = false;                         /* /run */
     std::wstring export_folder_, picture_path_; /* of the command line */

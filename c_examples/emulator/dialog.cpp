@@ -32,6 +32,21 @@ INT_PTR CALLBACK Dialog::procedure(HWND window, UINT message, WPARAM wparam, LPA
     return dialog == NULL ? FALSE : dialog->handle(message, wparam, lparam);
 }
 
+/* Headings, as group boxes would be. */
+static BOOL CALLBACK make_bold(HWND control, LPARAM)
+{
+    static HFONT bold = NULL;
+    LOGFONTW font;
+    if (GetDlgCtrlID(control) == IDC_HEADING) {
+        if (bold == NULL && GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font) != 0) {
+            font.lfWeight = FW_BOLD;
+            bold = CreateFontIndirectW(&font);
+        }
+        SendMessageW(control, WM_SETFONT, (WPARAM)bold, FALSE);
+    }
+    return TRUE;
+}
+
 void Dialog::init()
 {
     RECT client;
@@ -41,6 +56,7 @@ void Dialog::init()
                             NULL, NULL);
     SendMessageW(tips_, TTM_SETMAXTIPWIDTH, 0, scaled(360));
     SendMessageW(tips_, TTM_SETDELAYTIME, TTDT_AUTOPOP, 30000);
+    EnumChildWindows(window_, make_bold, 0);
     on_init();
 }
 
@@ -82,13 +98,6 @@ HBRUSH Dialog::color(HDC dc, HWND control)
     int id = control == window_ ? 0 : GetDlgCtrlID(control);
     SetBkMode(dc, TRANSPARENT);
     if (id == IDC_HEADING) {
-        static HFONT bold = NULL;
-        LOGFONTW font;
-        if (bold == NULL && GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font) != 0) {
-            font.lfWeight = FW_BOLD;
-            bold = CreateFontIndirectW(&font);
-        }
-        SelectObject(dc, bold);
         SetTextColor(dc, HEADING);
     } else if (id == IDC_MESSAGE) {
         SetTextColor(dc, RGB(170, 0, 0));

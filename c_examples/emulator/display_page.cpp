@@ -25,7 +25,7 @@ void DisplayPage::on_init()
     for (int id : {IDC_DATA2, IDC_DATA1, IDC_AXIS, IDC_AXIS + 1, IDC_AXIS + 2}) {
         CheckDlgButton(window_, id, BST_CHECKED);
     }
-    columns(IDC_VALUES, parts(IDS_COLUMNS_VALUES), {82, 118});
+    columns(IDC_VALUES, parts(IDS_COLUMNS_VALUES), {92, 106});
     tip(IDC_PLOT, text(IDS_PLOT_TIP));
     grow(IDC_PLOT, 0, 0, 1, 1);
     grow(IDC_VALUES, 1, 0, 0, 1);

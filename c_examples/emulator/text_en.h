@@ -149,7 +149,7 @@
 #define S_IS_INPUT "%1 is an input of this flight: choose another name."
 #define S_NOT_VALID "%1: expected a number, not negative"
 #define S_STATES "Flying;Paused;Finished;Stopped;Ended by an error"
-#define S_PROGRESS "Latitude [°];Longitude [°];Height [m];Velocity ENU [m/s];Attitude [°];True attitude [°];Position error [m];Error data 1 [m];Velocity error [m/s];Misalignment [′];Closure [m];R50, CEP [nmi/h];R95 [nmi/h]"
+#define S_PROGRESS "Latitude [°];Longitude [°];Height [m];Velocity [m/s];Attitude [°];Truth [°];Pos. error [m];Data 1 [m];Vel. error [m/s];Misalign. [′];Closure [m];R50 [nmi/h];R95 [nmi/h]"
 #define S_NOTHING_FLOWN "Nothing was flown yet: press Start."
 #define S_COMPUTING "Computing with %1 samples..."
 #define S_CANCELLED "Cancelled.;&Cancel;&Compute"

@@ -149,7 +149,7 @@
 #define S_IS_INPUT "%1 是本次飞行的输入文件：请选择其他名称。"
 #define S_NOT_VALID "%1：应为非负数"
 #define S_STATES "飞行中;已暂停;已完成;已停止;因错误结束"
-#define S_PROGRESS "纬度 [°];经度 [°];高度 [m];东北天速度 [m/s];姿态 [°];真姿态 [°];位置误差 [m];误差数据1 [m];速度误差 [m/s];失准角 [′];闭合差 [m];R50，CEP [nmi/h];R95 [nmi/h]"
+#define S_PROGRESS "纬度 [°];经度 [°];高度 [m];速度 [m/s];姿态 [°];真姿态 [°];位置误差 [m];误差数据1 [m];速度误差 [m/s];失准角 [′];闭合差 [m];R50 [nmi/h];R95 [nmi/h]"
 #define S_NOTHING_FLOWN "尚未飞行：请按“开始”。"
 #define S_COMPUTING "正在用 %1 个采样计算……"
 #define S_CANCELLED "已取消。;取消(&C);计算(&C)"
