@@ -126,5 +126,7 @@ check() {
 }
 
 if have_wine x86_64; then check x86_64 64 32; fi
-if have_wine i686; then check i686 32 64; fi
+if have_wine i686; then
+    if fetch_screen32; then check i686 32 64; else could_not "SINS_Emulator in 32 bits" "no screen for 32-bit wine"; fi
+fi
 report_not_run

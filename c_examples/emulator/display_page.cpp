@@ -103,8 +103,10 @@ void DisplayPage::update(const Flight *flight)
         }
         panels.push_back(panel);
     }
-    set(IDC_DATA2, names[0]);
-    set(IDC_DATA1, names[1]);
+    for (int k = 0; k < 2; k++) {
+        set(IDC_DATA2 + k, names[(size_t)k]);
+        enable(IDC_DATA2 + k, view.has_two);
+    }
     plot_.show(panels, is_map ? DEGREES : DURATION, checked(IDC_LOGARITHMIC), is_map ? label("plot.longitude", "longitude") : text(IDS_TIME));
 }
 

@@ -92,7 +92,7 @@ void GeneralPage::choose_effect()
     if (key == NULL) {
         return;
     }
-    bool is_word = !key->words.empty(), is_same = key->count > 1;
+    bool is_word = !key->words.empty();
     int count = is_word ? 0 : max(1, key->count);
     std::string value = app_.scene.get(key->path());
     set(IDC_EFFECT, label(key->path(), key->doc));
@@ -104,8 +104,8 @@ void GeneralPage::choose_effect()
     }
     show(IDC_WORD, is_word);
     show(IDC_UNIT, !is_word && !key->unit.empty());
-    show(IDC_SAME, is_same);
-    is_same = is_same && (value.empty() || value[0] != '[') && IsDlgButtonChecked(window_, IDC_SAME) == BST_CHECKED;
+    show(IDC_SAME, key->count > 1);
+    CheckDlgButton(window_, IDC_SAME, value.empty() || value[0] != '[' ? BST_CHECKED : BST_UNCHECKED);
     if (is_word) {
         fields.push_back({IDC_WORD, key->path(), 0});
     }

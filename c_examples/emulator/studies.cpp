@@ -257,7 +257,10 @@ void BudgetDialog::show(const Study &study)
             continue;
         }
         const Key *key = key_of(std::string(own.field).find("accel.") == 0 ? "accelerometer." + std::string(own.field + 6) : own.field);
-        std::wstring name = key == NULL ? label(std::string("effect.") + own.effect, own.effect) : label(key->path(), own.effect);
+        std::wstring name = label(std::string("effect.") + own.effect, own.effect);
+        if (key != NULL && language() == LANG_CHINESE) {
+            name = label("section." + key->section, key->section) + L"\u00b7" + label(key->path(), own.effect);
+        }
         shares_.push_back(own.position_m / largest);
         row(IDC_RESULT, count++, {name + ((own.flags & SINS_BUDGET_RANDOM) != 0 ? L" (1\u03c3)" : L"") + ((own.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L""),
                                   L"", shown(own.position_m, 4), shown(own.velocity_m_s, 4), shown(own.attitude_rad / SINS_ARCSEC, 4)});
