@@ -8,9 +8,7 @@ pub fn declaration(interface: &Interface, kind: &Type, name: &str) -> String {
         Type::Const(target) => format!("const {}", declaration(interface, target, &format!("*{name}"))),
         Type::Mut(target) => declaration(interface, target, &format!("*{name}")),
         Type::Array(element, count) => format!("{}[{count}]", declaration(interface, element, name)),
-        Type::Named(of) if interface.structs.iter().any(|one| one.name == *of) => {
-            format!("struct {of} {name}")
-        }
+        Type::Named(of) if interface.is_struct(kind) => format!("struct {of} {name}"),
         Type::Named(of) => format!("{of} {name}"),
         Type::Void => format!("void {name}"),
         Type::Char => format!("char {name}"),

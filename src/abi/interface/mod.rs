@@ -1,12 +1,17 @@
-//! What hosts in other languages are told of the interface, written from its Rust sources. `model` reads them; each other file
-//! writes one language. `build.rs` runs this, and the crate does not know it.
+//! What hosts in other languages are told of the interface, written from its Rust sources. `read` reads them into a `model`; each
+//! other file writes one language. `build.rs` runs this, and the crate does not know it.
 
+mod ada;
 mod c_functions;
 mod c_header;
 mod c_types;
+mod fortran;
 mod model;
+mod python;
+mod read;
 pub mod sensor_structs;
 mod sizes;
+mod text;
 mod units;
 
 use std::fs;
@@ -66,6 +71,9 @@ pub fn generate(abi: &Path, sensor_params: &str) -> (Vec<Output>, String) {
     let outputs = vec![
         ("include/sins.h", c_header::write(&interface, &preamble)),
         ("include/sins_functions.h", c_functions::write(&interface)),
+        ("c_examples/fortran/sins.f90", fortran::write(&interface)),
+        ("c_examples/ada/sins.ads", ada::write(&interface)),
+        ("c_examples/python/sins.py", python::write(&interface)),
     ];
     (outputs, sizes::check(&interface))
 }

@@ -20,7 +20,7 @@ pub fn read(preamble: &str) -> Vec<Unit> {
             [left, "/", right] => number(left) / number(right),
             _ => panic!("{line}: not a unit that other languages are told"),
         };
-        let doc = doc.trim_end_matches("*/").trim().to_owned();
+        let doc = vec![doc.trim_end_matches("*/").trim().to_owned()];
         units.push(Unit { name: name.to_owned(), value, doc });
     }
     units
