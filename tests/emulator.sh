@@ -94,16 +94,25 @@ check() {
     refuses "a binary file as scene" "binary.toml:" /scene "$(path "$folder/binary.toml")"
     refuses "a binary file as log" "binary.csv:" /scene "$(path "$folder/log.toml")" /run
 
-    # Through the dialogs: an hour of the paper's simulation 2, with its figures in ten minutes besides.
+    # Through the dialogs: an hour of the paper's simulation 2.
     "$sins" scene write simulation2 >"$folder/flown/simulation2.toml"
     sed -i 's/^hours = 48/hours = 2/' "$folder/flown/simulation2.toml"
     emulator /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")" &
     "$wine" "$folder/driver.exe" fly 1 | tr -d '\r'
-    wait $! || true
+    wait $!
     grep -q '^hours = 1 ' "$folder/flown/simulation2.toml" || fail "the scene was not saved with its hour"
     "$sins" scene write simulation2 | sed 's/^hours = 48/hours = 1/' | cmp - "$folder/flown/simulation2.toml"
     "$sins" fly "$folder/flown/simulation2.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/simulation2.csv" "$folder/flown/records/simulation2.csv"
+
+    # A failure that is set in flight is in the scene that is saved, which flies to the same bits.
+    cp "$folder/flown/simulation2.toml" "$folder/flown/exercise.toml"
+    emulator /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")" &
+    "$wine" "$folder/driver.exe" exercise | tr -d '\r'
+    wait $!
+    grep -q '^\[\[failure\]\]' "$folder/flown/exercise.toml" || fail "the failure is not in the scene"
+    "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
+    cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
 
     # Two at once, by the command line: failures, temperature, a log.
     cp c_examples/scenes/{trainer,fighter}.toml "$folder/flown"

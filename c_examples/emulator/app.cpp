@@ -65,8 +65,9 @@ int App::run(HINSTANCE instance)
     Plot::register_class();
     RECT work = {0, 0, 960, 700};
     SystemParametersInfoW(SPI_GETWORKAREA, 0, &work, 0);
-    window_ = CreateWindowExW(WS_EX_ACCEPTFILES | WS_EX_CONTROLPARENT, main.lpszClassName, L"", WS_OVERLAPPEDWINDOW | WS_CLIPCHILDREN, CW_USEDEFAULT,
-                              CW_USEDEFAULT, min(scaled(960), (int)(work.right - work.left)), min(scaled(700), (int)(work.bottom - work.top)), NULL, NULL, instance, this);
+    int width = min(scaled(960), (int)(work.right - work.left)), height = min(scaled(700), (int)(work.bottom - work.top));
+    window_ = CreateWindowExW(WS_EX_ACCEPTFILES | WS_EX_CONTROLPARENT, main.lpszClassName, L"", WS_OVERLAPPEDWINDOW | WS_CLIPCHILDREN,
+                              CW_USEDEFAULT, CW_USEDEFAULT, width, height, NULL, NULL, instance, this);
     automatic();
     build();
     ShowWindow(window_, SW_SHOWDEFAULT);

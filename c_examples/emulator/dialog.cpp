@@ -65,9 +65,7 @@ INT_PTR Dialog::handle(UINT message, WPARAM wparam, LPARAM lparam)
     switch (message) {
     case WM_COMMAND:
         if (LOWORD(wparam) == IDCANCEL && GetParent(window_) != NULL && (GetWindowLongW(window_, GWL_STYLE) & WS_POPUP) != 0) {
-            if (may_close()) {
-                finish(IDCANCEL);
-            }
+            finish(IDCANCEL);
             return TRUE;
         }
         on_command(LOWORD(wparam), HIWORD(wparam));

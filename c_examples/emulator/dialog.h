@@ -21,7 +21,6 @@ protected:
     virtual void on_command(int, int) {} /* control, code of its notification */
     virtual void on_notify(NMHDR *) {}
     virtual void on_message(UINT, WPARAM, LPARAM) {} /* timers and the program's own */
-    virtual bool may_close() { return true; }
     void finish(INT_PTR result) { EndDialog(window_, result); }
 
     HWND item(int id) const { return GetDlgItem(window_, id); }

@@ -29,7 +29,7 @@ void DisplayPage::on_init()
     tip(IDC_PLOT, text(IDS_PLOT_TIP));
     grow(IDC_PLOT, 0, 0, 1, 1);
     grow(IDC_VALUES, 1, 0, 0, 1);
-    for (int id : {ID_FLY, ID_PAUSE, ID_STOP, ID_RESET, IDC_PACE, IDC_PROGRESS, IDC_READING}) {
+    for (int id : {ID_FLY, ID_PAUSE, ID_STOP, ID_RESET, IDC_PACE, IDC_PROGRESS, IDC_PACE_LABEL}) {
         grow(id, 1, 0, 0, 0);
     }
     for (int id : {ID_FAILURE, ID_SNAPSHOT, ID_GO_BACK, ID_RECOMMEND, ID_BUDGET, ID_EXPORT, ID_PICTURE, ID_COPY}) {

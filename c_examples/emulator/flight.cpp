@@ -288,11 +288,12 @@ void Flight::stop()
 Flight::Status Flight::status() const
 {
     Guard guard(*this);
-    Status status = {state_, now_.next > 0 ? (double)(now_.next - 1) * samples_.period_s : 0, samples_.duration_s,
-                     snapshot_.empty() ? -1 : (double)(saved_.next - 1) * samples_.period_s, {}, {}, sentence_};
+    Status status = {state_, 0, samples_.duration_s, snapshot_.empty() ? -1 : saved_s_, {}, {}, sentence_};
     SINS_INIT(status.record);
     SINS_INIT(status.accuracy);
-    lib.sins_get_record(sim_, &status.record);
+    if (lib.sins_get_record(sim_, &status.record) == SINS_OK) {
+        status.time_s = status.record.time_s - samples_.start_s;
+    }
     lib.sins_get_accuracy(sim_, &status.accuracy);
     return status;
 }
@@ -339,6 +340,10 @@ bool Flight::save_snapshot(std::wstring &why)
     snapshot_.resize(size);
     lib.sins_snapshot_save(sim_, snapshot_.data(), size, &size);
     saved_ = now_;
+    sins_record record;
+    SINS_INIT(record);
+    lib.sins_get_record(sim_, &record);
+    saved_s_ = record.time_s - samples_.start_s;
     return true;
 }
 

@@ -57,6 +57,7 @@ private:
     Samples samples_;
     size_t every_ = 1, points_every_ = 1;
     Moment now_, saved_;
+    double saved_s_ = 0;
     std::vector<char> snapshot_;
     std::string buffer_;
     HANDLE file_ = INVALID_HANDLE_VALUE, worker_ = NULL;

@@ -217,6 +217,15 @@ void FailureDialog::on_command(int id, int code)
     Items items = app_.scene.items();
     std::vector<size_t> at = places();
     size_t chosen_row = (size_t)selected(IDC_FAILING);
+    /* In flight a failure begins and ends with the next interval, not earlier: the scene then flies to the same bits again. */
+    Flight *flying = app_.flight() != NULL && app_.flight()->status().state == Flight::FLYING ? app_.flight() : NULL;
+    if (flying != NULL && (id == IDC_ADD || id == IDC_CLEAR)) {
+        flying->pause(true);
+        double from_s = 0, now_s = flying->status().time_s;
+        if (id == IDC_ADD && (!number_of(narrow(get(IDC_FROM)), from_s) ? get(IDC_FROM).empty() : from_s < now_s)) {
+            set(IDC_FROM, wide(shortest(now_s)));
+        }
+    }
     if (id == IDC_SENSOR && code == CBN_SELCHANGE) {
         set_fields();
     } else if (id == IDC_ADD) {
@@ -239,6 +248,9 @@ void FailureDialog::on_command(int id, int code)
     } else if (id == IDC_CLEAR && chosen_row < at.size() && !now().empty()) {
         items[at[chosen_row]].set(*key_of("failure.until_s"), now());
         take(items);
+    }
+    if (flying != NULL && (id == IDC_ADD || id == IDC_CLEAR)) {
+        flying->pause(false);
     }
 }
 

@@ -240,7 +240,8 @@ void BudgetDialog::begin(Study &study)
         SINS_INIT(row);
         lib.sins_error_budget(own.sim, own.samples.data(), own.samples.size(), &own.request, NULL, 0, &count, NULL);
         own.rows.assign(count + 1, row);
-        return lib.sins_error_budget(own.sim, own.samples.data(), own.samples.size(), &own.request, own.rows.data(), own.rows.size(), &count, &own.budget);
+        return lib.sins_error_budget(own.sim, own.samples.data(), own.samples.size(), &own.request, own.rows.data(), own.rows.size(),
+                                     &count, &own.budget);
     };
 }
 
@@ -262,12 +263,14 @@ void BudgetDialog::show(const Study &study)
             name = label("section." + key->section, key->section) + L"\u00b7" + label(key->path(), own.effect);
         }
         shares_.push_back(own.position_m / largest);
-        row(IDC_RESULT, count++, {name + ((own.flags & SINS_BUDGET_RANDOM) != 0 ? L" (1\u03c3)" : L"") + ((own.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L""),
-                                  L"", shown(own.position_m, 4), shown(own.velocity_m_s, 4), shown(own.attitude_rad / SINS_ARCSEC, 4)});
+        name += (own.flags & SINS_BUDGET_RANDOM) != 0 ? L" (1\u03c3)" : L"";
+        name += (own.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L"";
+        row(IDC_RESULT, count++, {name, L"", shown(own.position_m, 4), shown(own.velocity_m_s, 4), shown(own.attitude_rad / SINS_ARCSEC, 4)});
     }
     const sins_budget &budget = study.budget;
     shares_.push_back(0);
-    row(IDC_RESULT, count++, {text(IDS_BUDGET_TOTAL), L"", shown(budget.position_m, 4), shown(budget.velocity_m_s, 4), shown(budget.attitude_rad / SINS_ARCSEC, 4)});
+    row(IDC_RESULT, count++, {text(IDS_BUDGET_TOTAL), L"", shown(budget.position_m, 4),
+                              shown(budget.velocity_m_s, 4), shown(budget.attitude_rad / SINS_ARCSEC, 4)});
     keep_rows(IDC_RESULT, count);
 }
 

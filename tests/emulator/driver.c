@@ -3,6 +3,7 @@
  *
  *     driver fly HOURS     sets the time, types nonsense into every field of every page and puts back what was there, saves the
  *                          scene, flies it to its end, flies again and closes the window in flight
+ *     driver exercise      flies, keeps a snapshot, lets a gyro fail in flight, goes back and flies to the end, saves the scene
  *     driver pages         shows each page and dialog: prints "page NAME" and waits for a line; then closes the window
  *
  * Each message has to be answered within a minute: the window lives.
@@ -172,9 +173,43 @@ static void dialog(HWND window, UINT id, const char *name)
     }
 }
 
+static void choose(HWND page, int id, int index)
+{
+    HWND combo = GetDlgItem(page, id);
+    ask(combo, CB_SETCURSEL, (WPARAM)index, 0);
+    ask(page, WM_COMMAND, MAKEWPARAM(id, CBN_SELCHANGE), (LPARAM)combo);
+}
+
+static void exercise(void)
+{
+    HWND display = page_of(IDC_PROGRESS), failures;
+    int k;
+    choose(display, IDC_PACE, 2); /* 100 times real time: it is in flight yet when it goes back */
+    command(ID_FLY);
+    Sleep(500);
+    command(ID_SNAPSHOT);
+    Sleep(500);
+    PostMessageW(main_window, WM_COMMAND, ID_FAILURE, 0);
+    for (k = 0; k < 300 && (failures = box()) == NULL; k++) {
+        Sleep(10);
+    }
+    choose(failures, IDC_KIND, 3); /* bias step */
+    ask(GetDlgItem(failures, IDC_FAILURE_SIZE), WM_SETTEXT, 0, (LPARAM)L"0.5");
+    ask(failures, WM_COMMAND, IDC_ADD, 0);
+    ask(failures, WM_COMMAND, IDCANCEL, 0);
+    Sleep(300);
+    command(ID_GO_BACK);
+    choose(display, IDC_PACE, 4); /* as fast as it goes */
+    wait_for_end(GetDlgItem(display, IDC_PROGRESS));
+    Sleep(2000); /* the records are written */
+    command(ID_SAVE);
+    close_window();
+    printf("a failure in flight, and back to a snapshot before it\n");
+}
+
 static void pages(void)
 {
-    HWND trajectory = page_of(IDC_SOURCE), source = GetDlgItem(trajectory, IDC_SOURCE);
+    HWND trajectory = page_of(IDC_SOURCE);
     command(ID_PAGE);
     look("1");
     command(ID_PAGE + 1);
@@ -187,8 +222,7 @@ static void pages(void)
     dialog(main_window, ID_RECOMMEND, "recommend");
     dialog(main_window, ID_BUDGET, "budget");
     command(ID_PAGE);
-    ask(source, CB_SETCURSEL, 1, 0); /* manoeuvres */
-    ask(trajectory, WM_COMMAND, MAKEWPARAM(IDC_SOURCE, CBN_SELCHANGE), (LPARAM)source);
+    choose(trajectory, IDC_SOURCE, 1); /* manoeuvres */
     dialog(trajectory, IDC_ADD, "manoeuvre");
     PostMessageW(main_window, WM_CLOSE, 0, 0); /* the scene was changed: it asks */
     Sleep(2000);
@@ -207,6 +241,8 @@ int main(int count, char **arguments)
     Sleep(1000);
     if (strcmp(arguments[1], "fly") == 0 && count == 3) {
         fly(arguments[2]);
+    } else if (strcmp(arguments[1], "exercise") == 0) {
+        exercise();
     } else {
         pages();
     }
