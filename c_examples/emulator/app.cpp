@@ -2,33 +2,13 @@
 
 #include <shellapi.h>
 
-#include <cmath>
-
 static const UINT_PTR TIMER = 1;
 static const wchar_t REGISTRY[] = L"Software\\SINS_Emulator";
 static const size_t RECENT = 8;
 
-sins_loader lib;
-
 App::App() : scene("simulation2"), saved_(scene.text()) {}
 
-/* The library lies beside the program: from nowhere else is it loaded. */
-static bool load_library()
-{
-    WCHAR program[32768];
-    char message[2048];
-    GetModuleFileNameW(NULL, program, 32768);
-    if (sins_loader_open(&lib, narrow(folder_of(program) + L"sins.dll").c_str(), message, sizeof message)) {
-        if (lib.has_scenes) {
-            return true;
-        }
-        snprintf(message, sizeof message, "sins.dll: built without scenes, which this program needs");
-    }
-    say(NULL, wide(message), MB_ICONERROR);
-    return false;
-}
-
-static std::wstring registry_text(const wchar_t *name)
+std::wstring registry_text(const wchar_t *name)
 {
     WCHAR value[16384] = L"";
     DWORD size = sizeof value - sizeof value[0];
@@ -36,19 +16,9 @@ static std::wstring registry_text(const wchar_t *name)
     return value;
 }
 
-static void set_registry_text(const wchar_t *name, const std::wstring &value)
+void set_registry_text(const wchar_t *name, const std::wstring &value)
 {
     RegSetKeyValueW(HKEY_CURRENT_USER, REGISTRY, name, REG_SZ, value.c_str(), (DWORD)((value.size() + 1) * sizeof(WCHAR)));
-}
-
-int WINAPI wWinMain(HINSTANCE instance, HINSTANCE, LPWSTR, int)
-{
-    INITCOMMONCONTROLSEX controls = {sizeof controls, ICC_WIN95_CLASSES};
-    std::wstring chosen = registry_text(L"Language");
-    is_unattended = wcsstr(GetCommandLineW(), L"/quit") != NULL;
-    InitCommonControlsEx(&controls);
-    set_language(chosen.empty() ? PRIMARYLANGID(GetUserDefaultUILanguage()) : chosen == L"zh" ? LANG_CHINESE : LANG_ENGLISH);
-    return load_library() ? App().run(instance) : 1;
 }
 
 int App::run(HINSTANCE instance)
@@ -498,59 +468,4 @@ LRESULT App::handle(UINT message, WPARAM wparam, LPARAM lparam)
         return 0;
     }
     return DefWindowProcW(window_, message, wparam, lparam);
-}
-
-/* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /language en or zh, /quit. */
-void App::automatic()
-{
-    int count = 0;
-    LPWSTR *arguments = CommandLineToArgvW(GetCommandLineW(), &count);
-    for (int k = 1; k < count; k++) {
-        std::wstring option = arguments[k], value = k + 1 < count ? arguments[k + 1] : L"";
-        bool has_value = true;
-        if (option == L"/scene" && value.find(L'.') != std::wstring::npos) {
-            open(value);
-        } else if (option == L"/scene") {
-            scene = Scene(narrow(value));
-            saved_ = scene.text();
-        } else if (option == L"/export") {
-            export_folder_ = value;
-        } else if (option == L"/picture") {
-            picture_path_ = value;
-        } else if (option == L"/language") {
-            set_language(value == L"zh" ? LANG_CHINESE : LANG_ENGLISH);
-        } else {
-            has_value = false;
-            runs_ = runs_ || option == L"/run";
-            if (option != L"/quit" && option != L"/run") {
-                open(option);
-            }
-        }
-        k += has_value ? 1 : 0;
-    }
-    LocalFree(arguments);
-}
-
-/* At the end of an automatic flight: what the command line asked for. */
-void App::finish_automatic()
-{
-    Flight::State state = flight_->status().state;
-    if (state == Flight::FLYING || state == Flight::PAUSED || (export_folder_.empty() && picture_path_.empty() && !is_unattended)) {
-        return;
-    }
-    if (state == Flight::FAILED && is_unattended) {
-        say(window_, flight_->status().sentence);
-    }
-    if (!export_folder_.empty()) {
-        CreateDirectoryW(export_folder_.c_str(), NULL);
-        export_records(export_folder_ + L"\\" + (path_.empty() ? L"flight" : name_of(path_)) + L".csv");
-    }
-    if (!picture_path_.empty()) {
-        display_->plot().save(picture_path_);
-    }
-    export_folder_ = picture_path_ = L"";
-    if (is_unattended) {
-        flight_.reset();
-        DestroyWindow(window_);
-    }
 }

@@ -127,6 +127,10 @@ private:
     std::wstring export_folder_, picture_path_; /* of the command line */
 };
 
+/* What the program keeps from run to run: "Language", "Recent". */
+std::wstring registry_text(const wchar_t *name);
+void set_registry_text(const wchar_t *name, const std::wstring &value);
+
 /* A manoeuvre with its sinusoids; false: cancelled. */
 bool edit_manoeuvre(App &app, Items &manoeuvre, const std::function<std::vector<Fault>(const Items &)> &take);
 void edit_failures(App &app);

@@ -70,3 +70,18 @@ private:
     std::atomic<bool> ends_{false};
     friend class Guard;
 };
+
+/* Holds the lock of a flight; the worker makes way for the window. */
+class Guard {
+public:
+    explicit Guard(const Flight &flight) : flight_(flight)
+    {
+        flight_.waiting_++;
+        EnterCriticalSection(&flight_.section_);
+        flight_.waiting_--;
+    }
+    ~Guard() { LeaveCriticalSection(&flight_.section_); }
+
+private:
+    const Flight &flight_;
+};

@@ -1,5 +1,6 @@
 /* The library, loaded by the program itself: its functions are lib.sins_create and so on. */
 #pragma once
+#include <cstring>
 #include <string>
 
 #include "../sins_loader.h"
@@ -8,6 +9,19 @@ extern sins_loader lib;
 
 /* The sentence of the last failed call on a simulator; NULL: of this thread. */
 std::string last_error(const sins_sim *sim = NULL);
+
+/* A text of the library of any length. */
+template <typename Call> std::string whole_text(Call call)
+{
+    size_t size = 0;
+    std::string text;
+    if (call((char *)NULL, (size_t)0, &size) >= 0 || size > 0) {
+        text.resize(size);
+        call(&text[0], size, &size);
+        text.resize(strlen(text.c_str()));
+    }
+    return text;
+}
 
 /* A handle that destroys itself. */
 template <typename T> class Handle {

@@ -136,6 +136,11 @@ bool number_of(const std::string &text, double &value)
     return first != last && read.ec == std::errc() && read.ptr == last && std::isfinite(value);
 }
 
+bool begins(const std::string &text, const char *with)
+{
+    return text.compare(0, std::string(with).size(), with) == 0;
+}
+
 std::vector<std::string> split(const std::string &text, const std::string &by)
 {
     std::vector<std::string> result;

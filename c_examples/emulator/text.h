@@ -37,6 +37,7 @@ std::wstring shown(double value, int digits);
 /* Reads a whole text as a number, in any locale; false: it is none, or not finite. */
 bool number_of(const std::string &text, double &value);
 
+bool begins(const std::string &text, const char *with);
 std::vector<std::string> split(const std::string &text, const std::string &by);
 
 /* Reads a file whole; false with the system's sentence. */
