@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::io;
-use std::sync::OnceLock;
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
@@ -16,28 +15,28 @@ pub const MODEL_IDENTIFIER: &str = "sins_fmu";
 
 type Xml = Writer<Vec<u8>>;
 
+type Variables = [(Variable, usize)];
+
 /// The whole file.
 pub fn xml() -> String {
-    xml_with(guid()).unwrap_or_default()
+    let table = table();
+    xml_of(&table.variables, &table.guid).unwrap_or_default()
 }
 
 /// The unit's identity: a hash of all that the rest of the description states, so that another table is another unit.
-pub fn guid() -> &'static str {
-    static GUID: OnceLock<String> = OnceLock::new();
-    GUID.get_or_init(|| {
-        let text = xml_with("").unwrap_or_default();
-        let half = |basis: u64| {
-            // FNV-1a.
-            text.bytes().fold(basis, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
-        };
-        let (a, b) = (half(0xcbf2_9ce4_8422_2325), half(0x8422_2325_cbf2_9ce4));
-        let digits = format!("{a:016x}{b:016x}");
-        let parts = [&digits[..8], &digits[8..12], &digits[12..16], &digits[16..20], &digits[20..]];
-        format!("{{{}}}", parts.join("-"))
-    })
+pub(crate) fn guid(variables: &Variables) -> String {
+    let text = xml_of(variables, "").unwrap_or_default();
+    let half = |basis: u64| {
+        // FNV-1a.
+        text.bytes().fold(basis, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+    };
+    let (a, b) = (half(0xcbf2_9ce4_8422_2325), half(0x8422_2325_cbf2_9ce4));
+    let digits = format!("{a:016x}{b:016x}");
+    let parts = [&digits[..8], &digits[8..12], &digits[12..16], &digits[16..20], &digits[20..]];
+    format!("{{{}}}", parts.join("-"))
 }
 
-fn xml_with(guid: &str) -> io::Result<String> {
+fn xml_of(all: &Variables, guid: &str) -> io::Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     xml.create_element("fmiModelDescription")
@@ -55,16 +54,16 @@ fn xml_with(guid: &str) -> io::Result<String> {
         .with_attribute(("numberOfEventIndicators", "0"))
         .write_inner_content(|xml| {
             co_simulation(xml)?;
-            units(xml)?;
-            types(xml)?;
+            units(xml, all)?;
+            types(xml, all)?;
             categories(xml)?;
             xml.create_element("DefaultExperiment")
                 .with_attribute(("startTime", "0"))
                 .with_attribute(("stopTime", "3600"))
                 .with_attribute(("stepSize", "0.01"))
                 .write_empty()?;
-            variables(xml)?;
-            structure(xml)
+            variables(xml, all)?;
+            structure(xml, all)
         })?;
     Ok(String::from_utf8(xml.into_inner()).unwrap_or_default())
 }
@@ -89,11 +88,12 @@ fn co_simulation(xml: &mut Xml) -> io::Result<()> {
 }
 
 /// Units of all variables, each once.
-fn units(xml: &mut Xml) -> io::Result<()> {
-    let all = table().variables.iter().filter(|(variable, _)| !variable.unit.is_empty());
-    let all: BTreeMap<&str, f64> = all.map(|(variable, _)| (variable.unit, variable.unit_si)).collect();
+fn units(xml: &mut Xml, all: &Variables) -> io::Result<()> {
+    let with_unit = all.iter().filter(|(variable, _)| !variable.unit.is_empty());
+    let units: BTreeMap<&str, f64> =
+        with_unit.map(|(variable, _)| (variable.unit, variable.unit_si)).collect();
     xml.create_element("UnitDefinitions").write_inner_content(|xml| {
-        for (name, si) in all {
+        for (name, si) in units {
             xml.create_element("Unit").with_attribute(("name", name)).write_inner_content(|xml| {
                 let Some(exponents) = exponents(name) else { return Ok(()) };
                 let mut base = xml.create_element("BaseUnit");
@@ -149,10 +149,10 @@ fn type_name(variable: &Variable) -> String {
     }
 }
 
-fn types(xml: &mut Xml) -> io::Result<()> {
+fn types(xml: &mut Xml, all: &Variables) -> io::Result<()> {
     let mut done = Vec::new();
     xml.create_element("TypeDefinitions").write_inner_content(|xml| {
-        for (variable, _) in &table().variables {
+        for (variable, _) in all {
             let Some(words) = variable.words else { continue };
             let name = type_name(variable);
             if done.contains(&name) {
@@ -192,9 +192,9 @@ fn categories(xml: &mut Xml) -> io::Result<()> {
     Ok(())
 }
 
-fn variables(xml: &mut Xml) -> io::Result<()> {
+fn variables(xml: &mut Xml, all: &Variables) -> io::Result<()> {
     xml.create_element("ModelVariables").write_inner_content(|xml| {
-        for (variable, reference) in &table().variables {
+        for (variable, reference) in all {
             self::variable(xml, variable, *reference)?;
         }
         Ok(())
@@ -235,7 +235,9 @@ fn variable(xml: &mut Xml, variable: &Variable, reference: usize) -> io::Result<
                 kind = kind.with_attribute(("unit", variable.unit));
             }
             if let Some((low, high)) = variable.limits {
-                kind = kind.with_attribute(("min", number(low).as_str())).with_attribute(("max", number(high).as_str()));
+                kind = kind
+                    .with_attribute(("min", number(low).as_str()))
+                    .with_attribute(("max", number(high).as_str()));
             }
             if variable.nominal != 1.0 {
                 kind = kind.with_attribute(("nominal", number(variable.nominal).as_str()));
@@ -250,8 +252,8 @@ fn variable(xml: &mut Xml, variable: &Variable, reference: usize) -> io::Result<
 }
 
 /// Outputs: of what they depend on nothing is said, so of all inputs.
-fn structure(xml: &mut Xml) -> io::Result<()> {
-    let outputs = table().variables.iter().enumerate().filter(|(_, (variable, _))| variable.role == Role::Output);
+fn structure(xml: &mut Xml, all: &Variables) -> io::Result<()> {
+    let outputs = all.iter().enumerate().filter(|(_, (variable, _))| variable.role == Role::Output);
     let indexes: Vec<String> = outputs.map(|(index, _)| (index + 1).to_string()).collect();
     xml.create_element("ModelStructure").write_inner_content(|xml| {
         for list in ["Outputs", "InitialUnknowns"] {

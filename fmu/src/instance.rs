@@ -1,6 +1,7 @@
 //! One instance of the unit: its phase, its values, its simulator.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use sins::scene::Scene;
 use sins::sensors::SensorOutput;
@@ -11,7 +12,7 @@ use crate::inputs;
 use crate::outputs;
 use crate::parameters;
 use crate::values::{Base, Value, Values};
-use crate::variables::{Role, table};
+use crate::variables::{Role, Table, table};
 
 /// Where an instance is in its life.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -92,7 +93,12 @@ impl Flight {
     }
 
     /// The simulator behind the interval that ends at `time_s` [s] with this truth, and whether that closed a gap.
-    fn flown(&self, time_s: f64, values: &[f64], is_set: &[bool; inputs::COUNT]) -> Result<(Box<Simulator>, bool), String> {
+    fn flown(
+        &self,
+        time_s: f64,
+        values: &[f64],
+        is_set: &[bool; inputs::COUNT],
+    ) -> Result<(Box<Simulator>, bool), String> {
         let mut sample = inputs::sample(time_s, values, is_set)?;
         let mut simulator = self.simulator.clone();
         let mut fly = || {
@@ -109,6 +115,7 @@ impl Flight {
 /// An instance.
 #[derive(Debug, Clone)]
 pub struct Instance {
+    pub table: Arc<Table>,
     /// The unit's folder of resources.
     pub resources: Option<PathBuf>,
     pub phase: Phase,
@@ -122,10 +129,12 @@ pub struct Instance {
 
 impl Instance {
     pub fn new(resources: Option<PathBuf>) -> Self {
+        let table = table();
         Self {
             resources,
             phase: Phase::Instantiated,
-            values: table().start.clone(),
+            values: table.start.clone(),
+            table,
             is_set: [false; inputs::COUNT],
             flight: None,
             end_s: 0.0,
@@ -162,7 +171,8 @@ impl Instance {
         let mut is_tuned = false;
         for (place, value) in values {
             let base = value.base();
-            let variable = table()
+            let variable = self
+                .table
                 .variable(base, place)
                 .ok_or_else(|| Refused::error(format!("there is no {base:?} of reference {place}")))?;
             let phases: &[Phase] = match variable.role {
@@ -205,7 +215,8 @@ impl Instance {
         match &flight.taken {
             Some((taken_s, taken)) if *taken_s == time_s => {
                 if taken != inputs {
-                    let text = format!("the inputs at {time_s} s have changed, and their sample has been taken");
+                    let text =
+                        format!("the inputs at {time_s} s have changed, and their sample has been taken");
                     return Err(Refused::discard(text));
                 }
                 self.end_s = time_s + length_s;

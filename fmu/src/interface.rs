@@ -4,7 +4,12 @@
 //!
 //! Of every function here: pointers are what the standard says; a component is one that [`fmi2Instantiate`] gave and
 //! [`fmi2FreeInstance`] has not taken back, and one thread at a time uses it.
-#![allow(non_snake_case, non_camel_case_types, non_upper_case_globals, reason = "the names are the standard's")]
+#![allow(
+    non_snake_case,
+    non_camel_case_types,
+    non_upper_case_globals,
+    reason = "the names are the standard's"
+)]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers stand once, above")]
 #![allow(missing_docs, reason = "the standard has the documentation")]
 
@@ -12,11 +17,11 @@ use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::path::PathBuf;
 use std::ptr;
 
-use crate::description;
 use crate::instance::{Instance, Phase, Refusal, Refused};
 use crate::logger::{Category, Logger, LoggerFunction};
 use crate::saved;
 use crate::values::{Base, Value};
+use crate::variables::table;
 
 pub type fmi2Status = c_int;
 pub const fmi2OK: fmi2Status = 0;
@@ -54,7 +59,11 @@ type Outcome = Result<fmi2Status, Refused>;
 ///
 /// # Safety
 /// `component` is null or one that is alive.
-unsafe fn on(component: *mut Component, function: &str, body: impl FnOnce(&mut Component) -> Outcome) -> fmi2Status {
+unsafe fn on(
+    component: *mut Component,
+    function: &str,
+    body: impl FnOnce(&mut Component) -> Outcome,
+) -> fmi2Status {
     // SAFETY: the caller's promise.
     let Some(component) = (unsafe { component.as_mut() }) else { return fmi2Error };
     let Some(outcome) = sins::abi::shielded(|| body(component)) else {
@@ -157,8 +166,9 @@ pub unsafe extern "C" fn fmi2Instantiate(
         }
         // SAFETY: as above.
         let guid = unsafe { text(guid) }?;
-        if guid != description::guid() {
-            let own = description::guid();
+        let table = table();
+        if guid != table.guid {
+            let own = &table.guid;
             return Err(Refused::error(format!("guid {guid} is that of another unit; this one's is {own}")));
         }
         let resources = match resource_location.is_null() {
@@ -372,7 +382,9 @@ pub unsafe extern "C" fn fmi2SetInteger(
     count: usize,
     values: *const c_int,
 ) -> fmi2Status {
-    unsafe { set(component, "fmi2SetInteger", (references, count, values), |value| Ok(Value::Integer(value))) }
+    unsafe {
+        set(component, "fmi2SetInteger", (references, count, values), |value| Ok(Value::Integer(value)))
+    }
 }
 
 #[unsafe(no_mangle)]
@@ -561,7 +573,11 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealStatus(component: *mut Component, kind: c_int, value: *mut f64) -> fmi2Status {
+pub unsafe extern "C" fn fmi2GetRealStatus(
+    component: *mut Component,
+    kind: c_int,
+    value: *mut f64,
+) -> fmi2Status {
     unsafe {
         on(component, "fmi2GetRealStatus", |component| match (kind, value.as_mut()) {
             (LAST_SUCCESSFUL_TIME, Some(value)) => {
@@ -591,7 +607,11 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStatus(component: *mut Component, _kind: c_int, _value: *mut c_int) -> fmi2Status {
+pub unsafe extern "C" fn fmi2GetStatus(
+    component: *mut Component,
+    _kind: c_int,
+    _value: *mut c_int,
+) -> fmi2Status {
     unsafe { without(component, "fmi2GetStatus", "steps are never asynchronous") }
 }
 

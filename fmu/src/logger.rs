@@ -74,19 +74,12 @@ impl Logger {
         if !index.is_some_and(|index| self.is_on[index]) {
             return;
         }
-        let (Ok(text), Ok(category)) = (CString::new(text.replace('\0', " ")), CString::new(category.name())) else {
-            return;
-        };
-        // SAFETY: by the promise of `new`; the text is an argument, as a master may take `message` for a format.
+        // Itself a format, of no argument: not every master has the arguments.
+        let text = CString::new(text.replace('%', "%%").replace('\0', " "));
+        let (Ok(text), Ok(category)) = (text, CString::new(category.name())) else { return };
+        // SAFETY: by the promise of `new`.
         unsafe {
-            function(
-                self.environment,
-                self.name.as_ptr(),
-                status,
-                category.as_ptr(),
-                c"%s".as_ptr(),
-                text.as_ptr(),
-            );
+            function(self.environment, self.name.as_ptr(), status, category.as_ptr(), text.as_ptr());
         }
     }
 }

@@ -88,7 +88,9 @@ pub fn variables() -> impl Iterator<Item = Variable> {
 
 /// Puts the outputs in place: the last reals and booleans of the table. On an error nothing has changed.
 pub fn read(simulator: &Simulator, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
-    let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else { return Ok(()) };
+    let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
+        return Ok(());
+    };
     let (_, errors) = simulator.errors(ErrorSource::Navigation)?.unzip();
     let model = match simulator.options().error_model {
         true => simulator.errors(ErrorSource::Model)?,
@@ -102,7 +104,9 @@ pub fn read(simulator: &Simulator, behind_gap: bool, into: &mut Values) -> Resul
     let from = into.booleans.len() - FLAGS.len();
     let flags = &mut into.booleans[from..];
     let mut places = numbers.iter_mut();
-    let mut put = |values: &[f64]| values.iter().for_each(|value| places.next().into_iter().for_each(|to| *to = *value));
+    let mut put = |values: &[f64]| {
+        values.iter().for_each(|value| places.next().into_iter().for_each(|to| *to = *value))
+    };
     put(&[truth.time_s]);
     let Navigation { place, v_n, euler, .. } = &navigation.navigation;
     put(&[place.latitude_rad, place.longitude_rad, place.height_m]);
@@ -111,7 +115,15 @@ pub fn read(simulator: &Simulator, behind_gap: bool, into: &mut Values) -> Resul
     for errors in [&errors, &model] {
         let zero = Vector3::zeros();
         let (position, velocity, misalignment, angles) = match errors {
-            Some(NavigationErrors { position_n, velocity_n, misalignment_n, roll_rad, pitch_rad, heading_rad, .. }) => {
+            Some(NavigationErrors {
+                position_n,
+                velocity_n,
+                misalignment_n,
+                roll_rad,
+                pitch_rad,
+                heading_rad,
+                ..
+            }) => {
                 (*position_n, *velocity_n, *misalignment_n, Vector3::new(*roll_rad, *pitch_rad, *heading_rad))
             }
             None => (zero, zero, zero, zero),

@@ -9,11 +9,10 @@ use std::path::{Component, Path};
 use sins::scene::{KeyKind, KeyLine, MAX_TEXT, Scene, builtin, keys};
 
 use crate::values::{Value, Values};
-use crate::variables::{Role, Variable, table};
+use crate::variables::{Role, Table, Variable, table};
 
 /// Sections that are parameters, and those whose parameters may change in flight.
-const SECTIONS: [&str; 7] =
-    ["options", "gyro", "accelerometer", "altimeter", "start", "mounting", "gravity"];
+const SECTIONS: [&str; 7] = ["options", "gyro", "accelerometer", "altimeter", "start", "mounting", "gravity"];
 const TUNABLE: [&str; 3] = ["gyro", "accelerometer", "altimeter"];
 
 /// The section of failures, and how many of them there are as parameters.
@@ -24,8 +23,8 @@ const SCENE_FILE: &str = "scene_file";
 const SCENE_TEXT: &str = "scene_text";
 const SCENE_BUILTIN: &str = "scene_builtin";
 
-/// What flies where no scene is given: the recommended options and ideal sensors. The flight is that of the inputs.
-const NO_SCENE: &str = "[flight]\nfile = \"inputs\"\n";
+/// The flight of every scene here, as the name of a log.
+const FLIGHT: &str = "inputs";
 
 /// The parameters as variables.
 pub fn variables() -> impl Iterator<Item = Variable> {
@@ -59,7 +58,9 @@ fn of_key(key: &KeyLine, path: &str, role: Role, numbers: &[f64], word: &str) ->
         KeyKind::Numbers(count) => (0..count)
             .map(|index| {
                 let name = format!("{path}{}", subscript(count, index));
-                let start = Value::Real(numbers.get(index).copied().unwrap_or(0.0));
+                // Of a key that has no default there is nothing to state.
+                let start = numbers.get(index).copied().filter(|number| number.is_finite()).unwrap_or(0.0);
+                let start = Value::Real(start);
                 Variable::new(name, role, start, doc).in_unit(key.unit, key.unit_si)
             })
             .collect(),
@@ -87,18 +88,19 @@ fn subscript(count: usize, index: usize) -> String {
 
 /// The parameters that are not at their start value, as text of a scene.
 struct Changed<'v> {
+    table: &'v Table,
     values: &'v Values,
 }
 
-impl Changed<'_> {
+impl<'v> Changed<'v> {
     /// The variable of this name and its value.
-    fn any(&self, name: &str) -> Option<(&'static Variable, Value)> {
-        let (variable, place) = table().named(name)?;
+    fn any(&self, name: &str) -> Option<(&'v Variable, Value)> {
+        let (variable, place) = self.table.named(name)?;
         Some((variable, self.values.get(variable.start.base(), place)?))
     }
 
     /// The same, if it is not at its start.
-    fn value(&self, name: &str) -> Option<(&'static Variable, Value)> {
+    fn value(&self, name: &str) -> Option<(&'v Variable, Value)> {
         self.any(name).filter(|(variable, value)| *value != variable.start)
     }
 
@@ -171,7 +173,7 @@ fn toml(variable: &Variable, value: &Value) -> String {
 
 /// The scene that the parameters call for, with the unit's folder of resources.
 pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String> {
-    let changed = Changed { values };
+    let changed = Changed { table: &table(), values };
     let mut text = scene_text(&changed, resources)?;
     let base = parse(&text, &[])?;
     for slot in 1..=FAILURES {
@@ -188,7 +190,7 @@ pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String>
         .collect();
     let mut scene = parse(&text, &settings)?;
     // Samples come at the master's pace.
-    scene.flight = sins::scene::FlightSource::Log("inputs".to_owned());
+    scene.flight = sins::scene::FlightSource::Log(FLIGHT.to_owned());
     Ok(scene)
 }
 
@@ -196,7 +198,8 @@ pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String>
 fn scene_text(changed: &Changed<'_>, resources: Option<&Path>) -> Result<String, String> {
     let given = [SCENE_FILE, SCENE_TEXT, SCENE_BUILTIN].map(|name| changed.text(name));
     match given {
-        [None, None, None] => Ok(NO_SCENE.to_owned()),
+        // The recommended options and ideal sensors.
+        [None, None, None] => Ok(String::new()),
         [Some(file), None, None] => read(&file, resources),
         [None, Some(text), None] => Ok(text),
         [None, None, Some(name)] => builtin(&name)
@@ -208,8 +211,7 @@ fn scene_text(changed: &Changed<'_>, resources: Option<&Path>) -> Result<String,
 
 /// A file below the folder of resources.
 fn read(file: &str, resources: Option<&Path>) -> Result<String, String> {
-    let folder =
-        resources.ok_or_else(|| format!("{SCENE_FILE}: the master gave no folder of resources"))?;
+    let folder = resources.ok_or_else(|| format!("{SCENE_FILE}: the master gave no folder of resources"))?;
     let is_plain = |part: Component<'_>| matches!(part, Component::Normal(_));
     if !Path::new(file).components().all(is_plain) {
         return Err(format!("{SCENE_FILE} = \"{file}\": expected a file below resources, without .."));
@@ -223,11 +225,16 @@ fn read(file: &str, resources: Option<&Path>) -> Result<String, String> {
     std::fs::read_to_string(&path).map_err(|error| refused(&error))
 }
 
-/// Parses a scene; on faults a sentence with the first of them and their number.
+/// Parses a scene, which need not have a flight; on faults a sentence with the first of them and their number.
 fn parse(text: &str, settings: &[(String, String)]) -> Result<Scene, String> {
-    let settings: Vec<(&str, &str)> =
+    let mut settings: Vec<(&str, &str)> =
         settings.iter().map(|(path, value)| (path.as_str(), value.as_str())).collect();
-    Scene::parse_with(text.as_bytes(), &settings).map_err(|faults| {
+    let parsed = Scene::parse_with(text.as_bytes(), &settings).or_else(|faults| {
+        settings.push(("flight.file", FLIGHT));
+        Scene::parse_with(text.as_bytes(), &settings)
+            .map_err(|others| if others.len() < faults.len() { others } else { faults })
+    });
+    parsed.map_err(|faults| {
         let more = match faults.len() {
             0 | 1 => String::new(),
             count => format!(" (and {} faults more)", count - 1),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::inputs;
 use crate::instance::{Flight, Instance, Phase};
 use crate::values::Values;
-use crate::variables::table;
+use crate::variables::{Role, table};
 
 /// What a state begins with.
 const MARK: &[u8; 8] = b"SINSFMU1";
@@ -110,8 +110,8 @@ fn with_flight(
 
 /// Whether all parameters are the same, to the bit.
 fn have_same_parameters(one: &Values, other: &Values) -> bool {
-    use crate::variables::Role;
-    [Role::Fixed, Role::Tunable].into_iter().flat_map(|role| table().of_role(role)).all(|(variable, place)| {
+    let table = table();
+    [Role::Fixed, Role::Tunable].into_iter().flat_map(|role| table.of_role(role)).all(|(variable, place)| {
         let base = variable.start.base();
         one.get(base, place) == other.get(base, place)
     })

@@ -1,10 +1,10 @@
 //! The table of all variables: inputs, parameters, outputs.
 
 use std::collections::HashMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use crate::values::{Base, Value, Values};
-use crate::{inputs, outputs, parameters};
+use crate::{description, inputs, outputs, parameters};
 
 /// What a variable is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,16 +60,29 @@ impl Variable {
 }
 
 /// All variables, in the order of the model description, with the place of each in its row.
+#[derive(Debug)]
 pub struct Table {
     pub variables: Vec<(Variable, usize)>,
     pub start: Values,
+    /// The unit's identity.
+    pub guid: String,
     by_name: HashMap<String, usize>,
 }
 
-/// The table of this model.
-pub fn table() -> &'static Table {
-    static TABLE: OnceLock<Table> = OnceLock::new();
-    TABLE.get_or_init(|| {
+/// The table of this model. It lives as long as somebody holds it, an instance above all: a static one would be left behind
+/// each time that a master unloads the unit.
+pub fn table() -> Arc<Table> {
+    static SHARED: Mutex<Weak<Table>> = Mutex::new(Weak::new());
+    let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);
+    shared.upgrade().unwrap_or_else(|| {
+        let table = Arc::new(Table::new());
+        *shared = Arc::downgrade(&table);
+        table
+    })
+}
+
+impl Table {
+    fn new() -> Self {
         let mut start = Values::default();
         let all = inputs::variables().chain(parameters::variables()).chain(outputs::variables());
         let variables: Vec<(Variable, usize)> = all
@@ -80,11 +93,10 @@ pub fn table() -> &'static Table {
             .collect();
         let names = variables.iter().enumerate();
         let by_name = names.map(|(index, (variable, _))| (variable.name.clone(), index)).collect();
-        Table { variables, start, by_name }
-    })
-}
+        let guid = description::guid(&variables);
+        Self { variables, start, guid, by_name }
+    }
 
-impl Table {
     /// The variable of a name, and its place in its row.
     pub fn named(&self, name: &str) -> Option<(&Variable, usize)> {
         let (variable, place) = &self.variables[*self.by_name.get(name)?];

@@ -35,7 +35,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     for source in fs::read_dir(root.join("fmu/src"))? {
         let path = source?.path();
-        if let Some(name) = path.file_name().and_then(|name| name.to_str()).filter(|name| name.ends_with(".rs")) {
+        if let Some(name) =
+            path.file_name().and_then(|name| name.to_str()).filter(|name| name.ends_with(".rs"))
+        {
             files.push((format!("sources/{name}"), read(&path)?));
         }
     }
