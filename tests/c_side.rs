@@ -46,6 +46,16 @@ fn the_header_alone_is_c90_and_cpp98() {
 }
 
 #[test]
+fn the_table_of_functions_fits_their_declarations() {
+    for (mut compiler, standard) in
+        [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
+    {
+        compiler.args(standard).args(STRICT).arg("-fsyntax-only").arg("-I").arg(project_file("include"));
+        succeed(compiler.arg(project_file("tests/c/functions.c")));
+    }
+}
+
+#[test]
 fn any_call_pattern_gives_the_same_bits() {
     run_test_program("run");
 }

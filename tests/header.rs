@@ -1,21 +1,33 @@
-//! The committed header is what the sources generate, and the shared library exports what it declares, no more.
+//! The committed header, and its kind in other languages, are what the sources generate, and the shared library exports what it declares, no more.
 
 #[path = "support/c_side.rs"]
 mod c_side;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use c_side::{project_file, shared_library};
 
+/// Paths of the files below a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+}
+
 #[test]
-fn committed_header_is_the_generated_one() {
-    let generated = std::fs::read_to_string(env!("SINS_GENERATED_HEADER")).unwrap();
-    let committed = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
-    assert!(
-        generated == committed,
-        "include/sins.h is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo build"
-    );
+fn committed_files_are_the_generated_ones() {
+    let folder = Path::new(env!("SINS_GENERATED"));
+    let generated = files(folder);
+    assert!(generated.contains(&folder.join("include/sins.h")), "{generated:?}");
+    for path in generated {
+        let name = path.strip_prefix(folder).unwrap().to_str().unwrap();
+        let committed = std::fs::read_to_string(project_file(name)).unwrap_or_default();
+        assert!(
+            std::fs::read_to_string(&path).unwrap() == committed,
+            "{name} is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo build"
+        );
+    }
 }
 
 /// Names that follow `SINS_CALL` in the header.
@@ -87,6 +99,15 @@ fn constants_are_in_enumerations_and_something_names_each() {
     };
     let silent: Vec<&&str> = enumerations.iter().filter(|name| !is_named(name)).collect();
     assert!(enumerations.len() >= 20 && silent.is_empty(), "{silent:?}");
+}
+
+/// That each is told as it is declared is checked in `functions.c`.
+#[test]
+fn the_table_of_functions_has_each() {
+    let table = std::fs::read_to_string(project_file("include/sins_functions.h")).unwrap();
+    let rows = table.lines().filter_map(|line| line.trim().strip_prefix("X("));
+    let names: BTreeSet<String> = rows.map(|row| row.split(", ").nth(1).unwrap().to_owned()).collect();
+    assert_eq!(names, declared());
 }
 
 /// That they are true is checked where the library is compiled and in `layout.c`.

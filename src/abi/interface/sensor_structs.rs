@@ -1,8 +1,8 @@
 //! The structs that the table of sensor parameters makes, as Rust sources: `TriadParameters` of the crate, `sins_gyro_params` and
 //! `sins_accel_params` of the interface.
 
-use super::parameter::{Field, Parameter, Range, Shape};
-use super::table::PARAMETERS;
+use crate::parameter::{Field, Parameter, Range, Shape};
+use crate::table::PARAMETERS;
 
 const TRIAD_DOC: &str = "\
 Errors of a triad of sensors, axis by axis in sensor axes. All zero is an ideal triad.";

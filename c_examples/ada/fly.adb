@@ -1,0 +1,115 @@
+--  Flies a built-in scene and prints what the INS of the scene makes of it: fly patrol
+
+with Ada.Command_Line;     use Ada.Command_Line;
+with Ada.Text_IO;          use Ada.Text_IO;
+with Interfaces;           use Interfaces;
+with Interfaces.C;         use Interfaces.C;
+with Interfaces.C.Strings; use Interfaces.C.Strings;
+with Sins;                 use Sins;
+
+procedure Fly is
+
+   package Numbers is new Ada.Text_IO.Float_IO (double);
+
+   Failed : exception;
+
+   --  Raises Failed if a call failed: errors are negative. The sentence of a simulator's function is kept with the simulator, that
+   --  of any other with the thread, which is null.
+   procedure Check (Call : String; Of_Sim : sins_sim; Status : sins_status) is
+      Capacity : constant := 1024;
+      Sentence : char_array (0 .. Capacity - 1) := (others => nul);
+      Needed   : size_t := 0;
+   begin
+      if Status < 0 then
+         if sins_last_error (Of_Sim, Sentence, Capacity, Needed) < 0 then
+            Sentence (0) := nul;
+         end if;
+         Put_Line (Standard_Error, "fly: " & Call & ": " & To_Ada (Sentence) & " (" & Value (sins_status_string (Status)) & ")");
+         raise Failed;
+      end if;
+   end Check;
+
+   --  The axes of a vector with all their digits.
+   procedure Put_Vector (Name : String; Vector : sins_double_3) is
+   begin
+      Put (Name);
+      for Number of Vector loop
+         Put (" ");
+         Numbers.Put (Number, Fore => 2, Aft => 16, Exp => 4);
+      end loop;
+      New_Line;
+   end Put_Vector;
+
+   procedure Put_Fixed (Number : double; Fore, Aft : Field) is
+   begin
+      Numbers.Put (Number, Fore, Aft, Exp => 0);
+   end Put_Fixed;
+
+   procedure Put_Row (Row : sins_record) is
+   begin
+      Put_Fixed (Row.time_s, 8, 2);
+      Put_Fixed (Row.navigation.latitude_rad / SINS_DEG, 5, 6);
+      Put_Fixed (Row.navigation.longitude_rad / SINS_DEG, 5, 6);
+      for Axis of Row.navigation_errors.position_enu_m loop
+         Put_Fixed (Axis, 8, 3);
+      end loop;
+      New_Line;
+   end Put_Row;
+
+   procedure Fly_Scene (Name : String) is
+      Scene   : sins_scene;
+      Sim     : sins_sim;
+      Flight  : sins_flight;
+      Setup   : sins_scene_setup;
+      Sample  : sins_flight_sample;
+      Row     : sins_record;
+      Samples : Natural;
+      Every   : Positive;
+   begin
+      Check ("sins_scene_create_builtin", null, sins_scene_create_builtin (To_C (Name), Scene));
+      Check ("sins_scene_get_setup", null, sins_scene_get_setup (Scene, Setup));
+      Check ("sins_scene_create_flight", null, sins_scene_create_flight (Scene, Flight));
+      Check ("sins_scene_create_simulator", null, sins_scene_create_simulator (Scene, Sim));
+
+      Samples := Natural (double'Floor (Setup.flown_s * Setup.rate_hz + 1.0e-6)) + 1;
+      Every := Positive'Max (Samples / 20, 1);
+      Put_Line ("     time s     lat deg    long deg      east m     north m        up m");
+      for K in 0 .. Samples - 1 loop
+         Check ("sins_flight_sample_at", null,
+                sins_flight_sample_at (Flight, double'Min (double (K) / Setup.rate_hz, Setup.flown_s), Sample));
+         Check ("sins_scene_prepare", null, sins_scene_prepare (Scene, Sim, 0.0, Sample));
+         Check ("sins_push_sample", Sim, sins_push_sample (Sim, Sample));
+         Check ("sins_step", Sim, sins_step (Sim)); --  the first answers SINS_NEED_SAMPLE, which is no error
+         if K mod Every = 0 then
+            Check ("sins_get_record", Sim, sins_get_record (Sim, Row));
+            Put_Row (Row);
+         end if;
+      end loop;
+
+      Check ("sins_get_record", Sim, sins_get_record (Sim, Row));
+      New_Line;
+      Put_Line ("errors at the end, navigation - truth, east-north-up");
+      Put_Vector ("      position m", Row.navigation_errors.position_enu_m);
+      Put_Vector ("    velocity m/s", Row.navigation_errors.velocity_enu_m_s);
+      Put_Vector ("misalignment rad", Row.navigation_errors.misalignment_enu_rad);
+
+      Check ("sins_destroy", null, sins_destroy (Sim));
+      Check ("sins_flight_destroy", null, sins_flight_destroy (Flight));
+      Check ("sins_scene_destroy", null, sins_scene_destroy (Scene));
+   end Fly_Scene;
+
+begin
+   if Argument_Count /= 1 then
+      Put_Line (Standard_Error, "usage: fly NAME of a built-in scene");
+      Set_Exit_Status (2);
+   elsif sins_abi_version /= SINS_HEADER_ABI then
+      Put_Line (Standard_Error, "fly: the library has interface version" & sins_abi_version'Image & ", this program wants"
+                & Integer'Image (SINS_HEADER_ABI));
+      Set_Exit_Status (Failure);
+   else
+      Fly_Scene (Argument (1));
+   end if;
+exception
+   when Failed =>
+      Set_Exit_Status (Failure);
+end Fly;

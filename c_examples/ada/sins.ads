@@ -1,0 +1,2135 @@
+--  The interface of the library sins for Ada 2012: the names, the units and the documentation are those of include/sins.h, which
+--  begins with what holds for all functions. An argument that is called record there is called the_record here.
+--
+--  Structs. Every variable of a record type is ready to be used: struct_size is set and all else is zero, which is off or
+--    recommended. Where the documentation says that a pointer to a struct may be NULL, hand over a fresh variable: it means
+--    the same. Arrays count from 0, as in C, and matrices are (row, column).
+--  Handles of simulators, flights, scenes and logs are access types that begin as null. They are never followed.
+--  Texts. One that goes to the library is Interfaces.C.To_C ("patrol"); To_Ada and Interfaces.C.Strings.Value make a String of
+--    what comes back.
+--  Flags are Unsigned_32, or Integer_32 where those of C are: (Unsigned_32 (flags) and SINS_IMU_GYRO_INVALID) /= 0.
+--
+--  This file is written by build.rs from the Rust sources; do not edit it.
+
+with Interfaces;           use Interfaces;
+with Interfaces.C;         use Interfaces.C;
+with Interfaces.C.Strings; use Interfaces.C.Strings;
+with System;
+
+package Sins is
+
+   --  degree [rad]
+   SINS_DEG : constant double := 1.7453292519943295e-2;
+   --  minute of arc [rad]
+   SINS_ARCMIN : constant double := 2.908882086657216e-4;
+   --  second of arc [rad]
+   SINS_ARCSEC : constant double := 4.84813681109536e-6;
+   --  degree an hour [rad/s]
+   SINS_DEG_PER_HOUR : constant double := 4.84813681109536e-6;
+   --  degree a root hour, angle random walk [rad/sqrt(s)]
+   SINS_DEG_PER_SQRT_HOUR : constant double := 2.908882086657216e-4;
+   --  g [m/s2]
+   SINS_STANDARD_GRAVITY : constant double := 9.80665e0;
+   --  millionth of g [m/s2]
+   SINS_MICRO_G : constant double := 9.806649999999999e-6;
+   --  white noise of force [(m/s)/sqrt(s)]
+   SINS_MICRO_G_PER_SQRT_HZ : constant double := 9.806649999999999e-6;
+   --  part in a million
+   SINS_PPM : constant double := 1.0e-6;
+   --  knot [m/s]
+   SINS_KNOT : constant double := 5.144444444444445e-1;
+   --  nautical mile [m]
+   SINS_NMI : constant double := 1.852e3;
+   --  nautical mile an hour [m/s]
+   SINS_NMI_PER_HOUR : constant double := 5.144444444444445e-1;
+
+   --  Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
+   --  something that was there is gone or means something else; what is added at the end does not change it.
+   SINS_HEADER_ABI : constant := 1;
+   --  Release of the library, semantic versioning.
+   SINS_VERSION_MAJOR : constant := 0;
+   --  See SINS_VERSION_MAJOR.
+   SINS_VERSION_MINOR : constant := 1;
+   --  See SINS_VERSION_MAJOR.
+   SINS_VERSION_PATCH : constant := 0;
+   --  A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
+   --  sins_snapshot_size().
+   SINS_SNAPSHOT_MAX_SIZE : constant := 8192;
+
+   --  Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
+   subtype sins_status is Integer_32;
+
+   --  Values of a sins_status: 0, positive an answer of another kind, negative an error.
+   subtype sins_status_code is Integer_32;
+   --  The call did what it says.
+   SINS_OK : constant sins_status_code := 0;
+   --  There is no complete interval yet: push the next sample.
+   SINS_NEED_SAMPLE : constant sins_status_code := 1;
+   --  No options meet the requirement; the outputs tell the best there are.
+   SINS_REQUIREMENT_NOT_MET : constant sins_status_code := 2;
+   --  The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+   SINS_SCENE_HAS_FAULTS : constant sins_status_code := 3;
+   --  The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of
+   --  the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on
+   --  while the vehicle stood still, that is wrong: see sins_move_time().
+   SINS_GAP : constant sins_status_code := 4;
+   --  A pointer that must not be null is.
+   SINS_ERROR_NULL_POINTER : constant sins_status_code := -1;
+   --  The handle is null, made up, destroyed, or of another kind.
+   SINS_ERROR_BAD_HANDLE : constant sins_status_code := -2;
+   --  A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
+   SINS_ERROR_STRUCT_SIZE : constant sins_status_code := -3;
+   --  A value out of its range; sins_last_error() names field, value and limit.
+   SINS_ERROR_INVALID_ARGUMENT : constant sins_status_code := -4;
+   --  The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads).
+   SINS_ERROR_BAD_STATE : constant sins_status_code := -5;
+   --  A sample that is not later than the one before, or off the stated sample period.
+   SINS_ERROR_TIME_ORDER : constant sins_status_code := -6;
+   --  Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
+   SINS_ERROR_DISCONTINUITY : constant sins_status_code := -7;
+   --  The queue of samples is full: step first.
+   SINS_ERROR_QUEUE_FULL : constant sins_status_code := -8;
+   --  The solution left its representable range; the last good one stays readable.
+   SINS_ERROR_DIVERGED : constant sins_status_code := -9;
+   --  The geographic mechanization came within reach of a pole.
+   SINS_ERROR_SINGULAR : constant sins_status_code := -10;
+   --  A buffer is too small for the result.
+   SINS_ERROR_BUFFER_TOO_SMALL : constant sins_status_code := -11;
+   --  No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
+   SINS_ERROR_OUT_OF_MEMORY : constant sins_status_code := -12;
+   --  The snapshot is damaged, foreign or newer.
+   SINS_ERROR_SNAPSHOT : constant sins_status_code := -13;
+   --  A defect inside the library was caught; this handle answers so from now on, others live.
+   SINS_ERROR_INTERNAL : constant sins_status_code := -99;
+
+   --  Axes in which the mechanization integrates.
+   subtype sins_frame is Integer_32;
+   --  Navigation in Earth-fixed axes: regular everywhere, poles included.
+   SINS_FRAME_EARTH_FIXED : constant sins_frame := 0;
+   --  Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
+   --  than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+   SINS_FRAME_GEOGRAPHIC : constant sins_frame := 1;
+
+   --  Algorithms of the mechanization.
+   subtype sins_scheme is Integer_32;
+   --  Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+   SINS_SCHEME_EXACT : constant sins_scheme := 0;
+   --  The paper's equations (7)-(24), misprints mended, approximations kept.
+   SINS_SCHEME_PAPER : constant sins_scheme := 1;
+   --  As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
+   SINS_SCHEME_POLYNOMIAL : constant sins_scheme := 2;
+
+   --  What holds the vertical channel.
+   subtype sins_vertical is Integer_32;
+   --  Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
+   --  the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+   SINS_VERTICAL_DAMPED : constant sins_vertical := 0;
+   --  Height and vertical velocity set to the truth at each sample.
+   SINS_VERTICAL_FOLLOW_TRUTH : constant sins_vertical := 1;
+   --  Left to itself: any error grows by e every 569 s.
+   SINS_VERTICAL_FREE : constant sins_vertical := 2;
+
+   --  Whether the error differential equations are integrated.
+   subtype sins_error_model is Integer_32;
+   --  No error differential equations: SINS_ERRORS_MODEL is not available.
+   SINS_ERROR_MODEL_OFF : constant sins_error_model := 0;
+   --  The error differential equations (error data 1) by fourth-order Runge-Kutta.
+   SINS_ERROR_MODEL_RK4 : constant sins_error_model := 1;
+
+   --  Whether the motion of the truth is summed up.
+   subtype sins_summary is Integer_32;
+   --  sins_get_truth_summary() is not available.
+   SINS_SUMMARY_OFF : constant sins_summary := 0;
+   --  The motion of the truth is summed up; the other outputs have the same bits.
+   SINS_SUMMARY_ON : constant sins_summary := 1;
+
+   --  Ellipsoids.
+   subtype sins_earth is Integer_32;
+   --  World Geodetic System 1984.
+   SINS_EARTH_WGS84 : constant sins_earth := 0;
+   --  China Geodetic Coordinate System 2000.
+   SINS_EARTH_CGCS2000 : constant sins_earth := 1;
+   --  Geodetic Reference System 1980.
+   SINS_EARTH_GRS80 : constant sins_earth := 2;
+   --  Krassovsky 1940; Earth rate and gravitational constant as WGS-84.
+   SINS_EARTH_KRASSOVSKY1940 : constant sins_earth := 3;
+
+   --  Formulas of normal gravity.
+   subtype sins_gravity is Integer_32;
+   --  Normal gravity in closed form at any height, with its north component.
+   SINS_GRAVITY_NORMAL : constant sins_gravity := 0;
+   --  Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
+   SINS_GRAVITY_SOMIGLIANA : constant sins_gravity := 1;
+
+   --  Directions of the sensor axes.
+   subtype sins_axes is Integer_32;
+   --  Sensor axes: x right, y forward, z up (the paper's).
+   SINS_AXES_RIGHT_FORWARD_UP : constant sins_axes := 0;
+   --  Sensor axes: x forward, y right, z down.
+   SINS_AXES_FORWARD_RIGHT_DOWN : constant sins_axes := 1;
+
+   --  Ideal signals.
+   subtype sins_signal is Integer_32;
+   --  Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
+   SINS_SIGNAL_PHYSICAL : constant sins_signal := 0;
+   --  The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
+   --  for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
+   --  navigator is the simulator's own and nothing is computed twice.
+   SINS_SIGNAL_CLOSED_LOOP : constant sins_signal := 1;
+
+   --  Flags of a sins_error_info.
+   subtype sins_error_info_flags is Unsigned_32;
+   --  A value is at fault, and is in value.
+   SINS_ERROR_INFO_VALUE : constant sins_error_info_flags := 1;
+   --  There is a least value, and minimum has it.
+   SINS_ERROR_INFO_MINIMUM : constant sins_error_info_flags := 2;
+   --  There is a greatest value, and maximum has it.
+   SINS_ERROR_INFO_MAXIMUM : constant sins_error_info_flags := 4;
+   --  The field is an integer.
+   SINS_ERROR_INFO_INTEGER : constant sins_error_info_flags := 8;
+
+   --  Sensors that can fail.
+   subtype sins_sensor is Integer_32;
+   --  The gyros.
+   SINS_SENSOR_GYRO : constant sins_sensor := 0;
+   --  The accelerometers.
+   SINS_SENSOR_ACCEL : constant sins_sensor := 1;
+   --  The altimeter; its axis is 0.
+   SINS_SENSOR_ALTIMETER : constant sins_sensor := 2;
+
+   --  Kinds of failure.
+   subtype sins_failure_kind is Integer_32;
+   --  None: clears the failure that there is.
+   SINS_FAILURE_NONE : constant sins_failure_kind := 0;
+   --  The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
+   --  it looks like data.
+   SINS_FAILURE_STUCK : constant sins_failure_kind := 1;
+   --  No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
+   --  altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+   SINS_FAILURE_DEAD : constant sins_failure_kind := 2;
+   --  A bias of size more. Not flagged.
+   SINS_FAILURE_BIAS_STEP : constant sins_failure_kind := 3;
+   --  Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+   --  mean over its interval. Not flagged but where they saturate.
+   SINS_FAILURE_SPIKES : constant sins_failure_kind := 4;
+   --  White noise of density more; of the altimeter its mean over the interval. Not flagged.
+   SINS_FAILURE_NOISE : constant sins_failure_kind := 5;
+   --  Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
+   --  that time, the first at once.
+   SINS_FAILURE_DROP_OUTS : constant sins_failure_kind := 6;
+
+   --  How the INS finds its attitude at the start.
+   subtype sins_alignment is Integer_32;
+   --  The INS starts with the true attitude, turned by the given and the drawn misalignment.
+   SINS_ALIGNMENT_GIVEN : constant sins_alignment := 0;
+   --  The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned
+   --  by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then
+   --  the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+   SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS : constant sins_alignment := 1;
+
+   --  Flags of a sins_flight_sample.
+   subtype sins_sample_flags is Unsigned_32;
+   --  The sample carries angular_rate_rad_s.
+   SINS_SAMPLE_ANGULAR_RATE : constant sins_sample_flags := 1;
+   --  The sample carries specific_force_m_s2.
+   SINS_SAMPLE_SPECIFIC_FORCE : constant sins_sample_flags := 2;
+   --  The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
+   SINS_SAMPLE_NO_VELOCITY : constant sins_sample_flags := 4;
+   --  The sample carries temperature_c.
+   SINS_SAMPLE_TEMPERATURE : constant sins_sample_flags := 8;
+
+   --  Flags of a sins_navigation.
+   subtype sins_navigation_flags is Integer_32;
+   --  Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
+   --  and the errors in metres stay right.
+   SINS_NAVIGATION_NEAR_POLE : constant sins_navigation_flags := 1;
+   --  Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
+   SINS_NAVIGATION_VERTICAL_UNAIDED : constant sins_navigation_flags := 2;
+   --  Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
+   SINS_NAVIGATION_INCONSISTENT : constant sins_navigation_flags := 4;
+   --  The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
+   --  rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
+   --  accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
+   --  horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+   SINS_NAVIGATION_NORTH_UNKNOWN : constant sins_navigation_flags := 8;
+
+   --  Where errors come from.
+   subtype sins_errors_source is Integer_32;
+   --  Navigation minus truth: the paper's error data 2.
+   SINS_ERRORS_NAVIGATION : constant sins_errors_source := 0;
+   --  The error differential equations: the paper's error data 1 (sins_options.error_model).
+   SINS_ERRORS_MODEL : constant sins_errors_source := 1;
+
+   --  Flags of a sins_errors.
+   subtype sins_errors_flags is Integer_32;
+   --  Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
+   SINS_ERRORS_NEAR_POLE : constant sins_errors_flags := 1;
+   --  Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
+   --  pole; what it drops is no longer small.
+   SINS_ERRORS_OUTSIDE_VALIDITY : constant sins_errors_flags := 2;
+   --  In a sins_record: not computed, all zero.
+   SINS_ERRORS_NOT_COMPUTED : constant sins_errors_flags := 4;
+
+   --  Flags of a sins_imu.
+   subtype sins_imu_flags is Unsigned_32;
+   --  The mean rate of a sub-increment was beyond the range of a gyro.
+   SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
+   --  The mean force of a sub-increment was beyond the range of an accelerometer.
+   SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
+   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
+   SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
+   --  An accelerometer had none.
+   SINS_IMU_ACCEL_INVALID : constant sins_imu_flags := 8;
+
+   --  Grades of sensors.
+   subtype sins_grade is Integer_32;
+   --  Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
+   --  angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+   SINS_GRADE_STRATEGIC : constant sins_grade := 1;
+   --  Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
+   SINS_GRADE_NAVIGATION : constant sins_grade := 2;
+   --  Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
+   SINS_GRADE_TACTICAL : constant sins_grade := 3;
+   --  Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own.
+   --  Its range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+   SINS_GRADE_INDUSTRIAL : constant sins_grade := 4;
+   --  Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
+   SINS_GRADE_CONSUMER : constant sins_grade := 5;
+   --  The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
+   --  white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+   SINS_GRADE_PAPER_SIMULATION2 : constant sins_grade := 6;
+
+   --  Kinds of manoeuvre.
+   subtype sins_manoeuvre_kind is Integer_32;
+   --  At rest for duration_s; the speed must be 0.
+   SINS_MANOEUVRE_REST : constant sins_manoeuvre_kind := 0;
+   --  Along a geodesic at constant speed and height for duration_s.
+   SINS_MANOEUVRE_STRAIGHT : constant sins_manoeuvre_kind := 1;
+   --  By speed_change_m_s in duration_s.
+   SINS_MANOEUVRE_ACCELERATE : constant sins_manoeuvre_kind := 2;
+   --  By height_change_m in duration_s, ramp_s.
+   SINS_MANOEUVRE_CLIMB : constant sins_manoeuvre_kind := 3;
+   --  Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
+   --  follows.
+   SINS_MANOEUVRE_TURN : constant sins_manoeuvre_kind := 4;
+   --  turns whole rolls (right positive) in duration_s along a straight path.
+   SINS_MANOEUVRE_ROLL : constant sins_manoeuvre_kind := 5;
+   --  turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
+   SINS_MANOEUVRE_LOOP : constant sins_manoeuvre_kind := 6;
+   --  Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
+   SINS_MANOEUVRE_S_TURN : constant sins_manoeuvre_kind := 7;
+   --  Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
+   SINS_MANOEUVRE_SINUSOIDS : constant sins_manoeuvre_kind := 8;
+
+   --  What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
+   subtype sins_channel is Integer_32;
+   --  The sinusoid moves the course [rad], with the bank of a coordinated turn.
+   SINS_CHANNEL_COURSE : constant sins_channel := 0;
+   --  The sinusoid moves the climb angle [rad].
+   SINS_CHANNEL_CLIMB : constant sins_channel := 1;
+   --  The sinusoid moves the speed [m/s].
+   SINS_CHANNEL_SPEED : constant sins_channel := 2;
+   --  The sinusoid moves roll alone [rad].
+   SINS_CHANNEL_ROLL : constant sins_channel := 3;
+   --  The sinusoid moves pitch alone [rad].
+   SINS_CHANNEL_PITCH : constant sins_channel := 4;
+   --  The sinusoid moves heading alone [rad].
+   SINS_CHANNEL_HEADING : constant sins_channel := 5;
+
+   --  Where the flight of a scene comes from: sins_scene_setup.flight.
+   subtype sins_scene_flight is Integer_32;
+   --  It is composed of manoeuvres.
+   SINS_SCENE_FLIGHT_MANOEUVRES : constant sins_scene_flight := 0;
+   --  That of a built-in scene, SINS_SCENE_TEXT_BUILTIN.
+   SINS_SCENE_FLIGHT_BUILTIN : constant sins_scene_flight := 1;
+   --  A flight log, SINS_SCENE_TEXT_LOG.
+   SINS_SCENE_FLIGHT_LOG : constant sins_scene_flight := 2;
+
+   --  The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
+   subtype sins_scene_text is Integer_32;
+   --  The scene in words.
+   SINS_SCENE_TEXT_TITLE : constant sins_scene_text := 0;
+   --  Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
+   SINS_SCENE_TEXT_LOG : constant sins_scene_text := 1;
+   --  Name of the built-in scene whose flight is flown; setting it makes the flight that.
+   SINS_SCENE_TEXT_BUILTIN : constant sins_scene_text := 2;
+   --  Folder of the files that a program writes.
+   SINS_SCENE_TEXT_FOLDER : constant sins_scene_text := 3;
+   --  Base name of those files.
+   SINS_SCENE_TEXT_NAME : constant sins_scene_text := 4;
+   --  File of the measured increments.
+   SINS_SCENE_TEXT_IMU : constant sins_scene_text := 5;
+
+   --  Flags of a sins_budget_row.
+   subtype sins_budget_flags is Unsigned_32;
+   --  The row's figures are standard deviations (1 sigma) over the runs.
+   SINS_BUDGET_RANDOM : constant sins_budget_flags := 1;
+   --  The effect can be left out together with the others that are marked so.
+   SINS_BUDGET_CAN_BE_LEFT_OUT : constant sins_budget_flags := 2;
+
+   type sins_sim_object is limited null record;
+   type sins_sim is access all sins_sim_object with Convention => C;
+
+   type sins_flight_object is limited null record;
+   type sins_flight is access all sins_flight_object with Convention => C;
+
+   type sins_scene_object is limited null record;
+   type sins_scene is access all sins_scene_object with Convention => C;
+
+   type sins_log_object is limited null record;
+   type sins_log is access all sins_log_object with Convention => C;
+
+   SINS_SIZEOF_OPTIONS : constant Unsigned_32 := 104;
+   SINS_SIZEOF_FLIGHT_SAMPLE : constant Unsigned_32 := 144;
+   SINS_SIZEOF_ERROR_INFO : constant Unsigned_32 := 152;
+   SINS_SIZEOF_GYRO_PARAMS : constant Unsigned_32 := 736;
+   SINS_SIZEOF_ACCEL_PARAMS : constant Unsigned_32 := 736;
+   SINS_SIZEOF_ALTIMETER_PARAMS : constant Unsigned_32 := 56;
+   SINS_SIZEOF_FAILURE : constant Unsigned_32 := 56;
+   SINS_SIZEOF_INITIAL_ERRORS : constant Unsigned_32 := 160;
+   SINS_SIZEOF_MOUNTING : constant Unsigned_32 := 104;
+   SINS_SIZEOF_GRAVITY_PARAMS : constant Unsigned_32 := 80;
+   SINS_SIZEOF_RECORD_SOLUTION : constant Unsigned_32 := 112;
+   SINS_SIZEOF_RECORD_ERRORS : constant Unsigned_32 := 128;
+   SINS_SIZEOF_RECORD : constant Unsigned_32 := 496;
+   SINS_SIZEOF_NAVIGATION : constant Unsigned_32 := 128;
+   SINS_SIZEOF_IMU : constant Unsigned_32 := 216;
+   SINS_SIZEOF_ERRORS : constant Unsigned_32 := 144;
+   SINS_SIZEOF_ACCURACY : constant Unsigned_32 := 256;
+   SINS_SIZEOF_TRUTH_SUMMARY : constant Unsigned_32 := 232;
+   SINS_SIZEOF_IMU_INCREMENT : constant Unsigned_32 := 264;
+   SINS_SIZEOF_FLIGHT_START : constant Unsigned_32 := 72;
+   SINS_SIZEOF_MANOEUVRE : constant Unsigned_32 := 240;
+   SINS_SIZEOF_FAULT : constant Unsigned_32 := 288;
+   SINS_SIZEOF_SCENE_SETUP : constant Unsigned_32 := 72;
+   SINS_SIZEOF_PLANNED_FAILURE : constant Unsigned_32 := 80;
+   SINS_SIZEOF_LOG_INFO : constant Unsigned_32 := 216;
+   SINS_SIZEOF_REQUIREMENT : constant Unsigned_32 := 48;
+   SINS_SIZEOF_COST : constant Unsigned_32 := 96;
+   SINS_SIZEOF_BUDGET_REQUEST : constant Unsigned_32 := 40;
+   SINS_SIZEOF_BUDGET_ROW : constant Unsigned_32 := 152;
+   SINS_SIZEOF_BUDGET : constant Unsigned_32 := 128;
+
+   subtype sins_char_192 is char_array (0 .. 191);
+   subtype sins_char_256 is char_array (0 .. 255);
+   subtype sins_char_32 is char_array (0 .. 31);
+   subtype sins_char_48 is char_array (0 .. 47);
+   subtype sins_char_96 is char_array (0 .. 95);
+   type sins_double_3 is array (0 .. 2) of double with Convention => C;
+   type sins_double_3_3 is array (0 .. 2, 0 .. 2) of double with Convention => C;
+   type sins_double_4 is array (0 .. 3) of double with Convention => C;
+   type sins_double_5_3 is array (0 .. 4, 0 .. 2) of double with Convention => C;
+   type sins_double_6 is array (0 .. 5) of double with Convention => C;
+   type sins_integer_32_6 is array (0 .. 5) of Integer_32 with Convention => C;
+
+   --  How a simulator is made. All zero (but struct_size) is the recommended simulator.
+   type sins_options is record
+      --  sizeof(sins_options)
+      struct_size : Unsigned_32 := SINS_SIZEOF_OPTIONS;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Of enum sins_frame.
+      frame : Integer_32 := 0;
+      --  Of enum sins_scheme.
+      scheme : Integer_32 := 0;
+      --  Sub-increments of a mechanization update, 1 to 5; 0: 2.
+      subsamples : Integer_32 := 0;
+      --  Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
+      updates_per_sample : Integer_32 := 0;
+      --  Of enum sins_vertical.
+      vertical : Integer_32 := 0;
+      --  Of enum sins_error_model.
+      error_model : Integer_32 := 0;
+      --  Of enum sins_earth.
+      earth : Integer_32 := 0;
+      --  Of enum sins_gravity.
+      gravity : Integer_32 := 0;
+      --  Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
+      axes : Integer_32 := 0;
+      --  Of enum sins_signal.
+      signal : Integer_32 := 0;
+      --  Seed of all random streams.
+      seed : Unsigned_64 := 0;
+      --  Number of the run in an ensemble: same seed, other draws.
+      run : Unsigned_64 := 0;
+      --  Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it.
+      closed_loop_time_s : double := 0.0;
+      --  Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
+      --  each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+      sample_period_s : double := 0.0;
+      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
+      --  100 s cost 40 m in 12 h, longer ones many times that.
+      max_gap_s : double := 0.0;
+      --  Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
+      --  0: 2000 m/s2.
+      max_acceleration_m_s2 : double := 0.0;
+      --  Of enum sins_summary.
+      truth_summary : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_options_array is array (size_t range <>) of aliased sins_options with Convention => C;
+
+   --  True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
+   --  are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
+   --  sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+   type sins_flight_sample is record
+      --  sizeof(sins_flight_sample)
+      struct_size : Unsigned_32 := SINS_SIZEOF_FLIGHT_SAMPLE;
+      --  Flags of enum sins_sample_flags, or'ed.
+      flags : Unsigned_32 := 0;
+      --  Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
+      --  (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+      time_s : double := 0.0;
+      --  Geodetic latitude, -pi/2 to pi/2 [rad].
+      latitude_rad : double := 0.0;
+      --  Longitude, east positive, -100 to 100 [rad]: any wrap.
+      longitude_rad : double := 0.0;
+      --  Height above the ellipsoid, -20 km to 2000 km [m].
+      height_m : double := 0.0;
+      --  Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
+      velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Roll, right wing down positive, any number of turns up to 10000 rad [rad].
+      roll_rad : double := 0.0;
+      --  Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude turns
+      --  by less than 170 degrees, and by less than 180 degrees more or less than foreseen by the angular rates or else by the
+      --  interval before. Whole turns that a host loses otherwise are beyond knowledge.
+      pitch_rad : double := 0.0;
+      --  Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
+      heading_rad : double := 0.0;
+      --  With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
+      --  1000 rad/s [rad/s].
+      angular_rate_rad_s : sins_double_3 := (others => 0.0);
+      --  With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
+      specific_force_m_s2 : sins_double_3 := (others => 0.0);
+      --  With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
+      --  straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+      --  SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+      temperature_c : double := 0.0;
+   end record with Convention => C;
+   type sins_flight_sample_array is array (size_t range <>) of aliased sins_flight_sample with Convention => C;
+
+   --  Why a call failed: what the sentence of sins_last_error() is made of.
+   type sins_error_info is record
+      --  sizeof(sins_error_info)
+      struct_size : Unsigned_32 := SINS_SIZEOF_ERROR_INFO;
+      --  Flags of enum sins_error_info_flags, or'ed.
+      flags : Unsigned_32 := 0;
+      --  What the call returned, of enum sins_status_code; SINS_OK if none failed.
+      status : sins_status := 0;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call
+      --  itself.
+      field : sins_char_96 := (others => nul);
+      --  Element of the field, from 0; -1: the field is no array, or all of it is at fault.
+      index : Integer_64 := 0;
+      --  Sample of the array that the call took, from 0; -1: none.
+      sample : Integer_64 := 0;
+      --  With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double.
+      value : double := 0.0;
+      --  With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused.
+      minimum : double := 0.0;
+      --  With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
+      maximum : double := 0.0;
+   end record with Convention => C;
+   type sins_error_info_array is array (size_t range <>) of aliased sins_error_info with Convention => C;
+
+   --  Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an
+   --  ideal triad. Signal: the angular rate. Densities do not depend on the sample rate.
+   --
+   --  Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
+   --  signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+   --  range, quantization.
+   --
+   --  Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
+   --  sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f
+   --  loses by that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x
+   --  of its mean size (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and
+   --  4.9 % with one.
+   type sins_gyro_params is record
+      --  sizeof(sins_gyro_params)
+      struct_size : Unsigned_32 := SINS_SIZEOF_GYRO_PARAMS;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Constant bias, measured less true [rad/s], -100 to 100.
+      bias_rad_s : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
+      bias_sigma_rad_s : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
+      --  the first sample on.
+      markov_sigma_rad_s : sins_double_3 := (others => 0.0);
+      --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
+      markov_time_s : sins_double_3 := (others => 0.0);
+      --  White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
+      --  density of the noise [unit of the signal / sqrt(Hz)].
+      random_walk_rad_sqrt_s : sins_double_3 := (others => 0.0);
+      --  Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
+      rate_random_walk_rad_s_sqrt_s : sins_double_3 := (others => 0.0);
+      --  Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set.
+      rate_ramp_rad_s2 : sins_double_3 := (others => 0.0);
+      --  Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
+      --  Allan deviation is flat at 0.664 B from 2 s to 50 h.
+      flicker_rad_s : sins_double_3 := (others => 0.0);
+      --  Scale factor error [1], -1 to 1.
+      scale_factor : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+      --  scale_factor.
+      scale_factor_sigma : sins_double_3 := (others => 0.0);
+      --  Scale factor error of positive less that of negative signals [1], -1 to 1.
+      scale_factor_asymmetry : sins_double_3 := (others => 0.0);
+      --  Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+      scale_factor_nonlinearity_s_rad : sins_double_3 := (others => 0.0);
+      --  Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
+      misalignment_rad : sins_double_3_3 := (others => (others => 0.0));
+      --  Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+      --  misalignment_rad. The diagonal is 0.
+      misalignment_sigma_rad : sins_double_3_3 := (others => (others => 0.0));
+      --  Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
+      --  The error of a gyro is the sum over the three axes of its row times the true specific force along them.
+      g_sensitivity_rad_s_per_m_s2 : sins_double_3_3 := (others => (others => 0.0));
+      --  Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+      --  -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+      --  specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+      --  sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+      --  nonlinearity.
+      g2_sensitivity_rad_s_per_m2_s4 : sins_double_3 := (others => 0.0);
+      --  Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+      --  sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+      --  temperature, and sins_push_imu() is not available.
+      reference_temperature_c : double := 0.0;
+      --  Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T.
+      bias_temperature_rad_s_per_k : sins_double_3 := (others => 0.0);
+      --  Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2.
+      bias_temperature2_rad_s_per_k2 : sins_double_3 := (others => 0.0);
+      --  Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
+      scale_factor_temperature_per_k : sins_double_3 := (others => 0.0);
+      --  Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
+      scale_factor_temperature2_per_k2 : sins_double_3 := (others => 0.0);
+      --  Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+      --  the first interval.
+      bandwidth_hz : sins_double_3 := (others => 0.0);
+      --  Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
+      dead_zone_rad_s : sins_double_3 := (others => 0.0);
+      --  Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
+      range_rad_s : sins_double_3 := (others => 0.0);
+      --  Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+      --  pulse/sqrt(12).
+      quantization_rad : sins_double_3 := (others => 0.0);
+   end record with Convention => C;
+   type sins_gyro_params_array is array (size_t range <>) of aliased sins_gyro_params with Convention => C;
+
+   --  Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero
+   --  is an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
+   --
+   --  Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
+   --  nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
+   --  zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
+   type sins_accel_params is record
+      --  sizeof(sins_accel_params)
+      struct_size : Unsigned_32 := SINS_SIZEOF_ACCEL_PARAMS;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Constant bias, measured less true [m/s2], -10000 to 10000.
+      bias_m_s2 : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000.
+      bias_sigma_m_s2 : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
+      --  the first sample on.
+      markov_sigma_m_s2 : sins_double_3 := (others => 0.0);
+      --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
+      markov_time_s : sins_double_3 := (others => 0.0);
+      --  White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
+      --  spectral density of the noise [unit of the signal / sqrt(Hz)].
+      velocity_random_walk_m_s_sqrt_s : sins_double_3 := (others => 0.0);
+      --  Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+      acceleration_random_walk_m_s2_sqrt_s : sins_double_3 := (others => 0.0);
+      --  Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set.
+      ramp_m_s3 : sins_double_3 := (others => 0.0);
+      --  Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
+      --  the Allan deviation is flat at 0.664 B from 2 s to 50 h.
+      flicker_m_s2 : sins_double_3 := (others => 0.0);
+      --  Scale factor error [1], -1 to 1.
+      scale_factor : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+      --  scale_factor.
+      scale_factor_sigma : sins_double_3 := (others => 0.0);
+      --  Scale factor error of positive less that of negative signals [1], -1 to 1.
+      scale_factor_asymmetry : sins_double_3 := (others => 0.0);
+      --  Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+      scale_factor_nonlinearity_s2_m : sins_double_3 := (others => 0.0);
+      --  Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
+      misalignment_rad : sins_double_3_3 := (others => (others => 0.0));
+      --  Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+      --  misalignment_rad. The diagonal is 0.
+      misalignment_sigma_rad : sins_double_3_3 := (others => (others => 0.0));
+      --  Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
+      vibration_rectification_s2_m : sins_double_3 := (others => 0.0);
+      --  Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
+      --  -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
+      --  motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
+      --  sins_push_imu() the angular acceleration follows from the increments before.
+      lever_arm_m : sins_double_3_3 := (others => (others => 0.0));
+      --  Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+      --  sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+      --  temperature, and sins_push_imu() is not available.
+      reference_temperature_c : double := 0.0;
+      --  Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T.
+      bias_temperature_m_s2_per_k : sins_double_3 := (others => 0.0);
+      --  Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2.
+      bias_temperature2_m_s2_per_k2 : sins_double_3 := (others => 0.0);
+      --  Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
+      scale_factor_temperature_per_k : sins_double_3 := (others => 0.0);
+      --  Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
+      scale_factor_temperature2_per_k2 : sins_double_3 := (others => 0.0);
+      --  Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+      --  the first interval.
+      bandwidth_hz : sins_double_3 := (others => 0.0);
+      --  Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
+      dead_zone_m_s2 : sins_double_3 := (others => 0.0);
+      --  Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
+      range_m_s2 : sins_double_3 := (others => 0.0);
+      --  Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+      --  pulse/sqrt(12).
+      quantization_m_s : sins_double_3 := (others => 0.0);
+   end record with Convention => C;
+   type sins_accel_params_array is array (size_t range <>) of aliased sins_accel_params with Convention => C;
+
+   --  Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+   type sins_altimeter_params is record
+      --  sizeof(sins_altimeter_params)
+      struct_size : Unsigned_32 := SINS_SIZEOF_ALTIMETER_PARAMS;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Constant bias, up to 1e5 m [m].
+      bias_m : double := 0.0;
+      --  Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
+      markov_sigma_m : double := 0.0;
+      --  Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
+      markov_time_s : double := 0.0;
+      --  Standard deviation of the independent error of each sample, up to 1e5 m [m].
+      noise_m : double := 0.0;
+      --  Scale factor error of the height, -1 to 1.
+      scale_factor : double := 0.0;
+      --  Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
+      lag_s : double := 0.0;
+   end record with Convention => C;
+   type sins_altimeter_params_array is array (size_t range <>) of aliased sins_altimeter_params with Convention => C;
+
+   --  A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
+   --  accelerometer, m of the altimeter.
+   type sins_failure is record
+      --  sizeof(sins_failure)
+      struct_size : Unsigned_32 := SINS_SIZEOF_FAILURE;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Of enum sins_failure_kind.
+      kind : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+      --  Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+      size : double := 0.0;
+      --  Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
+      density : double := 0.0;
+      --  Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
+      interval_s : double := 0.0;
+      --  Spikes: length of one, 1e-9 s to interval_s [s].
+      duration_s : double := 0.0;
+      --  Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+      probability : double := 0.0;
+   end record with Convention => C;
+   type sins_failure_array is array (size_t range <>) of aliased sins_failure with Convention => C;
+
+   --  Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
+   --  Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
+   --  standard deviations up to 1e5 m and 1e3 m/s.
+   type sins_initial_errors is record
+      --  sizeof(sins_initial_errors)
+      struct_size : Unsigned_32 := SINS_SIZEOF_INITIAL_ERRORS;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Position [m].
+      position_enu_m : sins_double_3 := (others => 0.0);
+      --  Velocity [m/s].
+      velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
+      --  east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+      misalignment_enu_rad : sins_double_3 := (others => 0.0);
+      --  Standard deviation of position [m].
+      position_sigma_enu_m : sins_double_3 := (others => 0.0);
+      --  Standard deviation of velocity [m/s].
+      velocity_sigma_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Standard deviation of misalignment, 0 to 1 [rad].
+      misalignment_sigma_enu_rad : sins_double_3 := (others => 0.0);
+      --  Of enum sins_alignment.
+      alignment : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_initial_errors_array is array (size_t range <>) of aliased sins_initial_errors with Convention => C;
+
+   --  Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
+   --  believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+   --
+   --  The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins_imu is about the block. The INS
+   --  navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
+   --  Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
+   --  point, along body axes; so is the barometric height.
+   --
+   --  Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of
+   --  the first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second
+   --  interval has it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what
+   --  the next sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is
+   --  lacking.
+   type sins_mounting is record
+      --  sizeof(sins_mounting)
+      struct_size : Unsigned_32 := SINS_SIZEOF_MOUNTING;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
+      lever_arm_m : sins_double_3 := (others => 0.0);
+      --  Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
+      --  down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
+      boresight_rad : sins_double_3 := (others => 0.0);
+      --  Believed less true lever arm, -100 to 100 [m].
+      lever_arm_error_m : sins_double_3 := (others => 0.0);
+      --  Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
+      --  out too small by as much.
+      boresight_error_rad : sins_double_3 := (others => 0.0);
+   end record with Convention => C;
+   type sins_mounting_array is array (size_t range <>) of aliased sins_mounting with Convention => C;
+
+   --  True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+   --  disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
+   --  track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
+   --  gravity.
+   --
+   --  Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
+   --  accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
+   --  times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+   type sins_gravity_params is record
+      --  sizeof(sins_gravity_params)
+      struct_size : Unsigned_32 := SINS_SIZEOF_GRAVITY_PARAMS;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
+      --  the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+      deflection_north_rad : double := 0.0;
+      --  Standard deviation of its random part, up to 0.01 [rad].
+      deflection_north_sigma_rad : double := 0.0;
+      --  Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0.
+      deflection_north_distance_m : double := 0.0;
+      --  Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
+      --  0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+      deflection_east_rad : double := 0.0;
+      --  Standard deviation of its random part, up to 0.01 [rad].
+      deflection_east_sigma_rad : double := 0.0;
+      --  Correlation distance of that, 1 to 1e9 [m].
+      deflection_east_distance_m : double := 0.0;
+      --  Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
+      anomaly_m_s2 : double := 0.0;
+      --  Standard deviation of its random part, up to 0.1 [m/s2].
+      anomaly_sigma_m_s2 : double := 0.0;
+      --  Correlation distance of that, 1 to 1e9 [m].
+      anomaly_distance_m : double := 0.0;
+   end record with Convention => C;
+   type sins_gravity_params_array is array (size_t range <>) of aliased sins_gravity_params with Convention => C;
+
+   --  A solution within a sins_record; never grows. Fields as in sins_navigation.
+   type sins_record_solution is record
+      --  [rad]
+      latitude_rad : double := 0.0;
+      --  [rad]
+      longitude_rad : double := 0.0;
+      --  [m]
+      height_m : double := 0.0;
+      --  [m/s]
+      velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  [rad]
+      roll_rad : double := 0.0;
+      --  [rad]
+      pitch_rad : double := 0.0;
+      --  [rad]
+      heading_rad : double := 0.0;
+      --  Scalar first.
+      quaternion_nb : sins_double_4 := (others => 0.0);
+      --  Flags of enum sins_navigation_flags, or'ed.
+      flags : Integer_32 := 0;
+      --  0
+      reserved : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_record_solution_array is array (size_t range <>) of aliased sins_record_solution with Convention => C;
+
+   --  Errors within a sins_record; never grows. Fields as in sins_errors.
+   type sins_record_errors is record
+      --  [m]
+      position_enu_m : sins_double_3 := (others => 0.0);
+      --  [rad]
+      latitude_rad : double := 0.0;
+      --  [rad]
+      longitude_rad : double := 0.0;
+      --  [m]
+      height_m : double := 0.0;
+      --  [m/s]
+      velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  [rad]
+      misalignment_enu_rad : sins_double_3 := (others => 0.0);
+      --  [rad]
+      roll_rad : double := 0.0;
+      --  [rad]
+      pitch_rad : double := 0.0;
+      --  [rad]
+      heading_rad : double := 0.0;
+      --  Flags of enum sins_errors_flags, or'ed.
+      flags : Integer_32 := 0;
+      --  0
+      reserved : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_record_errors_array is array (size_t range <>) of aliased sins_record_errors with Convention => C;
+
+   --  Truth, navigation and both errors at one instant.
+   type sins_record is record
+      --  sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others.
+      struct_size : Unsigned_32 := SINS_SIZEOF_RECORD;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Time [s].
+      time_s : double := 0.0;
+      --  As sins_get_truth().
+      truth : sins_record_solution;
+      --  As sins_get_navigation().
+      navigation : sins_record_solution;
+      --  As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2.
+      navigation_errors : sins_record_errors;
+      --  As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off.
+      model_errors : sins_record_errors;
+   end record with Convention => C;
+   type sins_record_array is array (size_t range <>) of aliased sins_record with Convention => C;
+
+   --  A solution: the truth or the navigated one.
+   type sins_navigation is record
+      --  sizeof(sins_navigation)
+      struct_size : Unsigned_32 := SINS_SIZEOF_NAVIGATION;
+      --  0 (must be 0 where it is an input).
+      reserved : Unsigned_32 := 0;
+      --  Time [s].
+      time_s : double := 0.0;
+      --  Geodetic latitude, -pi/2 to pi/2 [rad].
+      latitude_rad : double := 0.0;
+      --  Longitude, east positive, -pi to pi [rad].
+      longitude_rad : double := 0.0;
+      --  Height above the ellipsoid [m].
+      height_m : double := 0.0;
+      --  Velocity against the Earth, east-north-up [m/s].
+      velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Roll, right wing down positive, -pi to pi [rad].
+      roll_rad : double := 0.0;
+      --  Pitch, nose up positive, -pi/2 to pi/2 [rad].
+      pitch_rad : double := 0.0;
+      --  Heading, clockwise from true north, 0 to 2 pi [rad].
+      heading_rad : double := 0.0;
+      --  Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+      quaternion_nb : sins_double_4 := (others => 0.0);
+      --  Flags of enum sins_navigation_flags, or'ed.
+      flags : Integer_32 := 0;
+      --  0
+      reserved2 : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_navigation_array is array (size_t range <>) of aliased sins_navigation with Convention => C;
+
+   --  Ideal and measured signals of the last interval, sensor axes.
+   type sins_imu is record
+      --  sizeof(sins_imu)
+      struct_size : Unsigned_32 := SINS_SIZEOF_IMU;
+      --  Flags of enum sins_imu_flags, or'ed.
+      flags : Unsigned_32 := 0;
+      --  Time of the end of the interval [s].
+      time_s : double := 0.0;
+      --  Length of the interval [s].
+      interval_s : double := 0.0;
+      --  Integral of the angular rate against inertial space, perfect gyros [rad].
+      ideal_angle_rad : sins_double_3 := (others => 0.0);
+      --  Integral of the specific force, perfect accelerometers [m/s].
+      ideal_velocity_m_s : sins_double_3 := (others => 0.0);
+      --  What the modelled gyros give [rad].
+      measured_angle_rad : sins_double_3 := (others => 0.0);
+      --  What the modelled accelerometers give [m/s].
+      measured_velocity_m_s : sins_double_3 := (others => 0.0);
+      --  ideal_angle_rad over the interval [rad/s].
+      ideal_rate_rad_s : sins_double_3 := (others => 0.0);
+      --  ideal_velocity_m_s over the interval [m/s2].
+      ideal_force_m_s2 : sins_double_3 := (others => 0.0);
+      --  measured_angle_rad over the interval [rad/s].
+      measured_rate_rad_s : sins_double_3 := (others => 0.0);
+      --  measured_velocity_m_s over the interval [m/s2].
+      measured_force_m_s2 : sins_double_3 := (others => 0.0);
+   end record with Convention => C;
+   type sins_imu_array is array (size_t range <>) of aliased sins_imu with Convention => C;
+
+   --  Errors of the navigated solution, computed less true.
+   type sins_errors is record
+      --  sizeof(sins_errors)
+      struct_size : Unsigned_32 := SINS_SIZEOF_ERRORS;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Time [s].
+      time_s : double := 0.0;
+      --  Displacement from truth along true east and north, and difference of heights [m].
+      position_enu_m : sins_double_3 := (others => 0.0);
+      --  Latitude [rad].
+      latitude_rad : double := 0.0;
+      --  Longitude, wrapped to -pi..pi [rad].
+      longitude_rad : double := 0.0;
+      --  Height [m].
+      height_m : double := 0.0;
+      --  Velocity [m/s]: difference of the components, each in its own east-north-up.
+      velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error
+      --  model has it to first order, computed C = (I - [phi x]) C.
+      misalignment_enu_rad : sins_double_3 := (others => 0.0);
+      --  Roll, wrapped [rad].
+      roll_rad : double := 0.0;
+      --  Pitch [rad].
+      pitch_rad : double := 0.0;
+      --  Heading, wrapped [rad].
+      heading_rad : double := 0.0;
+      --  Flags of enum sins_errors_flags, or'ed.
+      flags : Integer_32 := 0;
+      --  0
+      reserved2 : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_errors_array is array (size_t range <>) of aliased sins_errors with Convention => C;
+
+   --  Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors
+   --  sampled once a second. They describe one run, which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of
+   --  data sheets.
+   type sins_accuracy is record
+      --  sizeof(sins_accuracy)
+      struct_size : Unsigned_32 := SINS_SIZEOF_ACCURACY;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Time [s].
+      time_s : double := 0.0;
+      --  Time since the start [s].
+      duration_s : double := 0.0;
+      --  Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
+      --  over next to nothing [s].
+      window_start_s : double := 0.0;
+      --  Samples in that window; the rates are 0 while there is none.
+      window_samples : Unsigned_64 := 0;
+      --  sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
+      radial_error_rate_rms_m_s : double := 0.0;
+      --  R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
+      cep_rate_m_s : double := 0.0;
+      --  R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
+      radial_95_rate_m_s : double := 0.0;
+      --  Slope of the straight line of least squares through the horizontal position error [m/s].
+      radial_error_slope_m_s : double := 0.0;
+      --  Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
+      --  east and north turn [m/s].
+      velocity_rms_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Closure: navigation minus truth now, position [m].
+      closure_position_enu_m : sins_double_3 := (others => 0.0);
+      --  Closure: navigation minus truth now, velocity [m/s].
+      closure_velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
+      --  to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
+      --  sensors'.
+      host_position_enu_m : sins_double_3 := (others => 0.0);
+      --  The same of the horizontal velocity closure; up is 0 [m/s].
+      host_velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+      inconsistency_enu_m : sins_double_3 := (others => 0.0);
+      --  The largest of it in one interval [m].
+      inconsistency_max_m : double := 0.0;
+      --  Samples flagged SINS_NAVIGATION_INCONSISTENT.
+      inconsistent_samples : Unsigned_64 := 0;
+      --  Intervals flown since the start or the last reposition: one less than the samples.
+      intervals : Unsigned_64 := 0;
+      --  The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
+      --  generator and mechanization themselves; 0 with physical signals [rad/s].
+      trim_rate_max_rad_s : double := 0.0;
+      --  The same of the specific force [m/s2].
+      trim_force_max_m_s2 : double := 0.0;
+   end record with Convention => C;
+   type sins_accuracy_array is array (size_t range <>) of aliased sins_accuracy with Convention => C;
+
+   --  The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
+   --  exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
+   --  exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights
+   --  and climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is
+   --  the time stamp of the sample that it came with.
+   type sins_truth_summary is record
+      --  sizeof(sins_truth_summary)
+      struct_size : Unsigned_32 := SINS_SIZEOF_TRUTH_SUMMARY;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Intervals flown.
+      intervals : Unsigned_64 := 0;
+      --  Those of them that are gaps (see SINS_GAP).
+      gaps : Unsigned_64 := 0;
+      --  Samples faster than 30 m/s: sideslip and angle of attack are of these.
+      fast_samples : Unsigned_64 := 0;
+      --  Sum of the lengths of the intervals [s].
+      flown_s : double := 0.0;
+      --  Time stamps of the first and of the last sample [s].
+      first_s : double := 0.0;
+      --  See first_s.
+      last_s : double := 0.0;
+      --  Longest interval [s].
+      interval_max_s : double := 0.0;
+      --  When [s].
+      interval_max_at_s : double := 0.0;
+      --  Largest rotation in an interval [rad].
+      turn_max_rad : double := 0.0;
+      --  When [s].
+      turn_max_at_s : double := 0.0;
+      --  Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s].
+      rate_max_rad_s : double := 0.0;
+      --  When [s].
+      rate_max_at_s : double := 0.0;
+      --  Largest acceleration against the Earth, by the velocities [m/s2].
+      acceleration_max_m_s2 : double := 0.0;
+      --  When [s].
+      acceleration_max_at_s : double := 0.0;
+      --  Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
+      force_max_m_s2 : double := 0.0;
+      --  When [s].
+      force_max_at_s : double := 0.0;
+      --  Largest displacement in an interval that the mean of the velocities at its ends does not explain [m].
+      inconsistency_max_m : double := 0.0;
+      --  When [s].
+      inconsistency_max_at_s : double := 0.0;
+      --  Largest speed against the Earth [m/s].
+      speed_max_m_s : double := 0.0;
+      --  When [s].
+      speed_max_at_s : double := 0.0;
+      --  Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it
+      --  [rad].
+      sideslip_max_rad : double := 0.0;
+      --  When [s].
+      sideslip_max_at_s : double := 0.0;
+      --  Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
+      --  symmetry [rad].
+      attack_max_rad : double := 0.0;
+      --  When [s].
+      attack_max_at_s : double := 0.0;
+      --  Lowest height [m].
+      height_min_m : double := 0.0;
+      --  When [s].
+      height_min_at_s : double := 0.0;
+      --  Highest height [m].
+      height_max_m : double := 0.0;
+      --  When [s].
+      height_max_at_s : double := 0.0;
+   end record with Convention => C;
+   type sins_truth_summary_array is array (size_t range <>) of aliased sins_truth_summary with Convention => C;
+
+   --  Increments of an inertial measurement unit over an interval, in count parts of equal length.
+   type sins_imu_increment is record
+      --  sizeof(sins_imu_increment)
+      struct_size : Unsigned_32 := SINS_SIZEOF_IMU_INCREMENT;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Length of the whole interval, 5e-5 to 10 [s].
+      interval_s : double := 0.0;
+      --  Parts, 1 to 5.
+      count : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+      --  Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
+      --  first, of the second, ... [rad].
+      angle_rad : sins_double_5_3 := (others => (others => 0.0));
+      --  Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
+      velocity_m_s : sins_double_5_3 := (others => (others => 0.0));
+   end record with Convention => C;
+   type sins_imu_increment_array is array (size_t range <>) of aliased sins_imu_increment with Convention => C;
+
+   --  Where an embedded flight begins, level and straight.
+   type sins_flight_start is record
+      --  sizeof(sins_flight_start)
+      struct_size : Unsigned_32 := SINS_SIZEOF_FLIGHT_START;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Geodetic latitude, -pi/2 to pi/2 [rad].
+      latitude_rad : double := 0.0;
+      --  Longitude, east positive, -100 to 100 [rad].
+      longitude_rad : double := 0.0;
+      --  Height above the ellipsoid, -20 km to 2000 km [m].
+      height_m : double := 0.0;
+      --  Speed against the Earth, 0 to 10 km/s [m/s].
+      speed_m_s : double := 0.0;
+      --  Course and heading, -100 to 100 [rad].
+      heading_rad : double := 0.0;
+      --  Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
+      roll_rad : double := 0.0;
+      --  Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
+      pitch_rad : double := 0.0;
+      --  Of enum sins_earth, as in the options of the simulator that will fly it.
+      earth : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_flight_start_array is array (size_t range <>) of aliased sins_flight_start with Convention => C;
+
+   --  One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
+   type sins_manoeuvre is record
+      --  sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others.
+      struct_size : Unsigned_32 := SINS_SIZEOF_MANOEUVRE;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Of enum sins_manoeuvre_kind.
+      kind : Integer_32 := 0;
+      --  Sinusoids, 1 to 6.
+      sinusoid_count : Integer_32 := 0;
+      --  Duration, 1e-3 to 1e8 [s].
+      duration_s : double := 0.0;
+      --  Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
+      ramp_s : double := 0.0;
+      --  Change of speed, to no less than 0 and no more than 10 km/s [m/s].
+      speed_change_m_s : double := 0.0;
+      --  Change of height; the climb angle must stay below 64 degrees [m].
+      height_change_m : double := 0.0;
+      --  Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
+      heading_change_rad : double := 0.0;
+      --  Bank of a turn, 1e-3 to 1.5 [rad].
+      bank_rad : double := 0.0;
+      --  Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
+      turns : double := 0.0;
+      --  What each sinusoid moves, of enum sins_channel.
+      channel : sins_integer_32_6 := (others => 0);
+      --  Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
+      --  [m/s].
+      amplitude : sins_double_6 := (others => 0.0);
+      --  Frequency of each sinusoid, 0 to 1000 [Hz].
+      frequency_hz : sins_double_6 := (others => 0.0);
+      --  Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
+      phase_rad : sins_double_6 := (others => 0.0);
+   end record with Convention => C;
+   type sins_manoeuvre_array is array (size_t range <>) of aliased sins_manoeuvre with Convention => C;
+
+   --  A fault of the text of a scene or of a flight log.
+   type sins_fault is record
+      --  sizeof(sins_fault)
+      struct_size : Unsigned_32 := SINS_SIZEOF_FAULT;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Faults of the text, 200 at the most.
+      count : Unsigned_64 := 0;
+      --  Line of this one, from 1.
+      line : Unsigned_64 := 0;
+      --  Column, in characters from 1; of a flight log the column of the table.
+      column : Unsigned_64 := 0;
+      --  Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer.
+      sentence : sins_char_256 := (others => nul);
+   end record with Convention => C;
+   type sins_fault_array is array (size_t range <>) of aliased sins_fault with Convention => C;
+
+   --  What a scene says of its flight and of its output.
+   type sins_scene_setup is record
+      --  sizeof(sins_scene_setup)
+      struct_size : Unsigned_32 := SINS_SIZEOF_SCENE_SETUP;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Of enum sins_scene_flight; read only: a set call passes over it.
+      flight : Integer_32 := 0;
+      --  1: samples get the temperature below; 0: none.
+      has_temperature : Integer_32 := 0;
+      --  1: a program shows neither progress nor summary; 0: it does.
+      quiet : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+      --  How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
+      duration_s : double := 0.0;
+      --  How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s].
+      flown_s : double := 0.0;
+      --  Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
+      rate_hz : double := 0.0;
+      --  Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C].
+      temperature_c : double := 0.0;
+      --  Its change, -277 to 277 [deg C/s].
+      temperature_change_c_s : double := 0.0;
+      --  Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
+      every_s : double := 0.0;
+   end record with Convention => C;
+   type sins_scene_setup_array is array (size_t range <>) of aliased sins_scene_setup with Convention => C;
+
+   --  A failure that a scene plans.
+   type sins_planned_failure is record
+      --  sizeof(sins_planned_failure)
+      struct_size : Unsigned_32 := SINS_SIZEOF_PLANNED_FAILURE;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Of enum sins_sensor.
+      sensor : Integer_32 := 0;
+      --  0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
+      axis : Integer_32 := 0;
+      --  When it begins, 0 to 1e9 since the start of the flight [s].
+      from_s : double := 0.0;
+      --  When it ends, likewise; 0: at the end of the flight [s].
+      until_s : double := 0.0;
+      --  Of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+      kind : Integer_32 := 0;
+      --  Must be 0.
+      reserved2 : Unsigned_32 := 0;
+      --  This and the following as in sins_failure.
+      size : double := 0.0;
+      --  See sins_failure.
+      density : double := 0.0;
+      --  See sins_failure [s].
+      interval_s : double := 0.0;
+      --  See sins_failure [s].
+      duration_s : double := 0.0;
+      --  See sins_failure.
+      probability : double := 0.0;
+   end record with Convention => C;
+   type sins_planned_failure_array is array (size_t range <>) of aliased sins_planned_failure with Convention => C;
+
+   --  What a flight log holds.
+   type sins_log_info is record
+      --  sizeof(sins_log_info)
+      struct_size : Unsigned_32 := SINS_SIZEOF_LOG_INFO;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Samples.
+      samples : Unsigned_64 := 0;
+      --  From the first to the last of them [s].
+      duration_s : double := 0.0;
+      --  The comment in the first line of the log, UTF-8, terminated; empty: none.
+      title : sins_char_192 := (others => nul);
+   end record with Convention => C;
+   type sins_log_info_array is array (size_t range <>) of aliased sins_log_info with Convention => C;
+
+   --  Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
+   --  of 0 is none; at least one is needed.
+   type sins_requirement is record
+      --  sizeof(sins_requirement)
+      struct_size : Unsigned_32 := SINS_SIZEOF_REQUIREMENT;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
+      duration_s : double := 0.0;
+      --  Distance from where the exact solution on the same signals is [m].
+      position_m : double := 0.0;
+      --  Speed of the difference in velocity [m/s].
+      velocity_m_s : double := 0.0;
+      --  Angle between the attitudes, against the Earth [rad].
+      attitude_rad : double := 0.0;
+      --  How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
+      margin : double := 0.0;
+   end record with Convention => C;
+   type sins_requirement_array is array (size_t range <>) of aliased sins_requirement with Convention => C;
+
+   --  What recommended options give, and what they cost.
+   type sins_cost is record
+      --  sizeof(sins_cost)
+      struct_size : Unsigned_32 := SINS_SIZEOF_COST;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  For how long the errors are predicted [s].
+      duration_s : double := 0.0;
+      --  Predicted error, the worst within the duration: position [m].
+      position_m : double := 0.0;
+      --  Velocity [m/s].
+      velocity_m_s : double := 0.0;
+      --  Attitude against the Earth [rad].
+      attitude_rad : double := 0.0;
+      --  The part of it that is the uncertainty of the reference: position [m].
+      reference_position_m : double := 0.0;
+      --  Velocity [m/s].
+      reference_velocity_m_s : double := 0.0;
+      --  Attitude [rad].
+      reference_attitude_rad : double := 0.0;
+      --  Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
+      share : double := 0.0;
+      --  Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
+      instructions_per_step : double := 0.0;
+      --  Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one
+      --  sample [ns].
+      ns_per_step : double := 0.0;
+      --  Algorithms that were tried, the recommended one among them.
+      tried : Unsigned_64 := 0;
+   end record with Convention => C;
+   type sins_cost_array is array (size_t range <>) of aliased sins_cost with Convention => C;
+
+   --  What a budget is asked for. A limit of 0 is none.
+   type sins_budget_request is record
+      --  sizeof(sins_budget_request)
+      struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET_REQUEST;
+      --  Must be 0.
+      reserved : Unsigned_32 := 0;
+      --  Runs of each random effect, 8 to 1000; 0: 16.
+      runs : Unsigned_64 := 0;
+      --  What the effects that are left out may change together at any time of the scene: position [m].
+      position_m : double := 0.0;
+      --  Velocity [m/s].
+      velocity_m_s : double := 0.0;
+      --  Misalignment [rad].
+      attitude_rad : double := 0.0;
+   end record with Convention => C;
+   type sins_budget_request_array is array (size_t range <>) of aliased sins_budget_request with Convention => C;
+
+   --  An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
+   --  set.
+   type sins_budget_row is record
+      --  sizeof(sins_budget_row)
+      struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET_ROW;
+      --  Flags of enum sins_budget_flags, or'ed.
+      flags : Unsigned_32 := 0;
+      --  Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
+      effect : sins_char_32 := (others => nul);
+      --  The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row.
+      field : sins_char_48 := (others => nul);
+      --  Length of the contribution to the position error, the largest of the scene [m].
+      position_m : double := 0.0;
+      --  Velocity [m/s].
+      velocity_m_s : double := 0.0;
+      --  Misalignment [rad].
+      attitude_rad : double := 0.0;
+      --  The same at the end of the scene: position [m].
+      end_position_m : double := 0.0;
+      --  Velocity [m/s].
+      end_velocity_m_s : double := 0.0;
+      --  Misalignment [rad].
+      end_attitude_rad : double := 0.0;
+      --  The largest share of a limit that the contribution takes up; 0 without limits.
+      share : double := 0.0;
+      --  Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
+      --  nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+      ns_per_step : double := 0.0;
+   end record with Convention => C;
+   type sins_budget_row_array is array (size_t range <>) of aliased sins_budget_row with Convention => C;
+
+   --  A budget as a whole.
+   type sins_budget is record
+      --  sizeof(sins_budget)
+      struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Time that was looked at: from the end of the first interval to that of the last [s].
+      duration_s : double := 0.0;
+      --  Runs of each random effect; 1 if there is none.
+      runs : Unsigned_64 := 0;
+      --  Flights that were flown.
+      flights : Unsigned_64 := 0;
+      --  A standard deviation lies with 95 % probability between its row's figure times this, ...
+      sigma_low : double := 0.0;
+      --  ... and times this; both are 1 if nothing is random.
+      sigma_high : double := 0.0;
+      --  Errors with all effects together, root mean square over the runs, the largest of the scene: position [m].
+      position_m : double := 0.0;
+      --  Velocity [m/s].
+      velocity_m_s : double := 0.0;
+      --  Misalignment [rad].
+      attitude_rad : double := 0.0;
+      --  What of that the sum of all rows does not explain: position [m].
+      remainder_position_m : double := 0.0;
+      --  Velocity [m/s].
+      remainder_velocity_m_s : double := 0.0;
+      --  Misalignment [rad].
+      remainder_attitude_rad : double := 0.0;
+      --  What the errors change by without the marked rows, flown: position [m].
+      left_out_position_m : double := 0.0;
+      --  Velocity [m/s].
+      left_out_velocity_m_s : double := 0.0;
+      --  Misalignment [rad].
+      left_out_attitude_rad : double := 0.0;
+      --  Measured here and now: what a step takes with all effects [ns].
+      ns_per_step : double := 0.0;
+   end record with Convention => C;
+   type sins_budget_array is array (size_t range <>) of aliased sins_budget with Convention => C;
+
+   --  The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI.
+   function sins_abi_version return Unsigned_32
+     with Import, Convention => C, External_Name => "sins_abi_version";
+
+   --  The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded.
+   function sins_version_string return chars_ptr
+     with Import, Convention => C, External_Name => "sins_version_string";
+
+   --  The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
+   --  loaded.
+   function sins_status_string (status : sins_status) return chars_ptr
+     with Import, Convention => C, External_Name => "sins_status_string";
+
+   --  Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0.
+   function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_options";
+
+   --  Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+   --
+   --  On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
+   --  memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+   function sins_create (options : sins_options; sim : in out sins_sim) return sins_status
+     with Import, Convention => C, External_Name => "sins_create";
+
+   --  Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+   --
+   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+   function sins_destroy (sim : sins_sim) return sins_status
+     with Import, Convention => C, External_Name => "sins_destroy";
+
+   --  Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
+   --  SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
+   --  SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it
+   --  as motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call
+   --  sins_move_time() before this push; the push cannot be taken back. SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a
+   --  jump or half a turn since the last that was taken: no other is taken until one fits, or until sins_move_time() for a gap,
+   --  sins_move_truth() or sins_reposition() for a jump. SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on
+   --  increments.
+   function sins_push_sample (sim : sins_sim; sample : sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_push_sample";
+
+   --  Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
+   --  further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
+   --  the velocity times its length; sins_push_sample() answers SINS_GAP for it.
+   --
+   --  SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
+   --  reference point or of the closed loop's own error-free navigator beyond -500 km or
+   --  20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
+   --  solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
+   --  increments.
+   function sins_step (sim : sins_sim) return sins_status
+     with Import, Convention => C, External_Name => "sins_step";
+
+   --  The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause
+   --  in which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors,
+   --  noise, waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight
+   --  goes on to the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles;
+   --  with a stated period they always are. (Without velocities the differences over three samples count too; durations in
+   --  sins_accuracy are rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+   --  increments, which have no stamps.
+   function sins_move_time (sim : sins_sim; time_s : double) return sins_status
+     with Import, Convention => C, External_Name => "sins_move_time";
+
+   --  The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
+   --  the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are
+   --  those before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and
+   --  the velocity there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
+   --  factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once.
+   --  Waiting samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the
+   --  interval before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+   --
+   --  Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
+   --  common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the
+   --  shortest way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm
+   --  and boresight, and what is wrong of them, make of that in the new attitude.
+   --
+   --  Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
+   --  SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+   --  SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth
+   --  away.
+   function sins_move_truth (sim : sins_sim; sample : sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_move_truth";
+
+   --  The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors
+   --  that it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go
+   --  on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump too, forward or back: the
+   --  run, and the count of a stated period, go on from the sample's time stamp. What is read until the next step is that of the
+   --  sample; an interval to read there is none. It may be the first call of a run: the sample is then the first, and the next push
+   --  makes an interval.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
+   --  (a pole, in geographic axes) it is the reads and the next step that say so.
+   function sins_reposition (sim : sins_sim; sample : sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_reposition";
+
+   --  Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
+   --  from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
+   --  seed or run; to come back to a moment in flight, see sins_snapshot_save().
+   function sins_reset (sim : sins_sim) return sins_status
+     with Import, Convention => C, External_Name => "sins_reset";
+
+   --  Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always terminated;
+   --  "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator (create,
+   --  presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or
+   --  SINS_ERROR_BAD_STATE: see Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+   --
+   --  needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+   --  alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+   function sins_last_error (sim : sins_sim; buffer : in out char_array; capacity : size_t;
+       needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_last_error";
+
+   --  Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
+   --  sentence.
+   function sins_last_error_info (sim : sins_sim; info : in out sins_error_info) return sins_status
+     with Import, Convention => C, External_Name => "sins_last_error_info";
+
+   --  Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
+   --  move; processes that were active go on from where they are.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
+   --  a temperature wait, or while navigating on increments.
+   function sins_set_gyro (sim : sins_sim; params : sins_gyro_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_gyro";
+
+   --  Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too.
+   function sins_get_gyro (sim : sins_sim; params : in out sins_gyro_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_gyro";
+
+   --  Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
+   --  effects do not move; processes that were active go on from where they are.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
+   function sins_set_accel (sim : sins_sim; params : sins_accel_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_accel";
+
+   --  Reads the accelerometer errors, as they were set last: at any moment, after sins_snapshot_load() too.
+   function sins_get_accel (sim : sins_sim; params : in out sins_accel_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_accel";
+
+   --  Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
+   --  on.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_set_altimeter (sim : sins_sim; params : sins_altimeter_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_altimeter";
+
+   --  Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too.
+   function sins_get_altimeter (sim : sins_sim; params : in out sins_altimeter_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_altimeter";
+
+   --  Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
+   --  until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
+   --  once.
+   --
+   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+   --  range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
+   --  there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
+   --  sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
+   --  set again at the same intervals give the same bits.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
+   --  solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+   function sins_set_failure (sim : sins_sim; sensor : Integer_32; axis : Integer_32; failure : sins_failure) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_failure";
+
+   --  Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
+   --  axis as in sins_set_failure().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such output.
+   function sins_get_failure (sim : sins_sim; sensor : Integer_32; axis : Integer_32;
+       failure : in out sins_failure) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_failure";
+
+   --  Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   function sins_set_initial_errors (sim : sins_sim; errors : sins_initial_errors) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_initial_errors";
+
+   --  Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too.
+   function sins_get_initial_errors (sim : sins_sim; errors : in out sins_initial_errors) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_initial_errors";
+
+   --  Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
+   --  increments is not concerned: its solution is that of the block.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   function sins_set_mounting (sim : sins_sim; mounting : sins_mounting) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_mounting";
+
+   --  Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too.
+   function sins_get_mounting (sim : sins_sim; mounting : in out sins_mounting) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_mounting";
+
+   --  Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
+   --  same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
+   --  felt their own gravity.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   function sins_set_gravity_disturbance (sim : sins_sim; params : sins_gravity_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_set_gravity_disturbance";
+
+   --  Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too.
+   function sins_get_gravity_disturbance (sim : sins_sim; params : in out sins_gravity_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_gravity_disturbance";
+
+   --  Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
+   --  flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+   --
+   --  samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
+   --  those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
+   --
+   --  SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
+   --  sins_get_truth_summary() counts them.
+   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+   --  SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
+   --  sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
+   --  sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
+   --  sins_step(); sins_reposition() and sins_reset() empty it.
+   function sins_run (sim : sins_sim; samples : sins_flight_sample_array; count : size_t; every : size_t;
+       records : in out sins_record_array; capacity : size_t; written : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_run";
+
+   --  Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
+   --  velocity, that of the first is 0 until the second is pushed.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   function sins_get_truth (sim : sins_sim; truth : in out sins_navigation) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_truth";
+
+   --  Reads the navigated solution for the same instant as sins_get_truth().
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
+   --  first sample with these options and initial errors.
+   function sins_get_navigation (sim : sins_sim; navigation : in out sins_navigation) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_navigation";
+
+   --  Reads ideal and measured signals of the last interval.
+   --
+   --  SINS_NEED_SAMPLE: no interval yet.
+   function sins_get_imu (sim : sins_sim; imu : in out sins_imu) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_imu";
+
+   --  Reads the errors of the navigated solution; source is of enum sins_errors_source.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+   --  the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
+   --  increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+   function sins_get_errors (sim : sins_sim; source : Integer_32; errors : in out sins_errors) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_errors";
+
+   --  Reads the running accuracy figures.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+   function sins_get_accuracy (sim : sins_sim; accuracy : in out sins_accuracy) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_accuracy";
+
+   --  Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+   --
+   --  SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
+   --  there is no truth.
+   function sins_get_truth_summary (sim : sins_sim; summary : in out sins_truth_summary) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_truth_summary";
+
+   --  Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+   function sins_get_record (sim : sins_sim; the_record : in out sins_record) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_record";
+
+   --  Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not read) of
+   --  navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion is 1
+   --  within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and flagged so,
+   --  errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
+   --  started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
+   --  SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+   function sins_start_navigation (sim : sins_sim; navigation : sins_navigation) return sins_status
+     with Import, Convention => C, External_Name => "sins_start_navigation";
+
+   --  Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
+   --  interval_s; sins_get_imu() tells the host's increments as the ideal ones.
+   --  sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+   --
+   --  SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
+   --  turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
+   --  solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+   function sins_push_imu (sim : sins_sim; increment : sins_imu_increment) return sins_status
+     with Import, Convention => C, External_Name => "sins_push_imu";
+
+   --  The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
+   --  with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
+   --  besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+   function sins_snapshot_size (sim : sins_sim; size : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_snapshot_size";
+
+   --  Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
+   --  stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
+   --  keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+   --
+   --  Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR it is the last
+   --  good solution that is saved, after SINS_ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+   --
+   --  SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are as they were.
+   function sins_snapshot_save (sim : sins_sim; buffer : System.Address; capacity : size_t;
+       written : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_snapshot_save";
+
+   --  Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
+   --  fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
+   --  what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
+   --
+   --  SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
+   --  sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
+   --  where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+   function sins_snapshot_load (sim : sins_sim; snapshot : System.Address; size : size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_snapshot_load";
+
+   --  Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at
+   --  turn-on with the standard deviations that the source states; what it does not state is 0.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such grade.
+   function sins_gyro_preset (grade : Integer_32; params : in out sins_gyro_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_gyro_preset";
+
+   --  Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such grade.
+   function sins_accel_preset (grade : Integer_32; params : in out sins_accel_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_accel_preset";
+
+   --  Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
+   --  to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+   --
+   --  Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600
+   --  s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+   --
+   --  On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
+   --  value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
+   --  index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+   --  200000 pieces (which take 3 s), or 4096 flights that live.
+   function sins_flight_create (start : sins_flight_start; manoeuvres : sins_manoeuvre_array; count : size_t;
+       flight : in out sins_flight) return sins_status
+     with Import, Convention => C, External_Name => "sins_flight_create";
+
+   --  Length of the flight [s].
+   function sins_flight_duration (flight : sins_flight; duration_s : in out double) return sins_status
+     with Import, Convention => C, External_Name => "sins_flight_duration";
+
+   --  The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
+   function sins_flight_sample_at (flight : sins_flight; time_s : double; sample : in out sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_flight_sample_at";
+
+   --  Destroys a flight.
+   --
+   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+   function sins_flight_destroy (flight : sins_flight) return sins_status
+     with Import, Convention => C, External_Name => "sins_flight_destroy";
+
+   --  Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
+   --  height 0, sampled at 100 Hz.
+   --
+   --  On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
+   --  a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
+   --  it, the process ends. So it is of sins_log_parse(), but for the samples.
+   function sins_scene_create (scene : in out sins_scene) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_create";
+
+   --  Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+   --
+   --  SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
+   --  that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
+   --  sins_scene_create().
+   function sins_scene_parse (text : char_array; size : size_t; scene : in out sins_scene) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_parse";
+
+   --  Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+   function sins_scene_get_fault (scene : sins_scene; index : size_t; fault : in out sins_fault) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_fault";
+
+   --  Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
+   --  "over_the_pole", "coning", "commuter".
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_create_builtin (name : char_array; scene : in out sins_scene) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_create_builtin";
+
+   --  The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: there are no more.
+   function sins_scene_builtin_name (index : size_t; buffer : in out char_array; capacity : size_t;
+       needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_builtin_name";
+
+   --  Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
+   --
+   --  needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
+   --  SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
+   --  manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   function sins_scene_write (scene : sins_scene; buffer : in out char_array; capacity : size_t;
+       needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_write";
+
+   --  Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+   --  needed as in sins_scene_write().
+   function sins_scene_write_keys (buffer : in out char_array; capacity : size_t; needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_write_keys";
+
+   --  Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
+   --  their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_create().
+   function sins_scene_create_simulator (scene : sins_scene; sim : in out sins_sim) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_create_simulator";
+
+   --  Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
+   --  up to sins_scene_setup.flown_s.
+   --
+   --  SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
+   --  sins_flight_create().
+   function sins_scene_create_flight (scene : sins_scene; flight : in out sins_flight) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_create_flight";
+
+   --  Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+   --  next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the
+   --  first interval that starts at their time or later; failures of outputs for which it plans none are left alone. flight_start_s
+   --  is the time stamp of the flight's first sample. No allocation, no system call.
+   --
+   --  SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
+   --  from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   function sins_scene_prepare (scene : sins_scene; sim : sins_sim; flight_start_s : double;
+       sample : in out sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_prepare";
+
+   --  Destroys a scene. Simulators and flights that were made of it live on.
+   --
+   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+   function sins_scene_destroy (scene : sins_scene) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_destroy";
+
+   --  Reads the options of the scene.
+   --
+   --  SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
+   function sins_scene_get_options (scene : sins_scene; options : in out sins_options) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_options";
+
+   --  Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
+   --  whether they go together is checked where the scene is written and its simulator is created.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_create().
+   function sins_scene_set_options (scene : sins_scene; options : sins_options) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_options";
+
+   --  Reads the gyro errors of the scene.
+   function sins_scene_get_gyro (scene : sins_scene; params : in out sins_gyro_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_gyro";
+
+   --  Sets the gyro errors of the scene.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_gyro (scene : sins_scene; params : sins_gyro_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_gyro";
+
+   --  Reads the accelerometer errors of the scene.
+   function sins_scene_get_accel (scene : sins_scene; params : in out sins_accel_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_accel";
+
+   --  Sets the accelerometer errors of the scene.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_accel (scene : sins_scene; params : sins_accel_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_accel";
+
+   --  Reads the errors of the scene's altimeter.
+   function sins_scene_get_altimeter (scene : sins_scene; params : in out sins_altimeter_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_altimeter";
+
+   --  Sets the errors of the scene's altimeter.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_altimeter (scene : sins_scene; params : sins_altimeter_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_altimeter";
+
+   --  Reads the errors with which the navigation of the scene starts.
+   function sins_scene_get_initial_errors (scene : sins_scene; errors : in out sins_initial_errors) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_initial_errors";
+
+   --  Sets the errors with which the navigation of the scene starts.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_initial_errors (scene : sins_scene; errors : sins_initial_errors) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_initial_errors";
+
+   --  Reads where the sensor block of the scene sits.
+   function sins_scene_get_mounting (scene : sins_scene; mounting : in out sins_mounting) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_mounting";
+
+   --  Sets where the sensor block of the scene sits.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_mounting (scene : sins_scene; mounting : sins_mounting) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_mounting";
+
+   --  Reads true gravity less normal gravity of the scene.
+   function sins_scene_get_gravity_disturbance (scene : sins_scene; params : in out sins_gravity_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_gravity_disturbance";
+
+   --  Sets true gravity less normal gravity of the scene.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_gravity_disturbance (scene : sins_scene; params : sins_gravity_params) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_gravity_disturbance";
+
+   --  Reads what a scene says of its flight and of its output.
+   function sins_scene_get_setup (scene : sins_scene; setup : in out sins_scene_setup) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_setup";
+
+   --  Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   function sins_scene_set_setup (scene : sins_scene; setup : sins_scene_setup) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_setup";
+
+   --  Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
+   --  all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
+   --  count alone manoeuvres with a capacity of 0.
+   --
+   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
+   --  is a log; or as sins_scene_parse().
+   function sins_scene_get_manoeuvres (scene : sins_scene; start : in out sins_flight_start;
+       manoeuvres : in out sins_manoeuvre_array; capacity : size_t; count : in out size_t;
+       repeat : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_manoeuvres";
+
+   --  Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most.
+   --  start->earth is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from
+   --  then on.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+   function sins_scene_set_manoeuvres (scene : sins_scene; start : sins_flight_start; manoeuvres : sins_manoeuvre_array;
+       count : size_t; repeat : size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_manoeuvres";
+
+   --  Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in
+   --  sins_scene_write().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such text.
+   function sins_scene_get_text (scene : sins_scene; which : Integer_32; buffer : in out char_array; capacity : size_t;
+       needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_text";
+
+   --  Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the
+   --  flight of a scene is never none.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
+   function sins_scene_set_text (scene : sins_scene; which : Integer_32; text : char_array) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_text";
+
+   --  How many failures the scene plans.
+   function sins_scene_get_failure_count (scene : sins_scene; count : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_failure_count";
+
+   --  Planned failure `index`, from 0.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such failure.
+   function sins_scene_get_failure (scene : sins_scene; index : size_t; failure : in out sins_planned_failure) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_failure";
+
+   --  Plans one failure more.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+   function sins_scene_add_failure (scene : sins_scene; failure : sins_planned_failure) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_add_failure";
+
+   --  Plans no failure any more.
+   function sins_scene_clear_failures (scene : sins_scene) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_clear_failures";
+
+   --  Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
+   --  order; columns of other names are passed over, and a row with more fields than columns is a fault:
+   --
+   --  time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
+   --  heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+   --  rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+   --
+   --  Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
+   --  ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a
+   --  sample.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
+   --  *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+   function sins_log_parse (text : char_array; size : size_t; log : in out sins_log; fault : in out sins_fault) return sins_status
+     with Import, Convention => C, External_Name => "sins_log_parse";
+
+   --  Tells how many samples a log has, how long it is, and its title.
+   function sins_log_get_info (log : sins_log; info : in out sins_log_info) return sins_status
+     with Import, Convention => C, External_Name => "sins_log_get_info";
+
+   --  The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the
+   --  text on which it stands, from 1. No allocation.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such sample.
+   function sins_log_get_sample (log : sins_log; index : size_t; sample : in out sins_flight_sample;
+       line : in out Unsigned_64) return sins_status
+     with Import, Convention => C, External_Name => "sins_log_get_sample";
+
+   --  Destroys a flight log.
+   --
+   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+   function sins_log_destroy (log : sins_log) return sins_status
+     with Import, Convention => C, External_Name => "sins_log_destroy";
+
+   --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
+   --  are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+   --
+   --  configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
+   --  the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
+   --  reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
+   --  for sins_create(); what these three were does not matter.
+   --
+   --  Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with
+   --  that of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error
+   --  is that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+   --  alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
+   --  error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
+   --  pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
+   --  one of height, which grows by e every 569 s.
+   --
+   --  The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
+   --  ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
+   --  nothing meets the requirement.
+   --
+   --  SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
+   --  sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
+   --  algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+   function sins_recommend (configured : sins_sim; samples : sins_flight_sample_array; count : size_t;
+       requirement : sins_requirement; options : in out sins_options; cost : in out sins_cost) return sins_status
+     with Import, Convention => C, External_Name => "sins_recommend";
+
+   --  Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
+   --  out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
+   --  of the rows anything.
+   --
+   --  configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros,
+   --  the accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the
+   --  call and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs
+   --  and no limits; written and budget may be NULL.
+   --
+   --  An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
+   --  none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
+   --  runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
+   --  run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
+   --  instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
+   --  sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+   --
+   --  rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
+   --  position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
+   --  the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+   --
+   --  With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
+   --  while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
+   --  are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
+   --  what that changes, left_out, is beyond a limit, the largest of them comes back.
+   --
+   --  But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
+   --  and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
+   --  and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+   --
+   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
+   --  may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,
+   --  SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
+   --  pole. SINS_ERROR_DIVERGED: a solution left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread
+   --  tells why, and at which sample.
+   function sins_error_budget (configured : sins_sim; samples : sins_flight_sample_array; count : size_t;
+       request : sins_budget_request; rows : in out sins_budget_row_array; capacity : size_t; written : in out size_t;
+       budget : in out sins_budget) return sins_status
+     with Import, Convention => C, External_Name => "sins_error_budget";
+
+end Sins;

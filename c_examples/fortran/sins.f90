@@ -1,0 +1,2514 @@
+!> The interface of the library sins for Fortran 2008: the names, the units and the documentation are those of include/sins.h,
+!> which begins with what holds for all functions.
+!>
+!> Structs. Every variable of a type is ready to be used: struct_size is set and all else is zero, which is off or recommended.
+!>   Where the documentation says that a pointer to a struct may be NULL, hand over a fresh variable: it means the same.
+!> Handles of simulators, flights, scenes and logs are of type(c_ptr). c_null_ptr is NULL.
+!> Texts. One that goes to the library ends with a null character: "patrol" // c_null_char. A buffer for one is a character
+!>   variable with its length as capacity. sins_string() makes a text of Fortran of what comes back.
+!> Matrices. Those of C are row by row, those of Fortran column by column: misalignment_rad(column, row), so that
+!>   gyro%misalignment_rad = transpose(matrix) sets the elements matrix(row, column). The increments of sins_imu_increment are
+!>   angle_rad(axis, part).
+!> Integers are signed, as Fortran knows no others: a seed beyond 2**63 - 1 is a negative number. Indices of functions count
+!>   from 0, as in C; arrays of Fortran from 1.
+!> Flags: iand(sample%flags, SINS_SAMPLE_TEMPERATURE) /= 0.
+!>
+!> This file is written by build.rs from the Rust sources; do not edit it.
+module sins
+  use, intrinsic :: iso_c_binding
+  implicit none
+
+  !> A text of C, up to its null character: of a function (type(c_ptr)), of a field of a struct, or of a buffer.
+  interface sins_string
+    module procedure sins_string_of_pointer, sins_string_of_field, sins_string_of_buffer
+  end interface
+
+  !> degree [rad]
+  real(c_double), parameter :: SINS_DEG = 1.7453292519943295e-2_c_double
+  !> minute of arc [rad]
+  real(c_double), parameter :: SINS_ARCMIN = 2.908882086657216e-4_c_double
+  !> second of arc [rad]
+  real(c_double), parameter :: SINS_ARCSEC = 4.84813681109536e-6_c_double
+  !> degree an hour [rad/s]
+  real(c_double), parameter :: SINS_DEG_PER_HOUR = 4.84813681109536e-6_c_double
+  !> degree a root hour, angle random walk [rad/sqrt(s)]
+  real(c_double), parameter :: SINS_DEG_PER_SQRT_HOUR = 2.908882086657216e-4_c_double
+  !> g [m/s2]
+  real(c_double), parameter :: SINS_STANDARD_GRAVITY = 9.80665e0_c_double
+  !> millionth of g [m/s2]
+  real(c_double), parameter :: SINS_MICRO_G = 9.806649999999999e-6_c_double
+  !> white noise of force [(m/s)/sqrt(s)]
+  real(c_double), parameter :: SINS_MICRO_G_PER_SQRT_HZ = 9.806649999999999e-6_c_double
+  !> part in a million
+  real(c_double), parameter :: SINS_PPM = 1e-6_c_double
+  !> knot [m/s]
+  real(c_double), parameter :: SINS_KNOT = 5.144444444444445e-1_c_double
+  !> nautical mile [m]
+  real(c_double), parameter :: SINS_NMI = 1.852e3_c_double
+  !> nautical mile an hour [m/s]
+  real(c_double), parameter :: SINS_NMI_PER_HOUR = 5.144444444444445e-1_c_double
+
+  !> Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
+  !> something that was there is gone or means something else; what is added at the end does not change it.
+  integer(c_int), parameter :: SINS_HEADER_ABI = 1
+  !> Release of the library, semantic versioning.
+  integer(c_int), parameter :: SINS_VERSION_MAJOR = 0
+  !> See SINS_VERSION_MAJOR.
+  integer(c_int), parameter :: SINS_VERSION_MINOR = 1
+  !> See SINS_VERSION_MAJOR.
+  integer(c_int), parameter :: SINS_VERSION_PATCH = 0
+  !> A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
+  !> sins_snapshot_size().
+  integer(c_int), parameter :: SINS_SNAPSHOT_MAX_SIZE = 8192
+
+  !> Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
+  integer, parameter :: sins_status = c_int32_t
+
+  !> Values of a sins_status: 0, positive an answer of another kind, negative an error.
+  integer, parameter :: sins_status_code = c_int32_t
+  !> The call did what it says.
+  integer(c_int32_t), parameter :: SINS_OK = 0
+  !> There is no complete interval yet: push the next sample.
+  integer(c_int32_t), parameter :: SINS_NEED_SAMPLE = 1
+  !> No options meet the requirement; the outputs tell the best there are.
+  integer(c_int32_t), parameter :: SINS_REQUIREMENT_NOT_MET = 2
+  !> The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+  integer(c_int32_t), parameter :: SINS_SCENE_HAS_FAULTS = 3
+  !> The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
+  !> two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
+  !> the vehicle stood still, that is wrong: see sins_move_time().
+  integer(c_int32_t), parameter :: SINS_GAP = 4
+  !> A pointer that must not be null is.
+  integer(c_int32_t), parameter :: SINS_ERROR_NULL_POINTER = -1
+  !> The handle is null, made up, destroyed, or of another kind.
+  integer(c_int32_t), parameter :: SINS_ERROR_BAD_HANDLE = -2
+  !> A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
+  integer(c_int32_t), parameter :: SINS_ERROR_STRUCT_SIZE = -3
+  !> A value out of its range; sins_last_error() names field, value and limit.
+  integer(c_int32_t), parameter :: SINS_ERROR_INVALID_ARGUMENT = -4
+  !> The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads).
+  integer(c_int32_t), parameter :: SINS_ERROR_BAD_STATE = -5
+  !> A sample that is not later than the one before, or off the stated sample period.
+  integer(c_int32_t), parameter :: SINS_ERROR_TIME_ORDER = -6
+  !> Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
+  integer(c_int32_t), parameter :: SINS_ERROR_DISCONTINUITY = -7
+  !> The queue of samples is full: step first.
+  integer(c_int32_t), parameter :: SINS_ERROR_QUEUE_FULL = -8
+  !> The solution left its representable range; the last good one stays readable.
+  integer(c_int32_t), parameter :: SINS_ERROR_DIVERGED = -9
+  !> The geographic mechanization came within reach of a pole.
+  integer(c_int32_t), parameter :: SINS_ERROR_SINGULAR = -10
+  !> A buffer is too small for the result.
+  integer(c_int32_t), parameter :: SINS_ERROR_BUFFER_TOO_SMALL = -11
+  !> No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
+  integer(c_int32_t), parameter :: SINS_ERROR_OUT_OF_MEMORY = -12
+  !> The snapshot is damaged, foreign or newer.
+  integer(c_int32_t), parameter :: SINS_ERROR_SNAPSHOT = -13
+  !> A defect inside the library was caught; this handle answers so from now on, others live.
+  integer(c_int32_t), parameter :: SINS_ERROR_INTERNAL = -99
+
+  !> Axes in which the mechanization integrates.
+  integer, parameter :: sins_frame = c_int32_t
+  !> Navigation in Earth-fixed axes: regular everywhere, poles included.
+  integer(c_int32_t), parameter :: SINS_FRAME_EARTH_FIXED = 0
+  !> Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
+  !> than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+  integer(c_int32_t), parameter :: SINS_FRAME_GEOGRAPHIC = 1
+
+  !> Algorithms of the mechanization.
+  integer, parameter :: sins_scheme = c_int32_t
+  !> Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+  integer(c_int32_t), parameter :: SINS_SCHEME_EXACT = 0
+  !> The paper's equations (7)-(24), misprints mended, approximations kept.
+  integer(c_int32_t), parameter :: SINS_SCHEME_PAPER = 1
+  !> As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
+  integer(c_int32_t), parameter :: SINS_SCHEME_POLYNOMIAL = 2
+
+  !> What holds the vertical channel.
+  integer, parameter :: sins_vertical = c_int32_t
+  !> Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
+  !> the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+  integer(c_int32_t), parameter :: SINS_VERTICAL_DAMPED = 0
+  !> Height and vertical velocity set to the truth at each sample.
+  integer(c_int32_t), parameter :: SINS_VERTICAL_FOLLOW_TRUTH = 1
+  !> Left to itself: any error grows by e every 569 s.
+  integer(c_int32_t), parameter :: SINS_VERTICAL_FREE = 2
+
+  !> Whether the error differential equations are integrated.
+  integer, parameter :: sins_error_model = c_int32_t
+  !> No error differential equations: SINS_ERRORS_MODEL is not available.
+  integer(c_int32_t), parameter :: SINS_ERROR_MODEL_OFF = 0
+  !> The error differential equations (error data 1) by fourth-order Runge-Kutta.
+  integer(c_int32_t), parameter :: SINS_ERROR_MODEL_RK4 = 1
+
+  !> Whether the motion of the truth is summed up.
+  integer, parameter :: sins_summary = c_int32_t
+  !> sins_get_truth_summary() is not available.
+  integer(c_int32_t), parameter :: SINS_SUMMARY_OFF = 0
+  !> The motion of the truth is summed up; the other outputs have the same bits.
+  integer(c_int32_t), parameter :: SINS_SUMMARY_ON = 1
+
+  !> Ellipsoids.
+  integer, parameter :: sins_earth = c_int32_t
+  !> World Geodetic System 1984.
+  integer(c_int32_t), parameter :: SINS_EARTH_WGS84 = 0
+  !> China Geodetic Coordinate System 2000.
+  integer(c_int32_t), parameter :: SINS_EARTH_CGCS2000 = 1
+  !> Geodetic Reference System 1980.
+  integer(c_int32_t), parameter :: SINS_EARTH_GRS80 = 2
+  !> Krassovsky 1940; Earth rate and gravitational constant as WGS-84.
+  integer(c_int32_t), parameter :: SINS_EARTH_KRASSOVSKY1940 = 3
+
+  !> Formulas of normal gravity.
+  integer, parameter :: sins_gravity = c_int32_t
+  !> Normal gravity in closed form at any height, with its north component.
+  integer(c_int32_t), parameter :: SINS_GRAVITY_NORMAL = 0
+  !> Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
+  integer(c_int32_t), parameter :: SINS_GRAVITY_SOMIGLIANA = 1
+
+  !> Directions of the sensor axes.
+  integer, parameter :: sins_axes = c_int32_t
+  !> Sensor axes: x right, y forward, z up (the paper's).
+  integer(c_int32_t), parameter :: SINS_AXES_RIGHT_FORWARD_UP = 0
+  !> Sensor axes: x forward, y right, z down.
+  integer(c_int32_t), parameter :: SINS_AXES_FORWARD_RIGHT_DOWN = 1
+
+  !> Ideal signals.
+  integer, parameter :: sins_signal = c_int32_t
+  !> Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
+  integer(c_int32_t), parameter :: SINS_SIGNAL_PHYSICAL = 0
+  !> The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
+  !> for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
+  !> navigator is the simulator's own and nothing is computed twice.
+  integer(c_int32_t), parameter :: SINS_SIGNAL_CLOSED_LOOP = 1
+
+  !> Flags of a sins_error_info.
+  integer, parameter :: sins_error_info_flags = c_int32_t
+  !> A value is at fault, and is in value.
+  integer(c_int32_t), parameter :: SINS_ERROR_INFO_VALUE = 1
+  !> There is a least value, and minimum has it.
+  integer(c_int32_t), parameter :: SINS_ERROR_INFO_MINIMUM = 2
+  !> There is a greatest value, and maximum has it.
+  integer(c_int32_t), parameter :: SINS_ERROR_INFO_MAXIMUM = 4
+  !> The field is an integer.
+  integer(c_int32_t), parameter :: SINS_ERROR_INFO_INTEGER = 8
+
+  !> Sensors that can fail.
+  integer, parameter :: sins_sensor = c_int32_t
+  !> The gyros.
+  integer(c_int32_t), parameter :: SINS_SENSOR_GYRO = 0
+  !> The accelerometers.
+  integer(c_int32_t), parameter :: SINS_SENSOR_ACCEL = 1
+  !> The altimeter; its axis is 0.
+  integer(c_int32_t), parameter :: SINS_SENSOR_ALTIMETER = 2
+
+  !> Kinds of failure.
+  integer, parameter :: sins_failure_kind = c_int32_t
+  !> None: clears the failure that there is.
+  integer(c_int32_t), parameter :: SINS_FAILURE_NONE = 0
+  !> The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
+  !> it looks like data.
+  integer(c_int32_t), parameter :: SINS_FAILURE_STUCK = 1
+  !> No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
+  !> altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+  integer(c_int32_t), parameter :: SINS_FAILURE_DEAD = 2
+  !> A bias of size more. Not flagged.
+  integer(c_int32_t), parameter :: SINS_FAILURE_BIAS_STEP = 3
+  !> Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
+  !> mean over its interval. Not flagged but where they saturate.
+  integer(c_int32_t), parameter :: SINS_FAILURE_SPIKES = 4
+  !> White noise of density more; of the altimeter its mean over the interval. Not flagged.
+  integer(c_int32_t), parameter :: SINS_FAILURE_NOISE = 5
+  !> Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
+  !> that time, the first at once.
+  integer(c_int32_t), parameter :: SINS_FAILURE_DROP_OUTS = 6
+
+  !> How the INS finds its attitude at the start.
+  integer, parameter :: sins_alignment = c_int32_t
+  !> The INS starts with the true attitude, turned by the given and the drawn misalignment.
+  integer(c_int32_t), parameter :: SINS_ALIGNMENT_GIVEN = 0
+  !> The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
+  !> the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
+  !> heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+  integer(c_int32_t), parameter :: SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
+
+  !> Flags of a sins_flight_sample.
+  integer, parameter :: sins_sample_flags = c_int32_t
+  !> The sample carries angular_rate_rad_s.
+  integer(c_int32_t), parameter :: SINS_SAMPLE_ANGULAR_RATE = 1
+  !> The sample carries specific_force_m_s2.
+  integer(c_int32_t), parameter :: SINS_SAMPLE_SPECIFIC_FORCE = 2
+  !> The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
+  integer(c_int32_t), parameter :: SINS_SAMPLE_NO_VELOCITY = 4
+  !> The sample carries temperature_c.
+  integer(c_int32_t), parameter :: SINS_SAMPLE_TEMPERATURE = 8
+
+  !> Flags of a sins_navigation.
+  integer, parameter :: sins_navigation_flags = c_int32_t
+  !> Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
+  !> and the errors in metres stay right.
+  integer(c_int32_t), parameter :: SINS_NAVIGATION_NEAR_POLE = 1
+  !> Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
+  integer(c_int32_t), parameter :: SINS_NAVIGATION_VERTICAL_UNAIDED = 2
+  !> Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
+  integer(c_int32_t), parameter :: SINS_NAVIGATION_INCONSISTENT = 4
+  !> The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
+  !> rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
+  !> accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
+  !> horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+  integer(c_int32_t), parameter :: SINS_NAVIGATION_NORTH_UNKNOWN = 8
+
+  !> Where errors come from.
+  integer, parameter :: sins_errors_source = c_int32_t
+  !> Navigation minus truth: the paper's error data 2.
+  integer(c_int32_t), parameter :: SINS_ERRORS_NAVIGATION = 0
+  !> The error differential equations: the paper's error data 1 (sins_options.error_model).
+  integer(c_int32_t), parameter :: SINS_ERRORS_MODEL = 1
+
+  !> Flags of a sins_errors.
+  integer, parameter :: sins_errors_flags = c_int32_t
+  !> Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
+  integer(c_int32_t), parameter :: SINS_ERRORS_NEAR_POLE = 1
+  !> Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
+  !> pole; what it drops is no longer small.
+  integer(c_int32_t), parameter :: SINS_ERRORS_OUTSIDE_VALIDITY = 2
+  !> In a sins_record: not computed, all zero.
+  integer(c_int32_t), parameter :: SINS_ERRORS_NOT_COMPUTED = 4
+
+  !> Flags of a sins_imu.
+  integer, parameter :: sins_imu_flags = c_int32_t
+  !> The mean rate of a sub-increment was beyond the range of a gyro.
+  integer(c_int32_t), parameter :: SINS_IMU_GYRO_SATURATED = 1
+  !> The mean force of a sub-increment was beyond the range of an accelerometer.
+  integer(c_int32_t), parameter :: SINS_IMU_ACCEL_SATURATED = 2
+  !> A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
+  integer(c_int32_t), parameter :: SINS_IMU_GYRO_INVALID = 4
+  !> An accelerometer had none.
+  integer(c_int32_t), parameter :: SINS_IMU_ACCEL_INVALID = 8
+
+  !> Grades of sensors.
+  integer, parameter :: sins_grade = c_int32_t
+  !> Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
+  !> angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+  integer(c_int32_t), parameter :: SINS_GRADE_STRATEGIC = 1
+  !> Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
+  integer(c_int32_t), parameter :: SINS_GRADE_NAVIGATION = 2
+  !> Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
+  integer(c_int32_t), parameter :: SINS_GRADE_TACTICAL = 3
+  !> Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own.
+  !> Its range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+  integer(c_int32_t), parameter :: SINS_GRADE_INDUSTRIAL = 4
+  !> Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
+  integer(c_int32_t), parameter :: SINS_GRADE_CONSUMER = 5
+  !> The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
+  !> white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+  integer(c_int32_t), parameter :: SINS_GRADE_PAPER_SIMULATION2 = 6
+
+  !> Kinds of manoeuvre.
+  integer, parameter :: sins_manoeuvre_kind = c_int32_t
+  !> At rest for duration_s; the speed must be 0.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_REST = 0
+  !> Along a geodesic at constant speed and height for duration_s.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_STRAIGHT = 1
+  !> By speed_change_m_s in duration_s.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_ACCELERATE = 2
+  !> By height_change_m in duration_s, ramp_s.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_CLIMB = 3
+  !> Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
+  !> follows.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_TURN = 4
+  !> turns whole rolls (right positive) in duration_s along a straight path.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_ROLL = 5
+  !> turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_LOOP = 6
+  !> Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_S_TURN = 7
+  !> Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
+  integer(c_int32_t), parameter :: SINS_MANOEUVRE_SINUSOIDS = 8
+
+  !> What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
+  integer, parameter :: sins_channel = c_int32_t
+  !> The sinusoid moves the course [rad], with the bank of a coordinated turn.
+  integer(c_int32_t), parameter :: SINS_CHANNEL_COURSE = 0
+  !> The sinusoid moves the climb angle [rad].
+  integer(c_int32_t), parameter :: SINS_CHANNEL_CLIMB = 1
+  !> The sinusoid moves the speed [m/s].
+  integer(c_int32_t), parameter :: SINS_CHANNEL_SPEED = 2
+  !> The sinusoid moves roll alone [rad].
+  integer(c_int32_t), parameter :: SINS_CHANNEL_ROLL = 3
+  !> The sinusoid moves pitch alone [rad].
+  integer(c_int32_t), parameter :: SINS_CHANNEL_PITCH = 4
+  !> The sinusoid moves heading alone [rad].
+  integer(c_int32_t), parameter :: SINS_CHANNEL_HEADING = 5
+
+  !> Where the flight of a scene comes from: sins_scene_setup.flight.
+  integer, parameter :: sins_scene_flight = c_int32_t
+  !> It is composed of manoeuvres.
+  integer(c_int32_t), parameter :: SINS_SCENE_FLIGHT_MANOEUVRES = 0
+  !> That of a built-in scene, SINS_SCENE_TEXT_BUILTIN.
+  integer(c_int32_t), parameter :: SINS_SCENE_FLIGHT_BUILTIN = 1
+  !> A flight log, SINS_SCENE_TEXT_LOG.
+  integer(c_int32_t), parameter :: SINS_SCENE_FLIGHT_LOG = 2
+
+  !> The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
+  integer, parameter :: sins_scene_text = c_int32_t
+  !> The scene in words.
+  integer(c_int32_t), parameter :: SINS_SCENE_TEXT_TITLE = 0
+  !> Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
+  integer(c_int32_t), parameter :: SINS_SCENE_TEXT_LOG = 1
+  !> Name of the built-in scene whose flight is flown; setting it makes the flight that.
+  integer(c_int32_t), parameter :: SINS_SCENE_TEXT_BUILTIN = 2
+  !> Folder of the files that a program writes.
+  integer(c_int32_t), parameter :: SINS_SCENE_TEXT_FOLDER = 3
+  !> Base name of those files.
+  integer(c_int32_t), parameter :: SINS_SCENE_TEXT_NAME = 4
+  !> File of the measured increments.
+  integer(c_int32_t), parameter :: SINS_SCENE_TEXT_IMU = 5
+
+  !> Flags of a sins_budget_row.
+  integer, parameter :: sins_budget_flags = c_int32_t
+  !> The row's figures are standard deviations (1 sigma) over the runs.
+  integer(c_int32_t), parameter :: SINS_BUDGET_RANDOM = 1
+  !> The effect can be left out together with the others that are marked so.
+  integer(c_int32_t), parameter :: SINS_BUDGET_CAN_BE_LEFT_OUT = 2
+
+  integer(c_int32_t), parameter :: SINS_SIZEOF_OPTIONS = 104
+  integer(c_int32_t), parameter :: SINS_SIZEOF_FLIGHT_SAMPLE = 144
+  integer(c_int32_t), parameter :: SINS_SIZEOF_ERROR_INFO = 152
+  integer(c_int32_t), parameter :: SINS_SIZEOF_GYRO_PARAMS = 736
+  integer(c_int32_t), parameter :: SINS_SIZEOF_ACCEL_PARAMS = 736
+  integer(c_int32_t), parameter :: SINS_SIZEOF_ALTIMETER_PARAMS = 56
+  integer(c_int32_t), parameter :: SINS_SIZEOF_FAILURE = 56
+  integer(c_int32_t), parameter :: SINS_SIZEOF_INITIAL_ERRORS = 160
+  integer(c_int32_t), parameter :: SINS_SIZEOF_MOUNTING = 104
+  integer(c_int32_t), parameter :: SINS_SIZEOF_GRAVITY_PARAMS = 80
+  integer(c_int32_t), parameter :: SINS_SIZEOF_RECORD_SOLUTION = 112
+  integer(c_int32_t), parameter :: SINS_SIZEOF_RECORD_ERRORS = 128
+  integer(c_int32_t), parameter :: SINS_SIZEOF_RECORD = 496
+  integer(c_int32_t), parameter :: SINS_SIZEOF_NAVIGATION = 128
+  integer(c_int32_t), parameter :: SINS_SIZEOF_IMU = 216
+  integer(c_int32_t), parameter :: SINS_SIZEOF_ERRORS = 144
+  integer(c_int32_t), parameter :: SINS_SIZEOF_ACCURACY = 256
+  integer(c_int32_t), parameter :: SINS_SIZEOF_TRUTH_SUMMARY = 232
+  integer(c_int32_t), parameter :: SINS_SIZEOF_IMU_INCREMENT = 264
+  integer(c_int32_t), parameter :: SINS_SIZEOF_FLIGHT_START = 72
+  integer(c_int32_t), parameter :: SINS_SIZEOF_MANOEUVRE = 240
+  integer(c_int32_t), parameter :: SINS_SIZEOF_FAULT = 288
+  integer(c_int32_t), parameter :: SINS_SIZEOF_SCENE_SETUP = 72
+  integer(c_int32_t), parameter :: SINS_SIZEOF_PLANNED_FAILURE = 80
+  integer(c_int32_t), parameter :: SINS_SIZEOF_LOG_INFO = 216
+  integer(c_int32_t), parameter :: SINS_SIZEOF_REQUIREMENT = 48
+  integer(c_int32_t), parameter :: SINS_SIZEOF_COST = 96
+  integer(c_int32_t), parameter :: SINS_SIZEOF_BUDGET_REQUEST = 40
+  integer(c_int32_t), parameter :: SINS_SIZEOF_BUDGET_ROW = 152
+  integer(c_int32_t), parameter :: SINS_SIZEOF_BUDGET = 128
+
+  !> How a simulator is made. All zero (but struct_size) is the recommended simulator.
+  type, bind(C) :: sins_options
+    !> sizeof(sins_options)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_OPTIONS
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Of enum sins_frame.
+    integer(c_int32_t) :: frame = 0_c_int32_t
+    !> Of enum sins_scheme.
+    integer(c_int32_t) :: scheme = 0_c_int32_t
+    !> Sub-increments of a mechanization update, 1 to 5; 0: 2.
+    integer(c_int32_t) :: subsamples = 0_c_int32_t
+    !> Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
+    integer(c_int32_t) :: updates_per_sample = 0_c_int32_t
+    !> Of enum sins_vertical.
+    integer(c_int32_t) :: vertical = 0_c_int32_t
+    !> Of enum sins_error_model.
+    integer(c_int32_t) :: error_model = 0_c_int32_t
+    !> Of enum sins_earth.
+    integer(c_int32_t) :: earth = 0_c_int32_t
+    !> Of enum sins_gravity.
+    integer(c_int32_t) :: gravity = 0_c_int32_t
+    !> Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
+    integer(c_int32_t) :: axes = 0_c_int32_t
+    !> Of enum sins_signal.
+    integer(c_int32_t) :: signal = 0_c_int32_t
+    !> Seed of all random streams.
+    integer(c_int64_t) :: seed = 0_c_int64_t
+    !> Number of the run in an ensemble: same seed, other draws.
+    integer(c_int64_t) :: run = 0_c_int64_t
+    !> Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it.
+    real(c_double) :: closed_loop_time_s = 0.0_c_double
+    !> Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
+    !> each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+    real(c_double) :: sample_period_s = 0.0_c_double
+    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
+    !> 100 s cost 40 m in 12 h, longer ones many times that.
+    real(c_double) :: max_gap_s = 0.0_c_double
+    !> Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
+    !> 0: 2000 m/s2.
+    real(c_double) :: max_acceleration_m_s2 = 0.0_c_double
+    !> Of enum sins_summary.
+    integer(c_int32_t) :: truth_summary = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+  end type sins_options
+
+  !> True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
+  !> are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
+  !> sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+  type, bind(C) :: sins_flight_sample
+    !> sizeof(sins_flight_sample)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_FLIGHT_SAMPLE
+    !> Flags of enum sins_sample_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
+    !> (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+    real(c_double) :: time_s = 0.0_c_double
+    !> Geodetic latitude, -pi/2 to pi/2 [rad].
+    real(c_double) :: latitude_rad = 0.0_c_double
+    !> Longitude, east positive, -100 to 100 [rad]: any wrap.
+    real(c_double) :: longitude_rad = 0.0_c_double
+    !> Height above the ellipsoid, -20 km to 2000 km [m].
+    real(c_double) :: height_m = 0.0_c_double
+    !> Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
+    real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
+    !> Roll, right wing down positive, any number of turns up to 10000 rad [rad].
+    real(c_double) :: roll_rad = 0.0_c_double
+    !> Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
+    !> From one sample to the next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than
+    !> foreseen by the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond knowledge.
+    real(c_double) :: pitch_rad = 0.0_c_double
+    !> Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
+    real(c_double) :: heading_rad = 0.0_c_double
+    !> With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
+    !> 1000 rad/s [rad/s].
+    real(c_double) :: angular_rate_rad_s(3) = 0.0_c_double
+    !> With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
+    real(c_double) :: specific_force_m_s2(3) = 0.0_c_double
+    !> With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
+    !> straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+    !> SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+    real(c_double) :: temperature_c = 0.0_c_double
+  end type sins_flight_sample
+
+  !> Why a call failed: what the sentence of sins_last_error() is made of.
+  type, bind(C) :: sins_error_info
+    !> sizeof(sins_error_info)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_ERROR_INFO
+    !> Flags of enum sins_error_info_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> What the call returned, of enum sins_status_code; SINS_OK if none failed.
+    integer(sins_status) :: status = 0_sins_status
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself.
+    character(kind=c_char) :: field(96) = c_null_char
+    !> Element of the field, from 0; -1: the field is no array, or all of it is at fault.
+    integer(c_int64_t) :: index = 0_c_int64_t
+    !> Sample of the array that the call took, from 0; -1: none.
+    integer(c_int64_t) :: sample = 0_c_int64_t
+    !> With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double.
+    real(c_double) :: value = 0.0_c_double
+    !> With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused.
+    real(c_double) :: minimum = 0.0_c_double
+    !> With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
+    real(c_double) :: maximum = 0.0_c_double
+  end type sins_error_info
+
+  !> Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
+  !> triad. Signal: the angular rate. Densities do not depend on the sample rate.
+  !>
+  !> Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
+  !> signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+  !> range, quantization.
+  !>
+  !> Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
+  !> sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f
+  !> loses by that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of
+  !> its mean size (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 %
+  !> with one.
+  type, bind(C) :: sins_gyro_params
+    !> sizeof(sins_gyro_params)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_GYRO_PARAMS
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Constant bias, measured less true [rad/s], -100 to 100.
+    real(c_double) :: bias_rad_s(3) = 0.0_c_double
+    !> Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
+    real(c_double) :: bias_sigma_rad_s(3) = 0.0_c_double
+    !> Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
+    !> the first sample on.
+    real(c_double) :: markov_sigma_rad_s(3) = 0.0_c_double
+    !> Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
+    real(c_double) :: markov_time_s(3) = 0.0_c_double
+    !> White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
+    !> density of the noise [unit of the signal / sqrt(Hz)].
+    real(c_double) :: random_walk_rad_sqrt_s(3) = 0.0_c_double
+    !> Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
+    real(c_double) :: rate_random_walk_rad_s_sqrt_s(3) = 0.0_c_double
+    !> Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set.
+    real(c_double) :: rate_ramp_rad_s2(3) = 0.0_c_double
+    !> Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
+    !> Allan deviation is flat at 0.664 B from 2 s to 50 h.
+    real(c_double) :: flicker_rad_s(3) = 0.0_c_double
+    !> Scale factor error [1], -1 to 1.
+    real(c_double) :: scale_factor(3) = 0.0_c_double
+    !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+    !> scale_factor.
+    real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
+    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+    real(c_double) :: scale_factor_nonlinearity_s_rad(3) = 0.0_c_double
+    !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
+    real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
+    !> Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+    !> misalignment_rad. The diagonal is 0.
+    real(c_double) :: misalignment_sigma_rad(3, 3) = 0.0_c_double
+    !> Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
+    !> The error of a gyro is the sum over the three axes of its row times the true specific force along them.
+    real(c_double) :: g_sensitivity_rad_s_per_m_s2(3, 3) = 0.0_c_double
+    !> Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+    !> -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
+    !> specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+    !> sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+    !> nonlinearity.
+    real(c_double) :: g2_sensitivity_rad_s_per_m2_s4(3) = 0.0_c_double
+    !> Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+    !> sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+    !> temperature, and sins_push_imu() is not available.
+    real(c_double) :: reference_temperature_c = 0.0_c_double
+    !> Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T.
+    real(c_double) :: bias_temperature_rad_s_per_k(3) = 0.0_c_double
+    !> Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2.
+    real(c_double) :: bias_temperature2_rad_s_per_k2(3) = 0.0_c_double
+    !> Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
+    real(c_double) :: scale_factor_temperature_per_k(3) = 0.0_c_double
+    !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
+    real(c_double) :: scale_factor_temperature2_per_k2(3) = 0.0_c_double
+    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+    !> the first interval.
+    real(c_double) :: bandwidth_hz(3) = 0.0_c_double
+    !> Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
+    real(c_double) :: dead_zone_rad_s(3) = 0.0_c_double
+    !> Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
+    real(c_double) :: range_rad_s(3) = 0.0_c_double
+    !> Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+    !> pulse/sqrt(12).
+    real(c_double) :: quantization_rad(3) = 0.0_c_double
+  end type sins_gyro_params
+
+  !> Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
+  !> an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
+  !>
+  !> Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
+  !> nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
+  !> zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
+  type, bind(C) :: sins_accel_params
+    !> sizeof(sins_accel_params)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_ACCEL_PARAMS
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Constant bias, measured less true [m/s2], -10000 to 10000.
+    real(c_double) :: bias_m_s2(3) = 0.0_c_double
+    !> Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000.
+    real(c_double) :: bias_sigma_m_s2(3) = 0.0_c_double
+    !> Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
+    !> the first sample on.
+    real(c_double) :: markov_sigma_m_s2(3) = 0.0_c_double
+    !> Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
+    real(c_double) :: markov_time_s(3) = 0.0_c_double
+    !> White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
+    !> spectral density of the noise [unit of the signal / sqrt(Hz)].
+    real(c_double) :: velocity_random_walk_m_s_sqrt_s(3) = 0.0_c_double
+    !> Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+    real(c_double) :: acceleration_random_walk_m_s2_sqrt_s(3) = 0.0_c_double
+    !> Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set.
+    real(c_double) :: ramp_m_s3(3) = 0.0_c_double
+    !> Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
+    !> the Allan deviation is flat at 0.664 B from 2 s to 50 h.
+    real(c_double) :: flicker_m_s2(3) = 0.0_c_double
+    !> Scale factor error [1], -1 to 1.
+    real(c_double) :: scale_factor(3) = 0.0_c_double
+    !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+    !> scale_factor.
+    real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
+    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+    real(c_double) :: scale_factor_nonlinearity_s2_m(3) = 0.0_c_double
+    !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
+    real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
+    !> Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+    !> misalignment_rad. The diagonal is 0.
+    real(c_double) :: misalignment_sigma_rad(3, 3) = 0.0_c_double
+    !> Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
+    real(c_double) :: vibration_rectification_s2_m(3) = 0.0_c_double
+    !> Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
+    !> -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
+    !> motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
+    !> sins_push_imu() the angular acceleration follows from the increments before.
+    real(c_double) :: lever_arm_m(3, 3) = 0.0_c_double
+    !> Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+    !> sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
+    !> temperature, and sins_push_imu() is not available.
+    real(c_double) :: reference_temperature_c = 0.0_c_double
+    !> Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T.
+    real(c_double) :: bias_temperature_m_s2_per_k(3) = 0.0_c_double
+    !> Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2.
+    real(c_double) :: bias_temperature2_m_s2_per_k2(3) = 0.0_c_double
+    !> Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
+    real(c_double) :: scale_factor_temperature_per_k(3) = 0.0_c_double
+    !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
+    real(c_double) :: scale_factor_temperature2_per_k2(3) = 0.0_c_double
+    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
+    !> the first interval.
+    real(c_double) :: bandwidth_hz(3) = 0.0_c_double
+    !> Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
+    real(c_double) :: dead_zone_m_s2(3) = 0.0_c_double
+    !> Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
+    real(c_double) :: range_m_s2(3) = 0.0_c_double
+    !> Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
+    !> pulse/sqrt(12).
+    real(c_double) :: quantization_m_s(3) = 0.0_c_double
+  end type sins_accel_params
+
+  !> Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+  type, bind(C) :: sins_altimeter_params
+    !> sizeof(sins_altimeter_params)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_ALTIMETER_PARAMS
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Constant bias, up to 1e5 m [m].
+    real(c_double) :: bias_m = 0.0_c_double
+    !> Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
+    real(c_double) :: markov_sigma_m = 0.0_c_double
+    !> Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
+    real(c_double) :: markov_time_s = 0.0_c_double
+    !> Standard deviation of the independent error of each sample, up to 1e5 m [m].
+    real(c_double) :: noise_m = 0.0_c_double
+    !> Scale factor error of the height, -1 to 1.
+    real(c_double) :: scale_factor = 0.0_c_double
+    !> Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
+    real(c_double) :: lag_s = 0.0_c_double
+  end type sins_altimeter_params
+
+  !> A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
+  !> accelerometer, m of the altimeter.
+  type, bind(C) :: sins_failure
+    !> sizeof(sins_failure)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_FAILURE
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Of enum sins_failure_kind.
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+    !> Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+    real(c_double) :: size = 0.0_c_double
+    !> Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
+    real(c_double) :: density = 0.0_c_double
+    !> Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
+    real(c_double) :: interval_s = 0.0_c_double
+    !> Spikes: length of one, 1e-9 s to interval_s [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    real(c_double) :: probability = 0.0_c_double
+  end type sins_failure
+
+  !> Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
+  !> Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
+  !> standard deviations up to 1e5 m and 1e3 m/s.
+  type, bind(C) :: sins_initial_errors
+    !> sizeof(sins_initial_errors)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_INITIAL_ERRORS
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Position [m].
+    real(c_double) :: position_enu_m(3) = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
+    !> Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
+    !> east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+    real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
+    !> Standard deviation of position [m].
+    real(c_double) :: position_sigma_enu_m(3) = 0.0_c_double
+    !> Standard deviation of velocity [m/s].
+    real(c_double) :: velocity_sigma_enu_m_s(3) = 0.0_c_double
+    !> Standard deviation of misalignment, 0 to 1 [rad].
+    real(c_double) :: misalignment_sigma_enu_rad(3) = 0.0_c_double
+    !> Of enum sins_alignment.
+    integer(c_int32_t) :: alignment = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+  end type sins_initial_errors
+
+  !> Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
+  !> believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+  !>
+  !> The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins_imu is about the block. The INS
+  !> navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
+  !> Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
+  !> point, along body axes; so is the barometric height.
+  !>
+  !> Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of
+  !> the first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second
+  !> interval has it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what
+  !> the next sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is
+  !> lacking.
+  type, bind(C) :: sins_mounting
+    !> sizeof(sins_mounting)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_MOUNTING
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
+    real(c_double) :: lever_arm_m(3) = 0.0_c_double
+    !> Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
+    !> down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
+    real(c_double) :: boresight_rad(3) = 0.0_c_double
+    !> Believed less true lever arm, -100 to 100 [m].
+    real(c_double) :: lever_arm_error_m(3) = 0.0_c_double
+    !> Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
+    !> out too small by as much.
+    real(c_double) :: boresight_error_rad(3) = 0.0_c_double
+  end type sins_mounting
+
+  !> True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+  !> disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
+  !> track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
+  !> gravity.
+  !>
+  !> Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
+  !> accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
+  !> times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+  type, bind(C) :: sins_gravity_params
+    !> sizeof(sins_gravity_params)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_GRAVITY_PARAMS
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
+    !> the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+    real(c_double) :: deflection_north_rad = 0.0_c_double
+    !> Standard deviation of its random part, up to 0.01 [rad].
+    real(c_double) :: deflection_north_sigma_rad = 0.0_c_double
+    !> Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0.
+    real(c_double) :: deflection_north_distance_m = 0.0_c_double
+    !> Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
+    !> 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+    real(c_double) :: deflection_east_rad = 0.0_c_double
+    !> Standard deviation of its random part, up to 0.01 [rad].
+    real(c_double) :: deflection_east_sigma_rad = 0.0_c_double
+    !> Correlation distance of that, 1 to 1e9 [m].
+    real(c_double) :: deflection_east_distance_m = 0.0_c_double
+    !> Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
+    real(c_double) :: anomaly_m_s2 = 0.0_c_double
+    !> Standard deviation of its random part, up to 0.1 [m/s2].
+    real(c_double) :: anomaly_sigma_m_s2 = 0.0_c_double
+    !> Correlation distance of that, 1 to 1e9 [m].
+    real(c_double) :: anomaly_distance_m = 0.0_c_double
+  end type sins_gravity_params
+
+  !> A solution within a sins_record; never grows. Fields as in sins_navigation.
+  type, bind(C) :: sins_record_solution
+    !> [rad]
+    real(c_double) :: latitude_rad = 0.0_c_double
+    !> [rad]
+    real(c_double) :: longitude_rad = 0.0_c_double
+    !> [m]
+    real(c_double) :: height_m = 0.0_c_double
+    !> [m/s]
+    real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
+    !> [rad]
+    real(c_double) :: roll_rad = 0.0_c_double
+    !> [rad]
+    real(c_double) :: pitch_rad = 0.0_c_double
+    !> [rad]
+    real(c_double) :: heading_rad = 0.0_c_double
+    !> Scalar first.
+    real(c_double) :: quaternion_nb(4) = 0.0_c_double
+    !> Flags of enum sins_navigation_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+  end type sins_record_solution
+
+  !> Errors within a sins_record; never grows. Fields as in sins_errors.
+  type, bind(C) :: sins_record_errors
+    !> [m]
+    real(c_double) :: position_enu_m(3) = 0.0_c_double
+    !> [rad]
+    real(c_double) :: latitude_rad = 0.0_c_double
+    !> [rad]
+    real(c_double) :: longitude_rad = 0.0_c_double
+    !> [m]
+    real(c_double) :: height_m = 0.0_c_double
+    !> [m/s]
+    real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
+    !> [rad]
+    real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
+    !> [rad]
+    real(c_double) :: roll_rad = 0.0_c_double
+    !> [rad]
+    real(c_double) :: pitch_rad = 0.0_c_double
+    !> [rad]
+    real(c_double) :: heading_rad = 0.0_c_double
+    !> Flags of enum sins_errors_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+  end type sins_record_errors
+
+  !> Truth, navigation and both errors at one instant.
+  type, bind(C) :: sins_record
+    !> sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others.
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_RECORD
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Time [s].
+    real(c_double) :: time_s = 0.0_c_double
+    !> As sins_get_truth().
+    type(sins_record_solution) :: truth
+    !> As sins_get_navigation().
+    type(sins_record_solution) :: navigation
+    !> As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2.
+    type(sins_record_errors) :: navigation_errors
+    !> As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off.
+    type(sins_record_errors) :: model_errors
+  end type sins_record
+
+  !> A solution: the truth or the navigated one.
+  type, bind(C) :: sins_navigation
+    !> sizeof(sins_navigation)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_NAVIGATION
+    !> 0 (must be 0 where it is an input).
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Time [s].
+    real(c_double) :: time_s = 0.0_c_double
+    !> Geodetic latitude, -pi/2 to pi/2 [rad].
+    real(c_double) :: latitude_rad = 0.0_c_double
+    !> Longitude, east positive, -pi to pi [rad].
+    real(c_double) :: longitude_rad = 0.0_c_double
+    !> Height above the ellipsoid [m].
+    real(c_double) :: height_m = 0.0_c_double
+    !> Velocity against the Earth, east-north-up [m/s].
+    real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
+    !> Roll, right wing down positive, -pi to pi [rad].
+    real(c_double) :: roll_rad = 0.0_c_double
+    !> Pitch, nose up positive, -pi/2 to pi/2 [rad].
+    real(c_double) :: pitch_rad = 0.0_c_double
+    !> Heading, clockwise from true north, 0 to 2 pi [rad].
+    real(c_double) :: heading_rad = 0.0_c_double
+    !> Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+    real(c_double) :: quaternion_nb(4) = 0.0_c_double
+    !> Flags of enum sins_navigation_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+  end type sins_navigation
+
+  !> Ideal and measured signals of the last interval, sensor axes.
+  type, bind(C) :: sins_imu
+    !> sizeof(sins_imu)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_IMU
+    !> Flags of enum sins_imu_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> Time of the end of the interval [s].
+    real(c_double) :: time_s = 0.0_c_double
+    !> Length of the interval [s].
+    real(c_double) :: interval_s = 0.0_c_double
+    !> Integral of the angular rate against inertial space, perfect gyros [rad].
+    real(c_double) :: ideal_angle_rad(3) = 0.0_c_double
+    !> Integral of the specific force, perfect accelerometers [m/s].
+    real(c_double) :: ideal_velocity_m_s(3) = 0.0_c_double
+    !> What the modelled gyros give [rad].
+    real(c_double) :: measured_angle_rad(3) = 0.0_c_double
+    !> What the modelled accelerometers give [m/s].
+    real(c_double) :: measured_velocity_m_s(3) = 0.0_c_double
+    !> ideal_angle_rad over the interval [rad/s].
+    real(c_double) :: ideal_rate_rad_s(3) = 0.0_c_double
+    !> ideal_velocity_m_s over the interval [m/s2].
+    real(c_double) :: ideal_force_m_s2(3) = 0.0_c_double
+    !> measured_angle_rad over the interval [rad/s].
+    real(c_double) :: measured_rate_rad_s(3) = 0.0_c_double
+    !> measured_velocity_m_s over the interval [m/s2].
+    real(c_double) :: measured_force_m_s2(3) = 0.0_c_double
+  end type sins_imu
+
+  !> Errors of the navigated solution, computed less true.
+  type, bind(C) :: sins_errors
+    !> sizeof(sins_errors)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_ERRORS
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Time [s].
+    real(c_double) :: time_s = 0.0_c_double
+    !> Displacement from truth along true east and north, and difference of heights [m].
+    real(c_double) :: position_enu_m(3) = 0.0_c_double
+    !> Latitude [rad].
+    real(c_double) :: latitude_rad = 0.0_c_double
+    !> Longitude, wrapped to -pi..pi [rad].
+    real(c_double) :: longitude_rad = 0.0_c_double
+    !> Height [m].
+    real(c_double) :: height_m = 0.0_c_double
+    !> Velocity [m/s]: difference of the components, each in its own east-north-up.
+    real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
+    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
+    !> has it to first order, computed C = (I - [phi x]) C.
+    real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
+    !> Roll, wrapped [rad].
+    real(c_double) :: roll_rad = 0.0_c_double
+    !> Pitch [rad].
+    real(c_double) :: pitch_rad = 0.0_c_double
+    !> Heading, wrapped [rad].
+    real(c_double) :: heading_rad = 0.0_c_double
+    !> Flags of enum sins_errors_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+  end type sins_errors
+
+  !> Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors
+  !> sampled once a second. They describe one run, which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data
+  !> sheets.
+  type, bind(C) :: sins_accuracy
+    !> sizeof(sins_accuracy)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_ACCURACY
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Time [s].
+    real(c_double) :: time_s = 0.0_c_double
+    !> Time since the start [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
+    !> over next to nothing [s].
+    real(c_double) :: window_start_s = 0.0_c_double
+    !> Samples in that window; the rates are 0 while there is none.
+    integer(c_int64_t) :: window_samples = 0_c_int64_t
+    !> sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
+    real(c_double) :: radial_error_rate_rms_m_s = 0.0_c_double
+    !> R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
+    real(c_double) :: cep_rate_m_s = 0.0_c_double
+    !> R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
+    real(c_double) :: radial_95_rate_m_s = 0.0_c_double
+    !> Slope of the straight line of least squares through the horizontal position error [m/s].
+    real(c_double) :: radial_error_slope_m_s = 0.0_c_double
+    !> Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
+    !> east and north turn [m/s].
+    real(c_double) :: velocity_rms_enu_m_s(3) = 0.0_c_double
+    !> Closure: navigation minus truth now, position [m].
+    real(c_double) :: closure_position_enu_m(3) = 0.0_c_double
+    !> Closure: navigation minus truth now, velocity [m/s].
+    real(c_double) :: closure_velocity_enu_m_s(3) = 0.0_c_double
+    !> Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
+    !> to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
+    !> sensors'.
+    real(c_double) :: host_position_enu_m(3) = 0.0_c_double
+    !> The same of the horizontal velocity closure; up is 0 [m/s].
+    real(c_double) :: host_velocity_enu_m_s(3) = 0.0_c_double
+    !> Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+    real(c_double) :: inconsistency_enu_m(3) = 0.0_c_double
+    !> The largest of it in one interval [m].
+    real(c_double) :: inconsistency_max_m = 0.0_c_double
+    !> Samples flagged SINS_NAVIGATION_INCONSISTENT.
+    integer(c_int64_t) :: inconsistent_samples = 0_c_int64_t
+    !> Intervals flown since the start or the last reposition: one less than the samples.
+    integer(c_int64_t) :: intervals = 0_c_int64_t
+    !> The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
+    !> generator and mechanization themselves; 0 with physical signals [rad/s].
+    real(c_double) :: trim_rate_max_rad_s = 0.0_c_double
+    !> The same of the specific force [m/s2].
+    real(c_double) :: trim_force_max_m_s2 = 0.0_c_double
+  end type sins_accuracy
+
+  !> The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
+  !> exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
+  !> exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights
+  !> and climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
+  !> time stamp of the sample that it came with.
+  type, bind(C) :: sins_truth_summary
+    !> sizeof(sins_truth_summary)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_TRUTH_SUMMARY
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Intervals flown.
+    integer(c_int64_t) :: intervals = 0_c_int64_t
+    !> Those of them that are gaps (see SINS_GAP).
+    integer(c_int64_t) :: gaps = 0_c_int64_t
+    !> Samples faster than 30 m/s: sideslip and angle of attack are of these.
+    integer(c_int64_t) :: fast_samples = 0_c_int64_t
+    !> Sum of the lengths of the intervals [s].
+    real(c_double) :: flown_s = 0.0_c_double
+    !> Time stamps of the first and of the last sample [s].
+    real(c_double) :: first_s = 0.0_c_double
+    !> See first_s.
+    real(c_double) :: last_s = 0.0_c_double
+    !> Longest interval [s].
+    real(c_double) :: interval_max_s = 0.0_c_double
+    !> When [s].
+    real(c_double) :: interval_max_at_s = 0.0_c_double
+    !> Largest rotation in an interval [rad].
+    real(c_double) :: turn_max_rad = 0.0_c_double
+    !> When [s].
+    real(c_double) :: turn_max_at_s = 0.0_c_double
+    !> Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s].
+    real(c_double) :: rate_max_rad_s = 0.0_c_double
+    !> When [s].
+    real(c_double) :: rate_max_at_s = 0.0_c_double
+    !> Largest acceleration against the Earth, by the velocities [m/s2].
+    real(c_double) :: acceleration_max_m_s2 = 0.0_c_double
+    !> When [s].
+    real(c_double) :: acceleration_max_at_s = 0.0_c_double
+    !> Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
+    real(c_double) :: force_max_m_s2 = 0.0_c_double
+    !> When [s].
+    real(c_double) :: force_max_at_s = 0.0_c_double
+    !> Largest displacement in an interval that the mean of the velocities at its ends does not explain [m].
+    real(c_double) :: inconsistency_max_m = 0.0_c_double
+    !> When [s].
+    real(c_double) :: inconsistency_max_at_s = 0.0_c_double
+    !> Largest speed against the Earth [m/s].
+    real(c_double) :: speed_max_m_s = 0.0_c_double
+    !> When [s].
+    real(c_double) :: speed_max_at_s = 0.0_c_double
+    !> Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it
+    !> [rad].
+    real(c_double) :: sideslip_max_rad = 0.0_c_double
+    !> When [s].
+    real(c_double) :: sideslip_max_at_s = 0.0_c_double
+    !> Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
+    !> symmetry [rad].
+    real(c_double) :: attack_max_rad = 0.0_c_double
+    !> When [s].
+    real(c_double) :: attack_max_at_s = 0.0_c_double
+    !> Lowest height [m].
+    real(c_double) :: height_min_m = 0.0_c_double
+    !> When [s].
+    real(c_double) :: height_min_at_s = 0.0_c_double
+    !> Highest height [m].
+    real(c_double) :: height_max_m = 0.0_c_double
+    !> When [s].
+    real(c_double) :: height_max_at_s = 0.0_c_double
+  end type sins_truth_summary
+
+  !> Increments of an inertial measurement unit over an interval, in count parts of equal length.
+  type, bind(C) :: sins_imu_increment
+    !> sizeof(sins_imu_increment)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_IMU_INCREMENT
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Length of the whole interval, 5e-5 to 10 [s].
+    real(c_double) :: interval_s = 0.0_c_double
+    !> Parts, 1 to 5.
+    integer(c_int32_t) :: count = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+    !> Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
+    !> first, of the second, ... [rad].
+    real(c_double) :: angle_rad(3, 5) = 0.0_c_double
+    !> Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
+    real(c_double) :: velocity_m_s(3, 5) = 0.0_c_double
+  end type sins_imu_increment
+
+  !> Where an embedded flight begins, level and straight.
+  type, bind(C) :: sins_flight_start
+    !> sizeof(sins_flight_start)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_FLIGHT_START
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Geodetic latitude, -pi/2 to pi/2 [rad].
+    real(c_double) :: latitude_rad = 0.0_c_double
+    !> Longitude, east positive, -100 to 100 [rad].
+    real(c_double) :: longitude_rad = 0.0_c_double
+    !> Height above the ellipsoid, -20 km to 2000 km [m].
+    real(c_double) :: height_m = 0.0_c_double
+    !> Speed against the Earth, 0 to 10 km/s [m/s].
+    real(c_double) :: speed_m_s = 0.0_c_double
+    !> Course and heading, -100 to 100 [rad].
+    real(c_double) :: heading_rad = 0.0_c_double
+    !> Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
+    real(c_double) :: roll_rad = 0.0_c_double
+    !> Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
+    real(c_double) :: pitch_rad = 0.0_c_double
+    !> Of enum sins_earth, as in the options of the simulator that will fly it.
+    integer(c_int32_t) :: earth = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+  end type sins_flight_start
+
+  !> One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
+  type, bind(C) :: sins_manoeuvre
+    !> sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others.
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_MANOEUVRE
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Of enum sins_manoeuvre_kind.
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> Sinusoids, 1 to 6.
+    integer(c_int32_t) :: sinusoid_count = 0_c_int32_t
+    !> Duration, 1e-3 to 1e8 [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
+    real(c_double) :: ramp_s = 0.0_c_double
+    !> Change of speed, to no less than 0 and no more than 10 km/s [m/s].
+    real(c_double) :: speed_change_m_s = 0.0_c_double
+    !> Change of height; the climb angle must stay below 64 degrees [m].
+    real(c_double) :: height_change_m = 0.0_c_double
+    !> Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
+    real(c_double) :: heading_change_rad = 0.0_c_double
+    !> Bank of a turn, 1e-3 to 1.5 [rad].
+    real(c_double) :: bank_rad = 0.0_c_double
+    !> Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
+    real(c_double) :: turns = 0.0_c_double
+    !> What each sinusoid moves, of enum sins_channel.
+    integer(c_int32_t) :: channel(6) = 0_c_int32_t
+    !> Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
+    !> [m/s].
+    real(c_double) :: amplitude(6) = 0.0_c_double
+    !> Frequency of each sinusoid, 0 to 1000 [Hz].
+    real(c_double) :: frequency_hz(6) = 0.0_c_double
+    !> Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
+    real(c_double) :: phase_rad(6) = 0.0_c_double
+  end type sins_manoeuvre
+
+  !> A fault of the text of a scene or of a flight log.
+  type, bind(C) :: sins_fault
+    !> sizeof(sins_fault)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_FAULT
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Faults of the text, 200 at the most.
+    integer(c_int64_t) :: count = 0_c_int64_t
+    !> Line of this one, from 1.
+    integer(c_int64_t) :: line = 0_c_int64_t
+    !> Column, in characters from 1; of a flight log the column of the table.
+    integer(c_int64_t) :: column = 0_c_int64_t
+    !> Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer.
+    character(kind=c_char) :: sentence(256) = c_null_char
+  end type sins_fault
+
+  !> What a scene says of its flight and of its output.
+  type, bind(C) :: sins_scene_setup
+    !> sizeof(sins_scene_setup)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_SCENE_SETUP
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Of enum sins_scene_flight; read only: a set call passes over it.
+    integer(c_int32_t) :: flight = 0_c_int32_t
+    !> 1: samples get the temperature below; 0: none.
+    integer(c_int32_t) :: has_temperature = 0_c_int32_t
+    !> 1: a program shows neither progress nor summary; 0: it does.
+    integer(c_int32_t) :: quiet = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+    !> How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s].
+    real(c_double) :: flown_s = 0.0_c_double
+    !> Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
+    real(c_double) :: rate_hz = 0.0_c_double
+    !> Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C].
+    real(c_double) :: temperature_c = 0.0_c_double
+    !> Its change, -277 to 277 [deg C/s].
+    real(c_double) :: temperature_change_c_s = 0.0_c_double
+    !> Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
+    real(c_double) :: every_s = 0.0_c_double
+  end type sins_scene_setup
+
+  !> A failure that a scene plans.
+  type, bind(C) :: sins_planned_failure
+    !> sizeof(sins_planned_failure)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_PLANNED_FAILURE
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Of enum sins_sensor.
+    integer(c_int32_t) :: sensor = 0_c_int32_t
+    !> 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
+    integer(c_int32_t) :: axis = 0_c_int32_t
+    !> When it begins, 0 to 1e9 since the start of the flight [s].
+    real(c_double) :: from_s = 0.0_c_double
+    !> When it ends, likewise; 0: at the end of the flight [s].
+    real(c_double) :: until_s = 0.0_c_double
+    !> Of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> Must be 0.
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+    !> This and the following as in sins_failure.
+    real(c_double) :: size = 0.0_c_double
+    !> See sins_failure.
+    real(c_double) :: density = 0.0_c_double
+    !> See sins_failure [s].
+    real(c_double) :: interval_s = 0.0_c_double
+    !> See sins_failure [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> See sins_failure.
+    real(c_double) :: probability = 0.0_c_double
+  end type sins_planned_failure
+
+  !> What a flight log holds.
+  type, bind(C) :: sins_log_info
+    !> sizeof(sins_log_info)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_LOG_INFO
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Samples.
+    integer(c_int64_t) :: samples = 0_c_int64_t
+    !> From the first to the last of them [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> The comment in the first line of the log, UTF-8, terminated; empty: none.
+    character(kind=c_char) :: title(192) = c_null_char
+  end type sins_log_info
+
+  !> Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
+  !> of 0 is none; at least one is needed.
+  type, bind(C) :: sins_requirement
+    !> sizeof(sins_requirement)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_REQUIREMENT
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
+    real(c_double) :: duration_s = 0.0_c_double
+    !> Distance from where the exact solution on the same signals is [m].
+    real(c_double) :: position_m = 0.0_c_double
+    !> Speed of the difference in velocity [m/s].
+    real(c_double) :: velocity_m_s = 0.0_c_double
+    !> Angle between the attitudes, against the Earth [rad].
+    real(c_double) :: attitude_rad = 0.0_c_double
+    !> How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
+    real(c_double) :: margin = 0.0_c_double
+  end type sins_requirement
+
+  !> What recommended options give, and what they cost.
+  type, bind(C) :: sins_cost
+    !> sizeof(sins_cost)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_COST
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> For how long the errors are predicted [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> Predicted error, the worst within the duration: position [m].
+    real(c_double) :: position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: velocity_m_s = 0.0_c_double
+    !> Attitude against the Earth [rad].
+    real(c_double) :: attitude_rad = 0.0_c_double
+    !> The part of it that is the uncertainty of the reference: position [m].
+    real(c_double) :: reference_position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: reference_velocity_m_s = 0.0_c_double
+    !> Attitude [rad].
+    real(c_double) :: reference_attitude_rad = 0.0_c_double
+    !> Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
+    real(c_double) :: share = 0.0_c_double
+    !> Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
+    real(c_double) :: instructions_per_step = 0.0_c_double
+    !> Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample
+    !> [ns].
+    real(c_double) :: ns_per_step = 0.0_c_double
+    !> Algorithms that were tried, the recommended one among them.
+    integer(c_int64_t) :: tried = 0_c_int64_t
+  end type sins_cost
+
+  !> What a budget is asked for. A limit of 0 is none.
+  type, bind(C) :: sins_budget_request
+    !> sizeof(sins_budget_request)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET_REQUEST
+    !> Must be 0.
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Runs of each random effect, 8 to 1000; 0: 16.
+    integer(c_int64_t) :: runs = 0_c_int64_t
+    !> What the effects that are left out may change together at any time of the scene: position [m].
+    real(c_double) :: position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: velocity_m_s = 0.0_c_double
+    !> Misalignment [rad].
+    real(c_double) :: attitude_rad = 0.0_c_double
+  end type sins_budget_request
+
+  !> An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
+  !> set.
+  type, bind(C) :: sins_budget_row
+    !> sizeof(sins_budget_row)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET_ROW
+    !> Flags of enum sins_budget_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
+    character(kind=c_char) :: effect(32) = c_null_char
+    !> The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row.
+    character(kind=c_char) :: field(48) = c_null_char
+    !> Length of the contribution to the position error, the largest of the scene [m].
+    real(c_double) :: position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: velocity_m_s = 0.0_c_double
+    !> Misalignment [rad].
+    real(c_double) :: attitude_rad = 0.0_c_double
+    !> The same at the end of the scene: position [m].
+    real(c_double) :: end_position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: end_velocity_m_s = 0.0_c_double
+    !> Misalignment [rad].
+    real(c_double) :: end_attitude_rad = 0.0_c_double
+    !> The largest share of a limit that the contribution takes up; 0 without limits.
+    real(c_double) :: share = 0.0_c_double
+    !> Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
+    !> nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+    real(c_double) :: ns_per_step = 0.0_c_double
+  end type sins_budget_row
+
+  !> A budget as a whole.
+  type, bind(C) :: sins_budget
+    !> sizeof(sins_budget)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Time that was looked at: from the end of the first interval to that of the last [s].
+    real(c_double) :: duration_s = 0.0_c_double
+    !> Runs of each random effect; 1 if there is none.
+    integer(c_int64_t) :: runs = 0_c_int64_t
+    !> Flights that were flown.
+    integer(c_int64_t) :: flights = 0_c_int64_t
+    !> A standard deviation lies with 95 % probability between its row's figure times this, ...
+    real(c_double) :: sigma_low = 0.0_c_double
+    !> ... and times this; both are 1 if nothing is random.
+    real(c_double) :: sigma_high = 0.0_c_double
+    !> Errors with all effects together, root mean square over the runs, the largest of the scene: position [m].
+    real(c_double) :: position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: velocity_m_s = 0.0_c_double
+    !> Misalignment [rad].
+    real(c_double) :: attitude_rad = 0.0_c_double
+    !> What of that the sum of all rows does not explain: position [m].
+    real(c_double) :: remainder_position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: remainder_velocity_m_s = 0.0_c_double
+    !> Misalignment [rad].
+    real(c_double) :: remainder_attitude_rad = 0.0_c_double
+    !> What the errors change by without the marked rows, flown: position [m].
+    real(c_double) :: left_out_position_m = 0.0_c_double
+    !> Velocity [m/s].
+    real(c_double) :: left_out_velocity_m_s = 0.0_c_double
+    !> Misalignment [rad].
+    real(c_double) :: left_out_attitude_rad = 0.0_c_double
+    !> Measured here and now: what a step takes with all effects [ns].
+    real(c_double) :: ns_per_step = 0.0_c_double
+  end type sins_budget
+
+  interface
+
+    !> The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI.
+    function sins_abi_version() bind(C, name="sins_abi_version")
+      import
+      integer(c_int32_t) :: sins_abi_version
+    end function sins_abi_version
+
+    !> The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded.
+    function sins_version_string() bind(C, name="sins_version_string")
+      import
+      type(c_ptr) :: sins_version_string
+    end function sins_version_string
+
+    !> The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
+    !> loaded.
+    function sins_status_string(status) bind(C, name="sins_status_string")
+      import
+      integer(sins_status), value :: status
+      type(c_ptr) :: sins_status_string
+    end function sins_status_string
+
+    !> Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0.
+    function sins_get_options(sim, options) bind(C, name="sins_get_options")
+      import
+      type(c_ptr), value :: sim
+      type(sins_options), intent(inout) :: options
+      integer(sins_status) :: sins_get_options
+    end function sins_get_options
+
+    !> Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+    !>
+    !> On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
+    !> memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+    function sins_create(options, sim) bind(C, name="sins_create")
+      import
+      type(sins_options), intent(in) :: options
+      type(c_ptr), intent(inout) :: sim
+      integer(sins_status) :: sins_create
+    end function sins_create
+
+    !> Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    function sins_destroy(sim) bind(C, name="sins_destroy")
+      import
+      type(c_ptr), value :: sim
+      integer(sins_status) :: sins_destroy
+    end function sins_destroy
+
+    !> Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
+    !> SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
+    !> SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it
+    !> as motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call
+    !> sins_move_time() before this push; the push cannot be taken back. SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a
+    !> jump or half a turn since the last that was taken: no other is taken until one fits, or until sins_move_time() for a gap,
+    !> sins_move_truth() or sins_reposition() for a jump. SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on
+    !> increments.
+    function sins_push_sample(sim, sample) bind(C, name="sins_push_sample")
+      import
+      type(c_ptr), value :: sim
+      type(sins_flight_sample), intent(in) :: sample
+      integer(sins_status) :: sins_push_sample
+    end function sins_push_sample
+
+    !> Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
+    !> further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
+    !> the velocity times its length; sins_push_sample() answers SINS_GAP for it.
+    !>
+    !> SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
+    !> reference point or of the closed loop's own error-free navigator beyond -500 km or
+    !> 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
+    !> solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
+    !> increments.
+    function sins_step(sim) bind(C, name="sins_step")
+      import
+      type(c_ptr), value :: sim
+      integer(sins_status) :: sins_step
+    end function sins_step
+
+    !> The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause
+    !> in which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors,
+    !> noise, waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight
+    !> goes on to the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles;
+    !> with a stated period they always are. (Without velocities the differences over three samples count too; durations in
+    !> sins_accuracy are rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
+    !> increments, which have no stamps.
+    function sins_move_time(sim, time_s) bind(C, name="sins_move_time")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: time_s
+      integer(sins_status) :: sins_move_time
+    end function sins_move_time
+
+    !> The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
+    !> the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are
+    !> those before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and
+    !> the velocity there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
+    !> factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once.
+    !> Waiting samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the
+    !> interval before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+    !>
+    !> Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
+    !> common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the
+    !> shortest way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm
+    !> and boresight, and what is wrong of them, make of that in the new attitude.
+    !>
+    !> Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
+    !> SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+    !> SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth
+    !> away.
+    function sins_move_truth(sim, sample) bind(C, name="sins_move_truth")
+      import
+      type(c_ptr), value :: sim
+      type(sins_flight_sample), intent(in) :: sample
+      integer(sins_status) :: sins_move_truth
+    end function sins_move_truth
+
+    !> The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors
+    !> that it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go
+    !> on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump too, forward or back: the
+    !> run, and the count of a stated period, go on from the sample's time stamp. What is read until the next step is that of the
+    !> sample; an interval to read there is none. It may be the first call of a run: the sample is then the first, and the next push
+    !> makes an interval.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
+    !> (a pole, in geographic axes) it is the reads and the next step that say so.
+    function sins_reposition(sim, sample) bind(C, name="sins_reposition")
+      import
+      type(c_ptr), value :: sim
+      type(sins_flight_sample), intent(in) :: sample
+      integer(sins_status) :: sins_reposition
+    end function sins_reposition
+
+    !> Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
+    !> from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
+    !> seed or run; to come back to a moment in flight, see sins_snapshot_save().
+    function sins_reset(sim) bind(C, name="sins_reset")
+      import
+      type(c_ptr), value :: sim
+      integer(sins_status) :: sins_reset
+    end function sins_reset
+
+    !> Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always terminated;
+    !> "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator (create,
+    !> presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or
+    !> SINS_ERROR_BAD_STATE: see Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+    !>
+    !> needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
+    !> alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+    function sins_last_error(sim, buffer, capacity, needed) bind(C, name="sins_last_error")
+      import
+      type(c_ptr), value :: sim
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_last_error
+    end function sins_last_error
+
+    !> Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
+    !> sentence.
+    function sins_last_error_info(sim, info) bind(C, name="sins_last_error_info")
+      import
+      type(c_ptr), value :: sim
+      type(sins_error_info), intent(inout) :: info
+      integer(sins_status) :: sins_last_error_info
+    end function sins_last_error_info
+
+    !> Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
+    !> move; processes that were active go on from where they are.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
+    !> a temperature wait, or while navigating on increments.
+    function sins_set_gyro(sim, params) bind(C, name="sins_set_gyro")
+      import
+      type(c_ptr), value :: sim
+      type(sins_gyro_params), intent(in) :: params
+      integer(sins_status) :: sins_set_gyro
+    end function sins_set_gyro
+
+    !> Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too.
+    function sins_get_gyro(sim, params) bind(C, name="sins_get_gyro")
+      import
+      type(c_ptr), value :: sim
+      type(sins_gyro_params), intent(inout) :: params
+      integer(sins_status) :: sins_get_gyro
+    end function sins_get_gyro
+
+    !> Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
+    !> effects do not move; processes that were active go on from where they are.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
+    function sins_set_accel(sim, params) bind(C, name="sins_set_accel")
+      import
+      type(c_ptr), value :: sim
+      type(sins_accel_params), intent(in) :: params
+      integer(sins_status) :: sins_set_accel
+    end function sins_set_accel
+
+    !> Reads the accelerometer errors, as they were set last: at any moment, after sins_snapshot_load() too.
+    function sins_get_accel(sim, params) bind(C, name="sins_get_accel")
+      import
+      type(c_ptr), value :: sim
+      type(sins_accel_params), intent(inout) :: params
+      integer(sins_status) :: sins_get_accel
+    end function sins_get_accel
+
+    !> Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
+    !> on.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_set_altimeter(sim, params) bind(C, name="sins_set_altimeter")
+      import
+      type(c_ptr), value :: sim
+      type(sins_altimeter_params), intent(in) :: params
+      integer(sins_status) :: sins_set_altimeter
+    end function sins_set_altimeter
+
+    !> Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too.
+    function sins_get_altimeter(sim, params) bind(C, name="sins_get_altimeter")
+      import
+      type(c_ptr), value :: sim
+      type(sins_altimeter_params), intent(inout) :: params
+      integer(sins_status) :: sins_get_altimeter
+    end function sins_get_altimeter
+
+    !> Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
+    !> until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
+    !> once.
+    !>
+    !> sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+    !> range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
+    !> there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
+    !> sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
+    !> set again at the same intervals give the same bits.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
+    !> solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+    function sins_set_failure(sim, sensor, axis, failure) bind(C, name="sins_set_failure")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: sensor
+      integer(c_int32_t), value :: axis
+      type(sins_failure), intent(in) :: failure
+      integer(sins_status) :: sins_set_failure
+    end function sins_set_failure
+
+    !> Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
+    !> axis as in sins_set_failure().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such output.
+    function sins_get_failure(sim, sensor, axis, failure) bind(C, name="sins_get_failure")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: sensor
+      integer(c_int32_t), value :: axis
+      type(sins_failure), intent(inout) :: failure
+      integer(sins_status) :: sins_get_failure
+    end function sins_get_failure
+
+    !> Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+    function sins_set_initial_errors(sim, errors) bind(C, name="sins_set_initial_errors")
+      import
+      type(c_ptr), value :: sim
+      type(sins_initial_errors), intent(in) :: errors
+      integer(sins_status) :: sins_set_initial_errors
+    end function sins_set_initial_errors
+
+    !> Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too.
+    function sins_get_initial_errors(sim, errors) bind(C, name="sins_get_initial_errors")
+      import
+      type(c_ptr), value :: sim
+      type(sins_initial_errors), intent(inout) :: errors
+      integer(sins_status) :: sins_get_initial_errors
+    end function sins_get_initial_errors
+
+    !> Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
+    !> increments is not concerned: its solution is that of the block.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+    function sins_set_mounting(sim, mounting) bind(C, name="sins_set_mounting")
+      import
+      type(c_ptr), value :: sim
+      type(sins_mounting), intent(in) :: mounting
+      integer(sins_status) :: sins_set_mounting
+    end function sins_set_mounting
+
+    !> Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too.
+    function sins_get_mounting(sim, mounting) bind(C, name="sins_get_mounting")
+      import
+      type(c_ptr), value :: sim
+      type(sins_mounting), intent(inout) :: mounting
+      integer(sins_status) :: sins_get_mounting
+    end function sins_get_mounting
+
+    !> Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
+    !> same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
+    !> felt their own gravity.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+    function sins_set_gravity_disturbance(sim, params) bind(C, name="sins_set_gravity_disturbance")
+      import
+      type(c_ptr), value :: sim
+      type(sins_gravity_params), intent(in) :: params
+      integer(sins_status) :: sins_set_gravity_disturbance
+    end function sins_set_gravity_disturbance
+
+    !> Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too.
+    function sins_get_gravity_disturbance(sim, params) bind(C, name="sins_get_gravity_disturbance")
+      import
+      type(c_ptr), value :: sim
+      type(sins_gravity_params), intent(inout) :: params
+      integer(sins_status) :: sins_get_gravity_disturbance
+    end function sins_get_gravity_disturbance
+
+    !> Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
+    !> flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+    !>
+    !> samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
+    !> those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
+    !>
+    !> SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
+    !> sins_get_truth_summary() counts them.
+    !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+    !> SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
+    !> sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
+    !> sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
+    !> sins_step(); sins_reposition() and sins_reset() empty it.
+    function sins_run(sim, samples, count, every, records, capacity, written) bind(C, name="sins_run")
+      import
+      type(c_ptr), value :: sim
+      type(sins_flight_sample), intent(in) :: samples(*)
+      integer(c_size_t), value :: count
+      integer(c_size_t), value :: every
+      type(sins_record), intent(inout) :: records(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: written
+      integer(sins_status) :: sins_run
+    end function sins_run
+
+    !> Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
+    !> velocity, that of the first is 0 until the second is pushed.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+    function sins_get_truth(sim, truth) bind(C, name="sins_get_truth")
+      import
+      type(c_ptr), value :: sim
+      type(sins_navigation), intent(inout) :: truth
+      integer(sins_status) :: sins_get_truth
+    end function sins_get_truth
+
+    !> Reads the navigated solution for the same instant as sins_get_truth().
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
+    !> first sample with these options and initial errors.
+    function sins_get_navigation(sim, navigation) bind(C, name="sins_get_navigation")
+      import
+      type(c_ptr), value :: sim
+      type(sins_navigation), intent(inout) :: navigation
+      integer(sins_status) :: sins_get_navigation
+    end function sins_get_navigation
+
+    !> Reads ideal and measured signals of the last interval.
+    !>
+    !> SINS_NEED_SAMPLE: no interval yet.
+    function sins_get_imu(sim, imu) bind(C, name="sins_get_imu")
+      import
+      type(c_ptr), value :: sim
+      type(sins_imu), intent(inout) :: imu
+      integer(sins_status) :: sins_get_imu
+    end function sins_get_imu
+
+    !> Reads the errors of the navigated solution; source is of enum sins_errors_source.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+    !> the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
+    !> increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+    function sins_get_errors(sim, source, errors) bind(C, name="sins_get_errors")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: source
+      type(sins_errors), intent(inout) :: errors
+      integer(sins_status) :: sins_get_errors
+    end function sins_get_errors
+
+    !> Reads the running accuracy figures.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+    !> SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+    function sins_get_accuracy(sim, accuracy) bind(C, name="sins_get_accuracy")
+      import
+      type(c_ptr), value :: sim
+      type(sins_accuracy), intent(inout) :: accuracy
+      integer(sins_status) :: sins_get_accuracy
+    end function sins_get_accuracy
+
+    !> Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+    !>
+    !> SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
+    !> there is no truth.
+    function sins_get_truth_summary(sim, summary) bind(C, name="sins_get_truth_summary")
+      import
+      type(c_ptr), value :: sim
+      type(sins_truth_summary), intent(inout) :: summary
+      integer(sins_status) :: sins_get_truth_summary
+    end function sins_get_truth_summary
+
+    !> Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+    !> SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+    function sins_get_record(sim, record) bind(C, name="sins_get_record")
+      import
+      type(c_ptr), value :: sim
+      type(sins_record), intent(inout) :: record
+      integer(sins_status) :: sins_get_record
+    end function sins_get_record
+
+    !> Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not read) of
+    !> navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion is 1
+    !> within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and flagged so,
+    !> errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
+    !> started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
+    !> SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+    function sins_start_navigation(sim, navigation) bind(C, name="sins_start_navigation")
+      import
+      type(c_ptr), value :: sim
+      type(sins_navigation), intent(in) :: navigation
+      integer(sins_status) :: sins_start_navigation
+    end function sins_start_navigation
+
+    !> Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
+    !> interval_s; sins_get_imu() tells the host's increments as the ideal ones.
+    !> sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+    !>
+    !> SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
+    !> turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
+    !> solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+    function sins_push_imu(sim, increment) bind(C, name="sins_push_imu")
+      import
+      type(c_ptr), value :: sim
+      type(sins_imu_increment), intent(in) :: increment
+      integer(sins_status) :: sins_push_imu
+    end function sins_push_imu
+
+    !> The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
+    !> with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
+    !> besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+    function sins_snapshot_size(sim, size) bind(C, name="sins_snapshot_size")
+      import
+      type(c_ptr), value :: sim
+      integer(c_size_t), intent(inout) :: size
+      integer(sins_status) :: sins_snapshot_size
+    end function sins_snapshot_size
+
+    !> Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
+    !> stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
+    !> keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+    !>
+    !> Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR it is the last
+    !> good solution that is saved, after SINS_ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+    !>
+    !> SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are as they were.
+    function sins_snapshot_save(sim, buffer, capacity, written) bind(C, name="sins_snapshot_save")
+      import
+      type(c_ptr), value :: sim
+      type(c_ptr), value :: buffer
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: written
+      integer(sins_status) :: sins_snapshot_save
+    end function sins_snapshot_save
+
+    !> Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
+    !> fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
+    !> what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
+    !>
+    !> SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
+    !> sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
+    !> where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+    function sins_snapshot_load(sim, snapshot, size) bind(C, name="sins_snapshot_load")
+      import
+      type(c_ptr), value :: sim
+      type(c_ptr), value :: snapshot
+      integer(c_size_t), value :: size
+      integer(sins_status) :: sins_snapshot_load
+    end function sins_snapshot_load
+
+    !> Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at
+    !> turn-on with the standard deviations that the source states; what it does not state is 0.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such grade.
+    function sins_gyro_preset(grade, params) bind(C, name="sins_gyro_preset")
+      import
+      integer(c_int32_t), value :: grade
+      type(sins_gyro_params), intent(inout) :: params
+      integer(sins_status) :: sins_gyro_preset
+    end function sins_gyro_preset
+
+    !> Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such grade.
+    function sins_accel_preset(grade, params) bind(C, name="sins_accel_preset")
+      import
+      integer(c_int32_t), value :: grade
+      type(sins_accel_params), intent(inout) :: params
+      integer(sins_status) :: sins_accel_preset
+    end function sins_accel_preset
+
+    !> Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
+    !> to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+    !>
+    !> Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600
+    !> s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+    !>
+    !> On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
+    !> value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
+    !> index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
+    !> 200000 pieces (which take 3 s), or 4096 flights that live.
+    function sins_flight_create(start, manoeuvres, count, flight) bind(C, name="sins_flight_create")
+      import
+      type(sins_flight_start), intent(in) :: start
+      type(sins_manoeuvre), intent(in) :: manoeuvres(*)
+      integer(c_size_t), value :: count
+      type(c_ptr), intent(inout) :: flight
+      integer(sins_status) :: sins_flight_create
+    end function sins_flight_create
+
+    !> Length of the flight [s].
+    function sins_flight_duration(flight, duration_s) bind(C, name="sins_flight_duration")
+      import
+      type(c_ptr), value :: flight
+      real(c_double), intent(inout) :: duration_s
+      integer(sins_status) :: sins_flight_duration
+    end function sins_flight_duration
+
+    !> The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
+    function sins_flight_sample_at(flight, time_s, sample) bind(C, name="sins_flight_sample_at")
+      import
+      type(c_ptr), value :: flight
+      real(c_double), value :: time_s
+      type(sins_flight_sample), intent(inout) :: sample
+      integer(sins_status) :: sins_flight_sample_at
+    end function sins_flight_sample_at
+
+    !> Destroys a flight.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    function sins_flight_destroy(flight) bind(C, name="sins_flight_destroy")
+      import
+      type(c_ptr), value :: flight
+      integer(sins_status) :: sins_flight_destroy
+    end function sins_flight_destroy
+
+    !> Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
+    !> height 0, sampled at 100 Hz.
+    !>
+    !> On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
+    !> SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
+    !> a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
+    !> it, the process ends. So it is of sins_log_parse(), but for the samples.
+    function sins_scene_create(scene) bind(C, name="sins_scene_create")
+      import
+      type(c_ptr), intent(inout) :: scene
+      integer(sins_status) :: sins_scene_create
+    end function sins_scene_create
+
+    !> Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+    !>
+    !> SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
+    !> that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
+    !> sins_scene_create().
+    function sins_scene_parse(text, size, scene) bind(C, name="sins_scene_parse")
+      import
+      character(kind=c_char), intent(in) :: text(*)
+      integer(c_size_t), value :: size
+      type(c_ptr), intent(inout) :: scene
+      integer(sins_status) :: sins_scene_parse
+    end function sins_scene_parse
+
+    !> Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+    function sins_scene_get_fault(scene, index, fault) bind(C, name="sins_scene_get_fault")
+      import
+      type(c_ptr), value :: scene
+      integer(c_size_t), value :: index
+      type(sins_fault), intent(inout) :: fault
+      integer(sins_status) :: sins_scene_get_fault
+    end function sins_scene_get_fault
+
+    !> Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
+    !> "over_the_pole", "coning", "commuter".
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+    function sins_scene_create_builtin(name, scene) bind(C, name="sins_scene_create_builtin")
+      import
+      character(kind=c_char), intent(in) :: name(*)
+      type(c_ptr), intent(inout) :: scene
+      integer(sins_status) :: sins_scene_create_builtin
+    end function sins_scene_create_builtin
+
+    !> The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: there are no more.
+    function sins_scene_builtin_name(index, buffer, capacity, needed) bind(C, name="sins_scene_builtin_name")
+      import
+      integer(c_size_t), value :: index
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_scene_builtin_name
+    end function sins_scene_builtin_name
+
+    !> Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
+    !>
+    !> needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
+    !> SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
+    !> manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+    function sins_scene_write(scene, buffer, capacity, needed) bind(C, name="sins_scene_write")
+      import
+      type(c_ptr), value :: scene
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_scene_write
+    end function sins_scene_write
+
+    !> Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+    !> needed as in sins_scene_write().
+    function sins_scene_write_keys(buffer, capacity, needed) bind(C, name="sins_scene_write_keys")
+      import
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_scene_write_keys
+    end function sins_scene_write_keys
+
+    !> Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
+    !> their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+    !> SINS_ERROR_OUT_OF_MEMORY: as sins_create().
+    function sins_scene_create_simulator(scene, sim) bind(C, name="sins_scene_create_simulator")
+      import
+      type(c_ptr), value :: scene
+      type(c_ptr), intent(inout) :: sim
+      integer(sins_status) :: sins_scene_create_simulator
+    end function sins_scene_create_simulator
+
+    !> Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
+    !> up to sins_scene_setup.flown_s.
+    !>
+    !> SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
+    !> sins_flight_create().
+    function sins_scene_create_flight(scene, flight) bind(C, name="sins_scene_create_flight")
+      import
+      type(c_ptr), value :: scene
+      type(c_ptr), intent(inout) :: flight
+      integer(sins_status) :: sins_scene_create_flight
+    end function sins_scene_create_flight
+
+    !> Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+    !> next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the
+    !> first interval that starts at their time or later; failures of outputs for which it plans none are left alone. flight_start_s
+    !> is the time stamp of the flight's first sample. No allocation, no system call.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
+    !> from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+    function sins_scene_prepare(scene, sim, flight_start_s, sample) bind(C, name="sins_scene_prepare")
+      import
+      type(c_ptr), value :: scene
+      type(c_ptr), value :: sim
+      real(c_double), value :: flight_start_s
+      type(sins_flight_sample), intent(inout) :: sample
+      integer(sins_status) :: sins_scene_prepare
+    end function sins_scene_prepare
+
+    !> Destroys a scene. Simulators and flights that were made of it live on.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    function sins_scene_destroy(scene) bind(C, name="sins_scene_destroy")
+      import
+      type(c_ptr), value :: scene
+      integer(sins_status) :: sins_scene_destroy
+    end function sins_scene_destroy
+
+    !> Reads the options of the scene.
+    !>
+    !> SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
+    function sins_scene_get_options(scene, options) bind(C, name="sins_scene_get_options")
+      import
+      type(c_ptr), value :: scene
+      type(sins_options), intent(inout) :: options
+      integer(sins_status) :: sins_scene_get_options
+    end function sins_scene_get_options
+
+    !> Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
+    !> whether they go together is checked where the scene is written and its simulator is created.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: as sins_create().
+    function sins_scene_set_options(scene, options) bind(C, name="sins_scene_set_options")
+      import
+      type(c_ptr), value :: scene
+      type(sins_options), intent(in) :: options
+      integer(sins_status) :: sins_scene_set_options
+    end function sins_scene_set_options
+
+    !> Reads the gyro errors of the scene.
+    function sins_scene_get_gyro(scene, params) bind(C, name="sins_scene_get_gyro")
+      import
+      type(c_ptr), value :: scene
+      type(sins_gyro_params), intent(inout) :: params
+      integer(sins_status) :: sins_scene_get_gyro
+    end function sins_scene_get_gyro
+
+    !> Sets the gyro errors of the scene.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_gyro(scene, params) bind(C, name="sins_scene_set_gyro")
+      import
+      type(c_ptr), value :: scene
+      type(sins_gyro_params), intent(in) :: params
+      integer(sins_status) :: sins_scene_set_gyro
+    end function sins_scene_set_gyro
+
+    !> Reads the accelerometer errors of the scene.
+    function sins_scene_get_accel(scene, params) bind(C, name="sins_scene_get_accel")
+      import
+      type(c_ptr), value :: scene
+      type(sins_accel_params), intent(inout) :: params
+      integer(sins_status) :: sins_scene_get_accel
+    end function sins_scene_get_accel
+
+    !> Sets the accelerometer errors of the scene.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_accel(scene, params) bind(C, name="sins_scene_set_accel")
+      import
+      type(c_ptr), value :: scene
+      type(sins_accel_params), intent(in) :: params
+      integer(sins_status) :: sins_scene_set_accel
+    end function sins_scene_set_accel
+
+    !> Reads the errors of the scene's altimeter.
+    function sins_scene_get_altimeter(scene, params) bind(C, name="sins_scene_get_altimeter")
+      import
+      type(c_ptr), value :: scene
+      type(sins_altimeter_params), intent(inout) :: params
+      integer(sins_status) :: sins_scene_get_altimeter
+    end function sins_scene_get_altimeter
+
+    !> Sets the errors of the scene's altimeter.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_altimeter(scene, params) bind(C, name="sins_scene_set_altimeter")
+      import
+      type(c_ptr), value :: scene
+      type(sins_altimeter_params), intent(in) :: params
+      integer(sins_status) :: sins_scene_set_altimeter
+    end function sins_scene_set_altimeter
+
+    !> Reads the errors with which the navigation of the scene starts.
+    function sins_scene_get_initial_errors(scene, errors) bind(C, name="sins_scene_get_initial_errors")
+      import
+      type(c_ptr), value :: scene
+      type(sins_initial_errors), intent(inout) :: errors
+      integer(sins_status) :: sins_scene_get_initial_errors
+    end function sins_scene_get_initial_errors
+
+    !> Sets the errors with which the navigation of the scene starts.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_initial_errors(scene, errors) bind(C, name="sins_scene_set_initial_errors")
+      import
+      type(c_ptr), value :: scene
+      type(sins_initial_errors), intent(in) :: errors
+      integer(sins_status) :: sins_scene_set_initial_errors
+    end function sins_scene_set_initial_errors
+
+    !> Reads where the sensor block of the scene sits.
+    function sins_scene_get_mounting(scene, mounting) bind(C, name="sins_scene_get_mounting")
+      import
+      type(c_ptr), value :: scene
+      type(sins_mounting), intent(inout) :: mounting
+      integer(sins_status) :: sins_scene_get_mounting
+    end function sins_scene_get_mounting
+
+    !> Sets where the sensor block of the scene sits.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_mounting(scene, mounting) bind(C, name="sins_scene_set_mounting")
+      import
+      type(c_ptr), value :: scene
+      type(sins_mounting), intent(in) :: mounting
+      integer(sins_status) :: sins_scene_set_mounting
+    end function sins_scene_set_mounting
+
+    !> Reads true gravity less normal gravity of the scene.
+    function sins_scene_get_gravity_disturbance(scene, params) bind(C, name="sins_scene_get_gravity_disturbance")
+      import
+      type(c_ptr), value :: scene
+      type(sins_gravity_params), intent(inout) :: params
+      integer(sins_status) :: sins_scene_get_gravity_disturbance
+    end function sins_scene_get_gravity_disturbance
+
+    !> Sets true gravity less normal gravity of the scene.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_gravity_disturbance(scene, params) bind(C, name="sins_scene_set_gravity_disturbance")
+      import
+      type(c_ptr), value :: scene
+      type(sins_gravity_params), intent(in) :: params
+      integer(sins_status) :: sins_scene_set_gravity_disturbance
+    end function sins_scene_set_gravity_disturbance
+
+    !> Reads what a scene says of its flight and of its output.
+    function sins_scene_get_setup(scene, setup) bind(C, name="sins_scene_get_setup")
+      import
+      type(c_ptr), value :: scene
+      type(sins_scene_setup), intent(inout) :: setup
+      integer(sins_status) :: sins_scene_get_setup
+    end function sins_scene_get_setup
+
+    !> Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+    function sins_scene_set_setup(scene, setup) bind(C, name="sins_scene_set_setup")
+      import
+      type(c_ptr), value :: scene
+      type(sins_scene_setup), intent(in) :: setup
+      integer(sins_status) :: sins_scene_set_setup
+    end function sins_scene_set_setup
+
+    !> Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
+    !> all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
+    !> count alone manoeuvres with a capacity of 0.
+    !>
+    !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
+    !> is a log; or as sins_scene_parse().
+    function sins_scene_get_manoeuvres(scene, start, manoeuvres, capacity, count, repeat) bind(C, &
+        name="sins_scene_get_manoeuvres")
+      import
+      type(c_ptr), value :: scene
+      type(sins_flight_start), intent(inout) :: start
+      type(sins_manoeuvre), intent(inout) :: manoeuvres(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: count
+      integer(c_size_t), intent(inout) :: repeat
+      integer(sins_status) :: sins_scene_get_manoeuvres
+    end function sins_scene_get_manoeuvres
+
+    !> Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most.
+    !> start->earth is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from
+    !> then on.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+    function sins_scene_set_manoeuvres(scene, start, manoeuvres, count, repeat) bind(C, name="sins_scene_set_manoeuvres")
+      import
+      type(c_ptr), value :: scene
+      type(sins_flight_start), intent(in) :: start
+      type(sins_manoeuvre), intent(in) :: manoeuvres(*)
+      integer(c_size_t), value :: count
+      integer(c_size_t), value :: repeat
+      integer(sins_status) :: sins_scene_set_manoeuvres
+    end function sins_scene_set_manoeuvres
+
+    !> Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in
+    !> sins_scene_write().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such text.
+    function sins_scene_get_text(scene, which, buffer, capacity, needed) bind(C, name="sins_scene_get_text")
+      import
+      type(c_ptr), value :: scene
+      integer(c_int32_t), value :: which
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_scene_get_text
+    end function sins_scene_get_text
+
+    !> Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the
+    !> flight of a scene is never none.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
+    function sins_scene_set_text(scene, which, text) bind(C, name="sins_scene_set_text")
+      import
+      type(c_ptr), value :: scene
+      integer(c_int32_t), value :: which
+      character(kind=c_char), intent(in) :: text(*)
+      integer(sins_status) :: sins_scene_set_text
+    end function sins_scene_set_text
+
+    !> How many failures the scene plans.
+    function sins_scene_get_failure_count(scene, count) bind(C, name="sins_scene_get_failure_count")
+      import
+      type(c_ptr), value :: scene
+      integer(c_size_t), intent(inout) :: count
+      integer(sins_status) :: sins_scene_get_failure_count
+    end function sins_scene_get_failure_count
+
+    !> Planned failure `index`, from 0.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such failure.
+    function sins_scene_get_failure(scene, index, failure) bind(C, name="sins_scene_get_failure")
+      import
+      type(c_ptr), value :: scene
+      integer(c_size_t), value :: index
+      type(sins_planned_failure), intent(inout) :: failure
+      integer(sins_status) :: sins_scene_get_failure
+    end function sins_scene_get_failure
+
+    !> Plans one failure more.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
+    function sins_scene_add_failure(scene, failure) bind(C, name="sins_scene_add_failure")
+      import
+      type(c_ptr), value :: scene
+      type(sins_planned_failure), intent(in) :: failure
+      integer(sins_status) :: sins_scene_add_failure
+    end function sins_scene_add_failure
+
+    !> Plans no failure any more.
+    function sins_scene_clear_failures(scene) bind(C, name="sins_scene_clear_failures")
+      import
+      type(c_ptr), value :: scene
+      integer(sins_status) :: sins_scene_clear_failures
+    end function sins_scene_clear_failures
+
+    !> Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
+    !> order; columns of other names are passed over, and a row with more fields than columns is a fault:
+    !>
+    !> time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
+    !> heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+    !> rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+    !>
+    !> Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
+    !> ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a
+    !> sample.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
+    !> *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+    function sins_log_parse(text, size, log, fault) bind(C, name="sins_log_parse")
+      import
+      character(kind=c_char), intent(in) :: text(*)
+      integer(c_size_t), value :: size
+      type(c_ptr), intent(inout) :: log
+      type(sins_fault), intent(inout) :: fault
+      integer(sins_status) :: sins_log_parse
+    end function sins_log_parse
+
+    !> Tells how many samples a log has, how long it is, and its title.
+    function sins_log_get_info(log, info) bind(C, name="sins_log_get_info")
+      import
+      type(c_ptr), value :: log
+      type(sins_log_info), intent(inout) :: info
+      integer(sins_status) :: sins_log_get_info
+    end function sins_log_get_info
+
+    !> The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the
+    !> text on which it stands, from 1. No allocation.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such sample.
+    function sins_log_get_sample(log, index, sample, line) bind(C, name="sins_log_get_sample")
+      import
+      type(c_ptr), value :: log
+      integer(c_size_t), value :: index
+      type(sins_flight_sample), intent(inout) :: sample
+      integer(c_int64_t), intent(inout) :: line
+      integer(sins_status) :: sins_log_get_sample
+    end function sins_log_get_sample
+
+    !> Destroys a flight log.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    function sins_log_destroy(log) bind(C, name="sins_log_destroy")
+      import
+      type(c_ptr), value :: log
+      integer(sins_status) :: sins_log_destroy
+    end function sins_log_destroy
+
+    !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
+    !> are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+    !>
+    !> configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
+    !> the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
+    !> reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
+    !> for sins_create(); what these three were does not matter.
+    !>
+    !> Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with
+    !> that of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error
+    !> is that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
+    !> alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
+    !> error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
+    !> pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
+    !> one of height, which grows by e every 569 s.
+    !>
+    !> The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
+    !> ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
+    !> nothing meets the requirement.
+    !>
+    !> SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
+    !> sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
+    !> algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+    function sins_recommend(configured, samples, count, requirement, options, cost) bind(C, name="sins_recommend")
+      import
+      type(c_ptr), value :: configured
+      type(sins_flight_sample), intent(in) :: samples(*)
+      integer(c_size_t), value :: count
+      type(sins_requirement), intent(in) :: requirement
+      type(sins_options), intent(inout) :: options
+      type(sins_cost), intent(inout) :: cost
+      integer(sins_status) :: sins_recommend
+    end function sins_recommend
+
+    !> Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
+    !> out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
+    !> of the rows anything.
+    !>
+    !> configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros,
+    !> the accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the
+    !> call and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs
+    !> and no limits; written and budget may be NULL.
+    !>
+    !> An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
+    !> none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
+    !> runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
+    !> run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
+    !> instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
+    !> sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+    !>
+    !> rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
+    !> position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
+    !> the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+    !>
+    !> With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
+    !> while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
+    !> are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
+    !> what that changes, left_out, is beyond a limit, the largest of them comes back.
+    !>
+    !> But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
+    !> and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
+    !> and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+    !>
+    !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
+    !> may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,
+    !> SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
+    !> pole. SINS_ERROR_DIVERGED: a solution left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread
+    !> tells why, and at which sample.
+    function sins_error_budget(configured, samples, count, request, rows, capacity, written, budget) bind(C, &
+        name="sins_error_budget")
+      import
+      type(c_ptr), value :: configured
+      type(sins_flight_sample), intent(in) :: samples(*)
+      integer(c_size_t), value :: count
+      type(sins_budget_request), intent(in) :: request
+      type(sins_budget_row), intent(inout) :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: written
+      type(sins_budget), intent(inout) :: budget
+      integer(sins_status) :: sins_error_budget
+    end function sins_error_budget
+  end interface
+
+contains
+
+  !> The sentence of the last error on a simulator, or with c_null_ptr of this thread: sins_last_error() as a text.
+  function sins_sentence(sim) result(sentence)
+    type(c_ptr), intent(in) :: sim
+    character(len=:), allocatable :: sentence
+    character(len=1024) :: buffer
+    integer(c_size_t) :: needed
+
+    buffer = c_null_char
+    if (sins_last_error(sim, buffer, len(buffer, c_size_t), needed) < 0) buffer = "no sentence" // c_null_char
+    sentence = sins_string(buffer)
+  end function sins_sentence
+
+  function sins_string_of_pointer(text) result(string)
+    type(c_ptr), intent(in) :: text
+    character(len=:), allocatable :: string
+    character(kind=c_char), pointer :: characters(:)
+    integer :: length
+
+    length = 0
+    do
+      call c_f_pointer(text, characters, [length + 1])
+      if (characters(length + 1) == c_null_char) exit
+      length = length + 1
+    end do
+    string = sins_string_of_field(characters)
+  end function sins_string_of_pointer
+
+  pure function sins_string_of_field(characters) result(string)
+    character(kind=c_char), intent(in) :: characters(:)
+    character(len=:), allocatable :: string
+    character(len=size(characters)) :: text
+    integer :: k
+
+    do k = 1, size(characters)
+      text(k:k) = characters(k)
+    end do
+    string = sins_string_of_buffer(text)
+  end function sins_string_of_field
+
+  pure function sins_string_of_buffer(buffer) result(string)
+    character(len=*), intent(in) :: buffer
+    character(len=:), allocatable :: string
+
+    string = buffer(:index(buffer // c_null_char, c_null_char) - 1)
+  end function sins_string_of_buffer
+
+end module sins

@@ -1,0 +1,111 @@
+/*
+ * sins_functions.h - the functions of sins.h as a table, for hosts that look them up by themselves: by GetProcAddress() or dlsym().
+ *
+ *   #define DECLARE(result, name, arguments) result (SINS_CALL *name) arguments;
+ *   struct functions { SINS_FUNCTIONS(DECLARE) };
+ *
+ * SINS_FUNCTIONS_SCENES are those that a library without the feature "scenes" lacks.
+ *
+ * This file is written by build.rs from the Rust sources; do not edit it.
+ */
+
+#ifndef SINS_FUNCTIONS_H
+#define SINS_FUNCTIONS_H
+
+#include "sins.h"
+
+#define SINS_FUNCTIONS_ENGINE(X) \
+    X(uint32_t, sins_abi_version, (void)) \
+    X(const char *, sins_version_string, (void)) \
+    X(const char *, sins_status_string, (sins_status status)) \
+    X(sins_status, sins_get_options, (sins_sim *sim, sins_options *options)) \
+    X(sins_status, sins_create, (const sins_options *options, sins_sim **sim)) \
+    X(sins_status, sins_destroy, (sins_sim *sim)) \
+    X(sins_status, sins_push_sample, (sins_sim *sim, const sins_flight_sample *sample)) \
+    X(sins_status, sins_step, (sins_sim *sim)) \
+    X(sins_status, sins_move_time, (sins_sim *sim, double time_s)) \
+    X(sins_status, sins_move_truth, (sins_sim *sim, const sins_flight_sample *sample)) \
+    X(sins_status, sins_reposition, (sins_sim *sim, const sins_flight_sample *sample)) \
+    X(sins_status, sins_reset, (sins_sim *sim)) \
+    X(sins_status, sins_last_error, (const sins_sim *sim, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_last_error_info, (const sins_sim *sim, sins_error_info *info)) \
+    X(sins_status, sins_set_gyro, (sins_sim *sim, const sins_gyro_params *params)) \
+    X(sins_status, sins_get_gyro, (sins_sim *sim, sins_gyro_params *params)) \
+    X(sins_status, sins_set_accel, (sins_sim *sim, const sins_accel_params *params)) \
+    X(sins_status, sins_get_accel, (sins_sim *sim, sins_accel_params *params)) \
+    X(sins_status, sins_set_altimeter, (sins_sim *sim, const sins_altimeter_params *params)) \
+    X(sins_status, sins_get_altimeter, (sins_sim *sim, sins_altimeter_params *params)) \
+    X(sins_status, sins_set_failure, (sins_sim *sim, int32_t sensor, int32_t axis, const sins_failure *failure)) \
+    X(sins_status, sins_get_failure, (sins_sim *sim, int32_t sensor, int32_t axis, sins_failure *failure)) \
+    X(sins_status, sins_set_initial_errors, (sins_sim *sim, const sins_initial_errors *errors)) \
+    X(sins_status, sins_get_initial_errors, (sins_sim *sim, sins_initial_errors *errors)) \
+    X(sins_status, sins_set_mounting, (sins_sim *sim, const sins_mounting *mounting)) \
+    X(sins_status, sins_get_mounting, (sins_sim *sim, sins_mounting *mounting)) \
+    X(sins_status, sins_set_gravity_disturbance, (sins_sim *sim, const sins_gravity_params *params)) \
+    X(sins_status, sins_get_gravity_disturbance, (sins_sim *sim, sins_gravity_params *params)) \
+    X(sins_status, sins_run, (sins_sim *sim, const sins_flight_sample *samples, size_t count, size_t every, sins_record *records, size_t capacity, size_t *written)) \
+    X(sins_status, sins_get_truth, (sins_sim *sim, sins_navigation *truth)) \
+    X(sins_status, sins_get_navigation, (sins_sim *sim, sins_navigation *navigation)) \
+    X(sins_status, sins_get_imu, (sins_sim *sim, sins_imu *imu)) \
+    X(sins_status, sins_get_errors, (sins_sim *sim, int32_t source, sins_errors *errors)) \
+    X(sins_status, sins_get_accuracy, (sins_sim *sim, sins_accuracy *accuracy)) \
+    X(sins_status, sins_get_truth_summary, (sins_sim *sim, sins_truth_summary *summary)) \
+    X(sins_status, sins_get_record, (sins_sim *sim, sins_record *record)) \
+    X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
+    X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \
+    X(sins_status, sins_snapshot_size, (sins_sim *sim, size_t *size)) \
+    X(sins_status, sins_snapshot_save, (sins_sim *sim, void *buffer, size_t capacity, size_t *written)) \
+    X(sins_status, sins_snapshot_load, (sins_sim *sim, const void *snapshot, size_t size)) \
+    X(sins_status, sins_gyro_preset, (int32_t grade, sins_gyro_params *params)) \
+    X(sins_status, sins_accel_preset, (int32_t grade, sins_accel_params *params)) \
+    X(sins_status, sins_flight_create, (const sins_flight_start *start, const sins_manoeuvre *manoeuvres, size_t count, sins_flight **flight)) \
+    X(sins_status, sins_flight_duration, (const sins_flight *flight, double *duration_s)) \
+    X(sins_status, sins_flight_sample_at, (const sins_flight *flight, double time_s, sins_flight_sample *sample)) \
+    X(sins_status, sins_flight_destroy, (sins_flight *flight)) \
+    X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
+    X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget))
+
+#define SINS_FUNCTIONS_SCENES(X) \
+    X(sins_status, sins_scene_create, (sins_scene **scene)) \
+    X(sins_status, sins_scene_parse, (const char *text, size_t size, sins_scene **scene)) \
+    X(sins_status, sins_scene_get_fault, (const sins_scene *scene, size_t index, sins_fault *fault)) \
+    X(sins_status, sins_scene_create_builtin, (const char *name, sins_scene **scene)) \
+    X(sins_status, sins_scene_builtin_name, (size_t index, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_write, (const sins_scene *scene, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_write_keys, (char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_create_simulator, (const sins_scene *scene, sins_sim **sim)) \
+    X(sins_status, sins_scene_create_flight, (const sins_scene *scene, sins_flight **flight)) \
+    X(sins_status, sins_scene_prepare, (const sins_scene *scene, sins_sim *sim, double flight_start_s, sins_flight_sample *sample)) \
+    X(sins_status, sins_scene_destroy, (sins_scene *scene)) \
+    X(sins_status, sins_scene_get_options, (const sins_scene *scene, sins_options *options)) \
+    X(sins_status, sins_scene_set_options, (sins_scene *scene, const sins_options *options)) \
+    X(sins_status, sins_scene_get_gyro, (const sins_scene *scene, sins_gyro_params *params)) \
+    X(sins_status, sins_scene_set_gyro, (sins_scene *scene, const sins_gyro_params *params)) \
+    X(sins_status, sins_scene_get_accel, (const sins_scene *scene, sins_accel_params *params)) \
+    X(sins_status, sins_scene_set_accel, (sins_scene *scene, const sins_accel_params *params)) \
+    X(sins_status, sins_scene_get_altimeter, (const sins_scene *scene, sins_altimeter_params *params)) \
+    X(sins_status, sins_scene_set_altimeter, (sins_scene *scene, const sins_altimeter_params *params)) \
+    X(sins_status, sins_scene_get_initial_errors, (const sins_scene *scene, sins_initial_errors *errors)) \
+    X(sins_status, sins_scene_set_initial_errors, (sins_scene *scene, const sins_initial_errors *errors)) \
+    X(sins_status, sins_scene_get_mounting, (const sins_scene *scene, sins_mounting *mounting)) \
+    X(sins_status, sins_scene_set_mounting, (sins_scene *scene, const sins_mounting *mounting)) \
+    X(sins_status, sins_scene_get_gravity_disturbance, (const sins_scene *scene, sins_gravity_params *params)) \
+    X(sins_status, sins_scene_set_gravity_disturbance, (sins_scene *scene, const sins_gravity_params *params)) \
+    X(sins_status, sins_scene_get_setup, (const sins_scene *scene, sins_scene_setup *setup)) \
+    X(sins_status, sins_scene_set_setup, (sins_scene *scene, const sins_scene_setup *setup)) \
+    X(sins_status, sins_scene_get_manoeuvres, (const sins_scene *scene, sins_flight_start *start, sins_manoeuvre *manoeuvres, size_t capacity, size_t *count, size_t *repeat)) \
+    X(sins_status, sins_scene_set_manoeuvres, (sins_scene *scene, const sins_flight_start *start, const sins_manoeuvre *manoeuvres, size_t count, size_t repeat)) \
+    X(sins_status, sins_scene_get_text, (const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_set_text, (sins_scene *scene, int32_t which, const char *text)) \
+    X(sins_status, sins_scene_get_failure_count, (const sins_scene *scene, size_t *count)) \
+    X(sins_status, sins_scene_get_failure, (const sins_scene *scene, size_t index, sins_planned_failure *failure)) \
+    X(sins_status, sins_scene_add_failure, (sins_scene *scene, const sins_planned_failure *failure)) \
+    X(sins_status, sins_scene_clear_failures, (sins_scene *scene)) \
+    X(sins_status, sins_log_parse, (const char *text, size_t size, sins_log **log, sins_fault *fault)) \
+    X(sins_status, sins_log_get_info, (const sins_log *log, sins_log_info *info)) \
+    X(sins_status, sins_log_get_sample, (const sins_log *log, size_t index, sins_flight_sample *sample, uint64_t *line)) \
+    X(sins_status, sins_log_destroy, (sins_log *log))
+
+#define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X)
+
+#endif /* SINS_FUNCTIONS_H */

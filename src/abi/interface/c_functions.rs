@@ -1,0 +1,42 @@
+//! `include/sins_functions.h`: the functions of the interface as a table that the preprocessor goes through.
+
+use super::c_types::{argument_list, declaration};
+use super::model::{Function, Interface};
+
+const HEAD: &str = "\
+/*
+ * sins_functions.h - the functions of sins.h as a table, for hosts that look them up by themselves: by GetProcAddress() or dlsym().
+ *
+ *   #define DECLARE(result, name, arguments) result (SINS_CALL *name) arguments;
+ *   struct functions { SINS_FUNCTIONS(DECLARE) };
+ *
+ * SINS_FUNCTIONS_SCENES are those that a library without the feature \"scenes\" lacks.
+ *
+ * This file is written by build.rs from the Rust sources; do not edit it.
+ */
+
+#ifndef SINS_FUNCTIONS_H
+#define SINS_FUNCTIONS_H
+
+#include \"sins.h\"
+";
+
+pub fn write(interface: &Interface) -> String {
+    let table = |name: &str, is_of_scenes: bool| {
+        let functions = interface.functions.iter().filter(|one| one.is_of_scenes() == is_of_scenes);
+        let rows: Vec<String> = functions.map(|one| row(interface, one)).collect();
+        format!("#define {name}(X) \\\n{}\n", rows.join(" \\\n"))
+    };
+    let engine = table("SINS_FUNCTIONS_ENGINE", false);
+    let scenes = table("SINS_FUNCTIONS_SCENES", true);
+    format!(
+        "{HEAD}\n{engine}\n{scenes}\n#define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X)\n\n\
+         #endif /* SINS_FUNCTIONS_H */\n"
+    )
+}
+
+fn row(interface: &Interface, function: &Function) -> String {
+    let arguments = argument_list(interface, function).join(", ").replace("struct ", "");
+    let result = declaration(interface, &function.result, "");
+    format!("    X({}, {}, ({arguments}))", result.trim_end(), function.name)
+}

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# Hosts in other languages than C: each is built with its compiler's warnings as errors, flies built-in scenes to the bits of the C
+# host, gets from calls with arrays, matrices, texts and bytes what C gets, and has every struct, field and constant of the header
+# in its place and of its value.
+#
+#     tests/hosts.sh             all hosts
+#     tests/hosts.sh fortran     one of them
+#
+# SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+hosts="fortran ada fortran_windows"
+scenes="aerobatics commuter"
+out=$PWD/target/hosts
+library=$PWD/target/c_examples/libsins.so.1
+link=("$library" "-Wl,-rpath,${library%/*}")
+
+# The C host and the C compiler say what is right.
+c() {
+    need g++ c++
+    c_examples/build.sh >"$out/build_c" 2>&1 || { cat "$out/build_c"; return 1; }
+    for scene in $scenes; do
+        target/c_examples/harness "$scene" >"$out/$scene.c"
+    done
+    mkdir -p "$out/c"
+    awk -f tests/hosts/layout_c.awk include/sins.h >"$out/c/layout.c"
+    for program in tests/hosts/calls.c "$out/c/layout.c"; do
+        cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I include -o "$out/c/$(basename "$program" .c)" "$program" "${link[@]}"
+    done
+    numbers c
+    echo "c: $(grep -c . "$out/numbers.c") numbers; scenes $scenes"
+}
+
+fortran() {
+    need gfortran gfortran
+    fortran_programs fortran gfortran "${link[@]}"
+    same_as_c fortran
+}
+
+# fortran_programs FOLDER COMPILER LIBRARY...
+fortran_programs() {
+    local folder=$out/$1 compiler=$2 program
+    shift 2
+    mkdir -p "$folder"
+    awk -f tests/hosts/layout_fortran.awk c_examples/fortran/sins.f90 >"$folder/layout.f90"
+    for program in c_examples/fortran/fly.f90 tests/hosts/calls.f90 "$folder/layout.f90"; do
+        "$compiler" -std=f2008 -Wall -Wextra -Werror -O2 -J "$folder" -o "$folder/$(basename "$program" .f90)" \
+            c_examples/fortran/sins.f90 "$program" "$@"
+    done
+}
+
+# With the DLLs and the wine of tests/windows.sh.
+fortran_windows() {
+    fortran_under_wine 64 x86_64 "$PWD/target/wine" /usr/lib/wine/wine64 /usr/lib/wine/wineserver64
+    fortran_under_wine 32 i686 "$PWD/target/wine32/prefix" "$PWD/target/wine32/usr/lib/wine/"{wine,wineserver32}
+}
+
+# fortran_under_wine BITS PROCESSOR PREFIX WINE SERVER
+fortran_under_wine() {
+    local host=fortran_windows_$1 program
+    if ! [ -e "target/windows/$1/sins.dll" ] || ! [ -d "$3" ]; then
+        could_not "Fortran on $1-bit Windows" "there is no DLL and no wine before tests/windows.sh"
+        return
+    fi
+    need "gfortran-mingw-w64-$(echo "$2" | tr _ -)-win32" "$2-w64-mingw32-gfortran-win32"
+    mkdir -p "$out/$host"
+    cp "target/windows/$1"/*.dll "$out/$host"
+    fortran_programs "$host" "$2-w64-mingw32-gfortran-win32" "$out/$host/sins.dll" -static
+    for program in fly calls layout; do
+        printf '#!/bin/sh\nWINEDEBUG=-all WINEPREFIX=%s WINESERVER=%s exec %s %s.exe "$@"\n' \
+            "$3" "$5" "$4" "$out/$host/$program" >"$out/$host/$program"
+        chmod +x "$out/$host/$program"
+    done
+    same_as_c "$host"
+}
+
+ada() {
+    need gnat gnatmake
+    mkdir -p "$out/ada"
+    awk -f tests/hosts/layout_ada.awk c_examples/ada/sins.ads >"$out/ada/layout.adb"
+    for program in "$PWD/c_examples/ada/fly.adb" "$PWD/tests/hosts/calls.adb" "$out/ada/layout.adb"; do
+        (cd "$out/ada" && gnatmake -q -gnat2012 -gnatwa -gnatwe -O2 -I../../../c_examples/ada "$program" -largs "${link[@]}")
+    done
+    same_as_c ada
+}
+
+# numbers HOST: what its programs `layout` and `calls` print, a name and a number a line.
+numbers() {
+    { "$out/$1/layout" | LC_ALL=C sort; "$out/$1/calls"; } >"$out/numbers.$1"
+}
+
+# same_as_c HOST: its program `fly` flies and reports an error, `layout` and `calls` print what those of C print.
+same_as_c() {
+    for scene in $scenes; do
+        "$out/$1/fly" "$scene" >"$out/$scene.$1"
+        paste <(figures 1 "$out/$scene.c") <(figures 3 "$out/$scene.$1") |
+            awk -v host="$1 $scene" '
+                NF != 2 || $1 + 0 != $2 + 0 || $1 == 0 { print host ": line " NR ": " $0; bad = 1 }
+                END { if (NR != 9 || bad) { print host ": not the figures of the C host"; exit 1 } }'
+    done
+    if "$out/$1/fly" no_such_scene 2>"$out/refused.$1"; then
+        echo "$1: a scene that there is not was flown"
+        return 1
+    fi
+    grep -q "name: must be the name of a built-in scene.*SINS_ERROR_INVALID_ARGUMENT" "$out/refused.$1"
+    numbers "$1"
+    paste "$out/numbers.c" "$out/numbers.$1" | awk -v host="$1" '
+        NF != 4 || $1 != $3 || $2 + 0 != $4 + 0 { print host ": in C and here: " $0; bad = 1 }
+        END { exit bad }'
+    echo "$1: flies to the bits of C; sizes, offsets, constants and what calls give are those of C"
+}
+
+# figures COUNT FILE: the errors at the end in the output of a host, one a line: COUNT of them in a line, behind the title. Those of
+# the C host stand before the column of the error equations.
+figures() {
+    awk -v count="$1" '
+        /errors at the end/ { end = 1; next }
+        end && /^ *(position|velocity|misalignment)/ {
+            if (count == 1) print $(NF - 1)
+            else for (k = NF - count + 1; k <= NF; k++) print $k
+        }' "$2"
+}
+
+mkdir -p "$out"
+c
+for host in ${*:-$hosts}; do
+    "$host"
+done
+report_not_run

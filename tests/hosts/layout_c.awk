@@ -1,0 +1,23 @@
+# From include/sins.h a C program that prints every size, offset and constant of it.
+
+function show(label, value) {
+    printf "    printf(\"%%s %%.17g\\n\", \"%s\", (double)(%s));\n", label, value
+}
+
+BEGIN {
+    print "#include <stdio.h>\n#include \"sins.h\"\n\nint main(void)\n{"
+}
+/^typedef struct .* \{$/ {
+    name = $3
+    show("sizeof(" name ")", "sizeof(" name ")")
+}
+/^    [a-z].*;$/ && name != "" {
+    field = $NF
+    sub(/[[;].*/, "", field)
+    show(name "." field, "offsetof(" name ", " field ")")
+    show("sizeof(" name "." field ")", "sizeof(((" name " *)0)->" field ")")
+}
+/^}/ { name = "" }
+/^    SINS_[A-Z0-9_]+ = / { show($1, $1) }
+/^#define SINS_[A-Z0-9_]+ +[(0-9]/ { show($2, $2) }
+END { print "    return 0;\n}" }
