@@ -1,4 +1,4 @@
-//! Writes the structs of the table of sensor parameters, and what hosts are told of the interface, and names the shared library.
+//! Writes the structs of the table of sensor parameters, and what hosts are told of the interface.
 //!
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed files: `include/sins.h` and those for other languages. They go to the
 //! build's own folder too, where a test compares them with the committed ones.
@@ -72,11 +72,6 @@ fn main() {
         }
     }
     println!("cargo:rustc-env=SINS_GENERATED={}", generated.display());
-
-    // The number is SINS_HEADER_ABI: libraries of another one do not take this one's place.
-    if variable("CARGO_CFG_TARGET_OS") == "linux" {
-        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libsins.so.1");
-    }
 }
 
 fn variable(name: &str) -> String {

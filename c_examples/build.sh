@@ -18,13 +18,12 @@ fi
 cd c_examples
 
 mkdir -p "$out"
-ln -sf "$lib/libsins.so" "$out/libsins.so.1"
 
 # build PROGRAM COMPILER AND ITS FLAGS SOURCE...
 build() {
     program=$1
     shift
-    "$@" $warnings -I../include -o "$out/$program" -L"$lib" -lsins -lm '-Wl,-rpath,$ORIGIN'
+    "$@" $warnings -I../include -o "$out/$program" -L"$lib" -lsins -lm -Wl,-rpath,"$lib"
 }
 
 build minimal ${CC:-cc} -std=c99 minimal.c
@@ -32,4 +31,6 @@ build harness ${CC:-cc} -std=c99 harness.c
 build recommend ${CC:-cc} -std=c99 recommend.c
 build budget ${CC:-cc} -std=c99 budget.c
 build cpp_host ${CXX:-c++} -std=c++11 cpp_host.cpp
-echo "built in target/c_examples: minimal harness recommend budget cpp_host"
+# It loads the library while it runs.
+${CC:-cc} -std=c99 $warnings -I../include -o "$out/loadlibrary" loadlibrary.c -ldl
+echo "built in target/c_examples: minimal harness recommend budget cpp_host loadlibrary"

@@ -51,7 +51,7 @@ private:
 template <typename T> T make() noexcept
 {
     T zeroed = T();
-    zeroed.struct_size = static_cast<uint32_t>(sizeof(T));
+    zeroed.struct_size = sizeof(T);
     return zeroed;
 }
 

@@ -3,7 +3,9 @@
 #[path = "support/c_side.rs"]
 mod c_side;
 
-use c_side::{STRICT, c_compiler, cpp_compiler, library_folder, project_file, run_test_program, succeed};
+use c_side::{
+    STRICT, c_compiler, compiler_of, cpp_compiler, library_folder, project_file, run_test_program, succeed,
+};
 use sins::abi::{sins_accel_params, sins_gyro_params};
 use sins::sensors::{PARAMETERS, Sensor};
 
@@ -52,6 +54,20 @@ fn the_table_of_functions_fits_their_declarations() {
     {
         compiler.args(standard).args(STRICT).arg("-fsyntax-only").arg("-I").arg(project_file("include"));
         succeed(compiler.arg(project_file("tests/c/functions.c")));
+    }
+}
+
+/// What a host includes is free of warnings that a host may have made errors.
+#[test]
+fn the_headers_are_clean_under_the_warnings_of_strict_projects() {
+    let of_both = ["-Wconversion", "-Wsign-conversion", "-Wundef", "-Wshadow", "-Wcast-qual", "-Wdouble-promotion"];
+    for standard in ["c99", "c11", "c++98", "c++11", "c++20"] {
+        let (mut compiler, language) = compiler_of(standard);
+        compiler.args(["-x", language, &format!("-std={standard}"), "-fsyntax-only"]).args(STRICT).args(of_both);
+        if language == "c++" {
+            compiler.arg("-Wold-style-cast");
+        }
+        succeed(compiler.arg("-I").arg(project_file("include")).arg(project_file("tests/c/strict.c")));
     }
 }
 

@@ -5,7 +5,9 @@ mod c_side;
 
 use std::process::{Command, Output};
 
-use c_side::{C_AND_CPP, built_to, library_folder, prints_alike, project_file, succeed};
+use c_side::{
+    C_AND_CPP, built_to, compiler_of, library_folder, prints_alike, project_file, shared_library, succeed,
+};
 
 fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
@@ -46,6 +48,16 @@ fn the_harness_flies_alike_as_c_and_as_cpp() {
         let scene = if path.exists() { path.to_str().unwrap() } else { scene };
         let text = prints_alike("harness_example", &["c_examples/harness.c"], &C_AND_CPP, &[scene]);
         assert!(text.contains("error equations") && text.contains("closure, "), "{text}");
+    }
+}
+
+/// And by `tests/platforms.sh` and `tests/windows.sh`, with hosts of 32 bits and of x87 arithmetic.
+#[test]
+fn the_host_that_loads_the_library_flies_or_says_why_it_cannot() {
+    for standard in C_AND_CPP {
+        let (compiler, language) = compiler_of(standard);
+        let compiler = format!("{} -x {language} -std={standard}", compiler.get_program().display());
+        succeed(Command::new(project_file("tests/loading.sh")).arg(compiler).arg(shared_library()));
     }
 }
 

@@ -15,7 +15,6 @@ fly() {
     local compiler=$1 library=$2
     shift 2
     cp "$library" "$folder/libsins.so"
-    cp "$library" "$folder/libsins.so.1"
     for name in $programs; do
         "$compiler" -std=c99 -O1 -I include "tests/c/$name.c" -o "$folder/$name" -L "$folder" -lsins -lm -lpthread \
             -Wl,-rpath,"$folder"
@@ -34,6 +33,7 @@ other() {
     variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
     env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test determinism
     fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
+    tests/loading.sh "$compiler -std=c99" "target/$target/debug/deps/libsins.so" "$@"
 }
 
 need g++ c++

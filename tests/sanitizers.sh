@@ -56,7 +56,6 @@ library() {
 
 address_sanitizer() {
     library address cdylib || return 0
-    cp "$built/libsins.so" "$folder/libsins.so.1"
     cp "$built/libsins.so" "$folder/libsins.so"
     for name in planted $addressed panic; do
         compile "$name" -fsanitize=address,undefined -fno-sanitize-recover=all -L "$folder" -lsins -Wl,-rpath,"$folder"
@@ -89,7 +88,6 @@ thread_sanitizer() {
 
 memcheck() {
     cargo build --quiet
-    cp target/debug/libsins.so "$folder/libsins.so.1"
     cp target/debug/libsins.so "$folder/libsins.so"
     local valgrind=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect)
     for name in planted $checked; do

@@ -1,32 +1,31 @@
 #!/usr/bin/env bash
-# The DLLs of the release under wine, 64 and 32 bits, and the programs of tests/c with them. What cannot be had is told at the
-# end.
+# The DLLs that are shipped (release/windows.sh) under wine, 64 and 32 bits, and the programs of tests/c with them. What cannot
+# be had is told at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/pe.sh
+. release/build.sh
 
 programs="digests float_environment misuse sentences run threads destroyed tls_indexes unload terminated"
 wine32=$PWD/target/wine32
 export WINEDEBUG=-all
 need g++ c++
 
-# dll PROCESSOR FOLDER: the DLL, the programs, and what wine lacks.
+# dll PROCESSOR FOLDER: the DLL that is shipped, what it is for the loader, and the programs.
 dll() {
-    local target=$1-pc-windows-gnu compiler=$1-w64-mingw32-gcc
-    need "gcc-mingw-w64-$(echo "$1" | tr _ -)" "$compiler"
-    rustup target add "$target"
-    cargo rustc --quiet --release --lib --crate-type cdylib --target "$target"
-    mkdir -p "$2"
-    cp "target/$target/release/sins.dll" "$2"
+    local compiler=$1-w64-mingw32-gcc
+    release/windows.sh "$1" "$2"
+    check_pe "$2/sins.dll" "$1" kernel32.dll msvcrt.dll ntdll.dll
     cp "$2/sins.dll" "$2/second.dll"
-    "$compiler" -shared -Wl,--kill-at -o "$2/bcryptprimitives.dll" tests/c/bcryptprimitives.c
     for name in $programs; do
         "$compiler" -std=c99 -D__USE_MINGW_ANSI_STDIO=1 -O1 -I include "tests/c/$name.c" -o "$2/$name.exe" \
-            "target/$target/release/libsins.dll.a" -static -lpthread
+            "$2/libsins.dll.a" -static -lpthread
     done
 }
 
-# run_in FOLDER WINE SERVER: the programs, each with two copies of the DLL to load, and one server that stays for them. Wine makes or renews its own folder with the first
+# run_in FOLDER WINE SERVER PROCESSOR: the programs, each with two copies of the DLL to load, and the hosts that load it; one server
+# stays for them. Wine makes or renews its own folder with the first
 # that it runs; what it says then of fonts and windows, which they do not have, is told where one of them fails.
 run_in() {
     export WINESERVER=$3
@@ -36,6 +35,7 @@ run_in() {
     for name in $programs; do
         "$2" "$1/$name.exe" "$1/sins.dll" "$1/second.dll" || { cat "$WINEPREFIX/log"; exit 1; }
     done
+    tests/loading.sh "$4-w64-mingw32-gcc -std=c99" "$1/sins.dll" "$2"
 }
 
 # 32-bit wine, unpacked from its packages: no second architecture comes into the packages of this machine, and no root is
@@ -70,7 +70,7 @@ if ! [ -x /usr/lib/wine/wine64 ] && ! install wine64; then
     could_not "64-bit Windows" "no wine to be had"
 else
     dll x86_64 target/windows/64
-    WINEPREFIX=$PWD/target/wine run_in target/windows/64 /usr/lib/wine/wine64 /usr/lib/wine/wineserver64
+    WINEPREFIX=$PWD/target/wine run_in target/windows/64 /usr/lib/wine/wine64 /usr/lib/wine/wineserver64 x86_64
 fi
 
 echo "== 32 bits"
@@ -83,6 +83,6 @@ elif ! "$wine" --version; then
     could_not "32-bit Windows" "the kernel runs no 32-bit programs"
 else
     dll i686 target/windows/32
-    WINEARCH=win32 WINEPREFIX=$wine32/prefix run_in target/windows/32 "$wine" "${wine}server32"
+    WINEARCH=win32 WINEPREFIX=$wine32/prefix run_in target/windows/32 "$wine" "${wine}server32" i686
 fi
 report_not_run

@@ -14,9 +14,7 @@ use program::{done, folder, numbers, project_file, read};
 fn link(name: &str, source: &str) -> PathBuf {
     let folder = folder(&format!("build_{name}"));
     let library = std::env::current_exe().unwrap().with_file_name("libsins.so");
-    for name in ["libsins.so", "libsins.so.1"] {
-        std::fs::copy(&library, folder.join(name)).unwrap();
-    }
+    std::fs::copy(&library, folder.join("libsins.so")).unwrap();
     let program = folder.join(name);
     let status = Command::new(std::env::var_os("CC").unwrap_or_else(|| "cc".into()))
         .args(["-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"])

@@ -127,7 +127,7 @@ typedef unsigned __int64 uint64_t;
 #endif
 
 /* Makes a struct the zero of its kind: everything off, or recommended. */
-#define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = (uint32_t)sizeof(object)))
+#define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
 /* Units: multiply by them to get SI, divide to get back. */
 #define SINS_DEG 0.017453292519943295              /* degree [rad] */
@@ -148,10 +148,13 @@ extern "C" {
 #endif
 
 /*
- * A simulator, an embedded flight, a scene, and a flight log. A handle is a checked key, never an address: a null, made-up,
- * destroyed or wrong-kind one is answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ * A simulator. This and the next three are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
+ * answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
+/* An embedded flight. */
 typedef struct sins_flight sins_flight;
+/* A scene. */
 typedef struct sins_scene sins_scene;
+/* A flight log. */
 typedef struct sins_log sins_log;

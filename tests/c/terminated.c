@@ -1,8 +1,9 @@
 /* Windows: a thread that was terminated in a call holds the handle for ever; others are answered SINS_ERROR_BAD_STATE, those that
  * wait already among them. */
 
+#include <windows.h>
+
 #include "every_call.h"
-#include "loader.h"
 
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_sim *sim;

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
+#include "../../c_examples/sins_loader.h"
 #include "every_call.h"
-#include "loader.h"
 
 static DWORD taken[4096];
 static int count;
@@ -48,40 +48,29 @@ static void fly_in_a_thread(void)
 
 int main(int arguments, char **paths)
 {
-    void *late;
+    sins_loader late;
     sins_sim *sim = NULL;
     sins_navigation navigation = {.struct_size = sizeof navigation};
     char text[200];
     double duration;
-    __typeof__(&sins_create) create;
-    __typeof__(&sins_destroy) destroy;
-    __typeof__(&sins_last_error) last_error;
-    __typeof__(&sins_get_truth) get_truth;
-    __typeof__(&sins_flight_duration) flight_duration;
 
     CHECK(arguments == 3);
     take_all();
     CHECK(count > 1000);
     fly_in_a_thread();
 
-    late = open_library(paths[2]);
-    CHECK(late != NULL && late != (void *)GetModuleHandleA("sins.dll"));
-    create = (__typeof__(create))symbol(late, "sins_create");
-    destroy = (__typeof__(destroy))symbol(late, "sins_destroy");
-    last_error = (__typeof__(last_error))symbol(late, "sins_last_error");
-    get_truth = (__typeof__(get_truth))symbol(late, "sins_get_truth");
-    flight_duration = (__typeof__(flight_duration))symbol(late, "sins_flight_duration");
-    CHECK(create(NULL, &sim) == SINS_ERROR_OUT_OF_MEMORY && sim == NULL);
-    CHECK(last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "TLS") != NULL);
-    CHECK(get_truth(NULL, &navigation) == SINS_ERROR_BAD_HANDLE);
-    CHECK(flight_duration(NULL, &duration) == SINS_ERROR_BAD_HANDLE);
+    CHECK(sins_loader_open(&late, paths[2], text, sizeof text) && late.library != GetModuleHandleA("sins.dll"));
+    CHECK(late.sins_create(NULL, &sim) == SINS_ERROR_OUT_OF_MEMORY && sim == NULL);
+    CHECK(late.sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "TLS") != NULL);
+    CHECK(late.sins_get_truth(NULL, &navigation) == SINS_ERROR_BAD_HANDLE);
+    CHECK(late.sins_flight_duration(NULL, &duration) == SINS_ERROR_BAD_HANDLE);
 
     give_back_all();
-    CHECK(create(NULL, &sim) == SINS_OK && destroy(sim) == SINS_OK);
+    CHECK(late.sins_create(NULL, &sim) == SINS_OK && late.sins_destroy(sim) == SINS_OK);
     take_all();
-    CHECK(create(NULL, &sim) == SINS_OK && destroy(sim) == SINS_OK);
+    CHECK(late.sins_create(NULL, &sim) == SINS_OK && late.sins_destroy(sim) == SINS_OK);
     fly_in_a_thread();
-    CHECK(close_library(late));
+    CHECK(sins_loader_close(&late));
     printf("tls_indexes: answers without one of them\n");
     return 0;
 }

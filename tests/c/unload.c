@@ -8,45 +8,31 @@
 #include <string.h>
 #include <unistd.h>
 
-#if !defined(_WIN32)
+#if defined(_WIN32)
+#include "tls_indexes_left.h"
+#else
 #include "allocator.h"
 #endif
+#include "../../c_examples/sins_loader.h"
 #include "check.h"
-#include "loader.h"
-#include "sins.h"
 
-/* The functions of the copy in use, under their own names for the code below. */
-static struct {
-    __typeof__(&sins_create) create;
-    __typeof__(&sins_destroy) destroy;
-    __typeof__(&sins_last_error) last_error;
-    __typeof__(&sins_set_gyro) set_gyro;
-    __typeof__(&sins_set_accel) set_accel;
-    __typeof__(&sins_set_altimeter) set_altimeter;
-    __typeof__(&sins_set_initial_errors) set_initial_errors;
-    __typeof__(&sins_push_sample) push_sample;
-    __typeof__(&sins_run) run;
-    __typeof__(&sins_step) step;
-    __typeof__(&sins_flight_create) flight_create;
-    __typeof__(&sins_flight_sample_at) flight_sample_at;
-    __typeof__(&sins_flight_destroy) flight_destroy;
-    __typeof__(&sins_recommend) recommend;
-} api;
+/* The copy in use, under the functions' own names for the code below. */
+static sins_loader in_use;
 
-#define sins_create api.create
-#define sins_destroy api.destroy
-#define sins_last_error api.last_error
-#define sins_set_gyro api.set_gyro
-#define sins_set_accel api.set_accel
-#define sins_set_altimeter api.set_altimeter
-#define sins_set_initial_errors api.set_initial_errors
-#define sins_push_sample api.push_sample
-#define sins_run api.run
-#define sins_step api.step
-#define sins_flight_create api.flight_create
-#define sins_flight_sample_at api.flight_sample_at
-#define sins_flight_destroy api.flight_destroy
-#define sins_recommend api.recommend
+#define sins_create in_use.sins_create
+#define sins_destroy in_use.sins_destroy
+#define sins_last_error in_use.sins_last_error
+#define sins_set_gyro in_use.sins_set_gyro
+#define sins_set_accel in_use.sins_set_accel
+#define sins_set_altimeter in_use.sins_set_altimeter
+#define sins_set_initial_errors in_use.sins_set_initial_errors
+#define sins_push_sample in_use.sins_push_sample
+#define sins_run in_use.sins_run
+#define sins_step in_use.sins_step
+#define sins_flight_create in_use.sins_flight_create
+#define sins_flight_sample_at in_use.sins_flight_sample_at
+#define sins_flight_destroy in_use.sins_flight_destroy
+#define sins_recommend in_use.sins_recommend
 
 #include "scene.h"
 
@@ -55,29 +41,13 @@ enum { COPIES = 2 };
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_record expected[SCENE_COUNT - 1], found[COPIES][SCENE_COUNT - 1];
 
-static void bind(void *library)
+static void load(const char *path)
 {
-    static const char *const names[] = {
-        "sins_create",        "sins_destroy",           "sins_last_error",       "sins_set_gyro",    "sins_set_accel",
-        "sins_set_altimeter", "sins_set_initial_errors", "sins_push_sample",      "sins_run",         "sins_step",
-        "sins_flight_create", "sins_flight_sample_at",  "sins_flight_destroy",   "sins_recommend",
-    };
-    void *addresses[sizeof names / sizeof names[0]];
-    size_t i;
-    for (i = 0; i < sizeof names / sizeof names[0]; i++) {
-        addresses[i] = symbol(library, names[i]);
-        CHECK(addresses[i] != NULL);
+    char message[1000];
+    if (!sins_loader_open(&in_use, path, message, sizeof message)) {
+        fprintf(stderr, "%s\n", message);
+        exit(1);
     }
-    CHECK(sizeof addresses == sizeof api);
-    memcpy(&api, addresses, sizeof api);
-}
-
-static void *load(const char *path)
-{
-    void *library = open_library(path);
-    CHECK(library != NULL);
-    bind(library);
-    return library;
 }
 
 /* Work of every kind: flights, sensors, records, a sentence of this thread, a recommendation. */
@@ -104,32 +74,33 @@ static void work(sins_record records[SCENE_COUNT - 1])
 /* Two copies: each has its own handles, and the one stays when the other goes. */
 static void side_by_side(char *const paths[COPIES])
 {
-    void *libraries[COPIES];
+    sins_loader copies[COPIES];
     sins_sim *sims[COPIES];
     sins_flight *flights[COPIES];
     int i;
     for (i = 0; i < COPIES; i++) {
-        libraries[i] = load(paths[i]);
+        load(paths[i]);
+        copies[i] = in_use;
         scene_samples(samples);
         work(found[i]);
         sims[i] = scene_simulator(NULL, 4);
         flights[i] = scene_flight();
     }
-    CHECK(libraries[0] != libraries[1]);
+    CHECK(copies[0].library != copies[1].library);
     CHECK(memcmp(found[0], found[1], sizeof found[0]) == 0);
     memcpy(expected, found[0], sizeof expected);
     for (i = 0; i < COPIES; i++) {
-        bind(libraries[i]);
+        in_use = copies[i];
         CHECK(sins_step(sims[1 - i]) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_destroy(sims[1 - i]) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_flight_destroy(flights[1 - i]) == SINS_ERROR_BAD_HANDLE);
     }
     for (i = 0; i < COPIES; i++) {
-        bind(libraries[i]);
+        in_use = copies[i];
         CHECK(sins_destroy(sims[i]) == SINS_OK && sins_flight_destroy(flights[i]) == SINS_OK);
         work(found[i]);
         CHECK(memcmp(found[i], expected, sizeof expected) == 0);
-        CHECK(close_library(libraries[i]));
+        CHECK(sins_loader_close(&in_use));
     }
 }
 
@@ -236,7 +207,7 @@ int main(int count, char **paths)
     CHECK(pthread_barrier_init(&barrier, NULL, 2) == 0);
     CHECK(pthread_create(&visitor, NULL, visit, NULL) == 0);
     for (round = 0; round < ROUNDS; round++) {
-        void *library = load(paths[1]);
+        load(paths[1]);
         CHECK(sins_create(NULL, &visited) == SINS_OK);
         pthread_barrier_wait(&barrier);
         if (round % (1 + IDLE_ROUNDS) == 0) {
@@ -252,7 +223,7 @@ int main(int count, char **paths)
         CHECK(sins_destroy(earlier) == SINS_OK);
         CHECK(sins_create(NULL, &earlier) == SINS_OK);
         CHECK(sins_destroy(earlier) == SINS_OK);
-        CHECK(close_library(library));
+        CHECK(sins_loader_close(&in_use));
         leaves_nothing(round);
     }
     CHECK(pthread_join(visitor, NULL) == 0);

@@ -20,13 +20,11 @@ pub fn shared_library() -> PathBuf {
     library
 }
 
-/// A folder of this test's own with the library under both of its names.
+/// A folder of this test's own with the library.
 pub fn library_folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&folder).unwrap();
-    for file in ["libsins.so", "libsins.so.1"] {
-        std::fs::copy(shared_library(), folder.join(file)).unwrap();
-    }
+    std::fs::copy(shared_library(), folder.join("libsins.so")).unwrap();
     folder
 }
 
@@ -73,12 +71,17 @@ pub fn link(
 /// Standards that C sources are clean of warnings in.
 pub const C_AND_CPP: [&str; 3] = ["c99", "c++11", "c++17"];
 
-/// A program built to a standard of C or C++.
-pub fn built_to(standard: &str, sources: &[&str], folder: &Path, program: &str) -> PathBuf {
-    let (compiler, language) = match standard.starts_with("c++") {
+/// The compiler for a standard, and the language for its option -x.
+pub fn compiler_of(standard: &str) -> (Command, &'static str) {
+    match standard.starts_with("c++") {
         true => (cpp_compiler(), "c++"),
         false => (c_compiler(), "c"),
-    };
+    }
+}
+
+/// A program built to a standard of C or C++.
+pub fn built_to(standard: &str, sources: &[&str], folder: &Path, program: &str) -> PathBuf {
+    let (compiler, language) = compiler_of(standard);
     let standard = format!("-std={standard}");
     link(compiler, &["-x", language, &standard], sources, folder, program)
 }

@@ -1,0 +1,6 @@
+# Comments as doxygen looks for them. The preamble keeps its lines.
+1s|.*|/** @file\n@verbatim|
+1,/^ \*\//s|^ \*/$|@endverbatim */|
+1,/^@endverbatim/s|^ \* ?||
+2,$s|^( *)/\*|\1/**|
+s|^(#define .*)/\*|\1/**<|

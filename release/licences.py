@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Licences of all crates that are in the library and the program for one target, as a text.
+
+    release/licences.py TARGET >LICENCES.txt
+
+A script and not cargo-about: that takes longer to compile than everything else here.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+NAMES = ("licen", "copying", "unlicense", "notice", "copyright")
+
+
+def crates(target):
+    """Crates that are linked: neither build scripts' nor tests', nor macros and what they alone need."""
+    command = ["cargo", "metadata", "--locked", "--format-version", "1", "--filter-platform", target]
+    metadata = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
+    packages = {package["id"]: package for package in metadata["packages"]}
+    nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
+    linked, todo = set(), list(metadata["workspace_members"])
+    while todo:
+        name = todo.pop()
+        is_macro = any("proc-macro" in target["kind"] for target in packages[name]["targets"])
+        if name not in linked and not is_macro:
+            linked.add(name)
+            kinds = ((d["pkg"], [k["kind"] for k in d["dep_kinds"]]) for d in nodes[name]["deps"])
+            todo += [dependency for dependency, kind in kinds if None in kind]
+    others = linked - set(metadata["workspace_members"])
+    return sorted((packages[name] for name in others), key=lambda p: (p["name"], p["version"]))
+
+
+def texts(package):
+    folder = pathlib.Path(package["manifest_path"]).parent
+    files = sorted(file for file in folder.iterdir() if file.name.lower().startswith(NAMES) and file.is_file())
+    if not files and "Apache-2.0" in package["license"]:
+        files = [pathlib.Path("LICENSE-APACHE")]  # a choice that the crate gives, whose text names no owner
+    if not files:
+        sys.exit(f"release/licences.py: {package['name']} has no licence text")
+    return [file.read_text(encoding="utf-8").replace("\r\n", "\n").strip() for file in files]
+
+
+def main():
+    owners = {}
+    print("Crates in the library and in the program sins, and their licences. The texts follow.\n")
+    for package in crates(sys.argv[1]):
+        name = f"{package['name']} {package['version']}"
+        print(f"{name}: {package['license']}; {package['repository']}")
+        for text in texts(package):
+            owners.setdefault(text, []).append(name)
+    for text, names in owners.items():
+        print(f"\n{'=' * 80}\n{', '.join(names)}\n{'-' * 80}\n{text}")
+
+
+main()

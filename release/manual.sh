@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The header as HTML pages, the first with the data flow of the library: release/manual.sh OUT. What has no comment in the header
+# is an error.
+set -euo pipefail
+mkdir -p "$1"
+SINS_OUT=$(cd "$1" && pwd)
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+. release/build.sh
+need doxygen doxygen
+
+SINS_VERSION=$version
+SINS_WORK=target/release-manual
+export SINS_OUT SINS_VERSION SINS_WORK
+mkdir -p "$SINS_WORK"
+{
+    printf '# Data flow\n\nThe header is sins.h: its preamble explains the interface, and all functions are listed there.\n\n'
+    sed -n '/^\/\/! ```text$/,/^\/\/! ```$/{s|^//! ?||;s|^//! ||;s|^```text|```|;p}' src/lib.rs
+} >"$SINS_WORK/data_flow.md"
+doxygen release/Doxyfile

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# The library for Windows 7 and later: sins.dll, sins.def, and the import libraries sins.lib (for MSVC) and libsins.dll.a (for
+# mingw), into OUT. With a third argument, "program", sins.exe too.
+#
+#     release/windows.sh x86_64|i686 OUT [program]
+#
+# Nightly Rust, as only its -Zbuild-std makes the standard library for Windows 7; that of *-pc-windows-gnu imports
+# bcryptprimitives.dll and functions of Windows 10. Tried with nightly 2026-05-19 (1.97.0).
+set -euo pipefail
+mkdir -p "$2"
+out=$(cd "$2" && pwd)
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+. release/build.sh
+
+arch=$1 target=$1-win7-windows-gnu mingw=$1-w64-mingw32
+case $arch in
+    x86_64) machine=i386:x86-64 ;;
+    i686) machine=i386 ;;
+    *) echo "release/windows.sh: processor $arch: must be x86_64 or i686" >&2; exit 2 ;;
+esac
+need "gcc-mingw-w64-$(echo "$arch" | tr _ -)" "$mingw-gcc"
+need llvm llvm-dlltool
+rustup run nightly rustc --version >/dev/null 2>&1 || rustup toolchain install nightly --profile minimal
+rustup component add rust-src --toolchain nightly 2>/dev/null
+
+built=target/$target/release
+work=target/release-windows/$arch
+mkdir -p "$work"
+
+# resource FILE KIND DESCRIPTION: what Explorer shows, as an object to link. In this script and not in build.rs: a build on
+# Windows would need windres.
+resource() {
+    local numbers
+    numbers=$(echo "$version" | cut -d- -f1 | tr . ,),0
+    cat >"$work/$1.rc" <<RC
+1 VERSIONINFO
+FILEVERSION $numbers
+PRODUCTVERSION $numbers
+FILEFLAGSMASK 0x3F
+FILEFLAGS 0
+FILEOS 0x40004
+FILETYPE $2
+BEGIN
+    BLOCK "StringFileInfo"
+    BEGIN
+        BLOCK "040904B0"
+        BEGIN
+            VALUE "FileDescription", "$3"
+            VALUE "FileVersion", "$version"
+            VALUE "InternalName", "sins"
+            VALUE "LegalCopyright", "$(sed -n 's/^Copyright //p' LICENSE-MIT). MIT OR Apache-2.0"
+            VALUE "OriginalFilename", "$1"
+            VALUE "ProductName", "sins"
+            VALUE "ProductVersion", "$version"
+        END
+    END
+    BLOCK "VarFileInfo"
+    BEGIN
+        VALUE "Translation", 0x409, 1200
+    END
+END
+RC
+    "$mingw-windres" "$work/$1.rc" "$work/$1.o"
+}
+
+# build FILE OPTION...
+build() {
+    local object=$PWD/$work/$1.o
+    shift
+    CARGO_ENCODED_RUSTFLAGS=$(flags nightly -Clink-arg=-Wl,--no-insert-timestamp -Cstrip=symbols) \
+        cargo +nightly rustc --quiet --locked --release -Zbuild-std=std,panic_unwind --target "$target" "$@" -- \
+        -Clink-arg="$object"
+}
+
+resource sins.dll 2 "Strapdown inertial navigation system simulator"
+build sins.dll --lib --crate-type cdylib
+cp "$built/sins.dll" "$out"
+
+{ printf 'LIBRARY sins.dll\nEXPORTS\n'; functions | sed 's/^/    /'; } >"$out/sins.def"
+llvm-dlltool -m "$machine" -d "$out/sins.def" -l "$out/sins.lib"
+# Each tool for its own linker. The names of this one's temporary and output files are in the archive.
+(cd "$work" && "$mingw-dlltool" --deterministic-libraries --temp-prefix sins -d "$out/sins.def" -l libsins.dll.a)
+mv "$work/libsins.dll.a" "$out"
+
+if [ "${3:-}" = program ]; then
+    resource sins.exe 1 "Flies scenes of the strapdown inertial navigation system simulator"
+    build sins.exe --package sins-cli --bin sins
+    cp "$built/sins.exe" "$out"
+fi

@@ -1,0 +1,19 @@
+/* The headers in a program whose compiler warns of all that strict projects want to know. Compiled, not run. */
+
+#if defined(__cplusplus) && __cplusplus >= 201103L
+#include "sins.hpp"
+#endif
+#include "../../c_examples/sins_loader.h"
+
+int main(int count, char **arguments)
+{
+    sins_loader sins;
+    sins_gyro_params gyro;
+    sins_flight_sample samples[2];
+    char message[200];
+
+    SINS_INIT(gyro);
+    SINS_INIT(samples[1]);
+    gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR;
+    return sins_loader_open(&sins, arguments[count - 1], message, sizeof message) && sins_loader_close(&sins) ? 0 : 1;
+}

@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# c_examples/loadlibrary.c: flies with a library, also one without scenes and one in a folder of any letters, and has one sentence
+# for each file that it cannot use.
+#
+#     tests/loading.sh COMPILER LIBRARY [RUNNER...]
+#
+# COMPILER with its options, of the library's system and word size; RUNNER runs its programs where the machine does not.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+compiler=$1 library=$(realpath "$2")
+runner=("${@:3}")
+machine=$($compiler -dumpmachine)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+export LC_ALL=C.UTF-8 # the names of files, for wine
+
+# host NAME OPTION...: the host, as C of the compiler and its options.
+host() {
+    $compiler -O2 -Wall -Wextra -Wpedantic -Werror -I include -o "$folder/$1" "${@:2}" c_examples/loadlibrary.c $system
+}
+
+# shared NAME COMPILER TEXT: a library of a C source.
+shared() {
+    echo "$3" >"$folder/source.c"
+    $2 -shared -fPIC -o "$folder/$1$dll" "$folder/source.c"
+}
+
+# without NAME SED_COMMAND: the library under other names of its functions, which are not found any more.
+without() {
+    sed "$2" "$library" >"$folder/$1$dll"
+}
+
+answer() {
+    (cd "$folder" && LD_LIBRARY_PATH=. "${runner[@]}" "./$program" "$@" 2>&1 | tr -d '\r')
+}
+
+# flies SCENES ARGUMENT...: the digest of docs/hosts.md.
+flies() {
+    expect 0 "sins $version, $1 scenes, in a program of $bits bits"$'\n'"$digest" "${@:2}"
+}
+
+# says SENTENCE FILE: this sentence alone.
+says() {
+    expect 1 "loadlibrary: $2: $1" "$2"
+}
+
+# expect STATUS TEXT ARGUMENT...
+expect() {
+    local status=0 text
+    text=$(answer "${@:3}") || status=$?
+    if [ "$status" -ne "$1" ] || [ "$text" != "$2" ]; then
+        printf '%s %s\n  expected (%s): %s\n  found (%s): %s\n' "$program" "${*:3}" "$1" "$2" "$status" "$text" >&2
+        exit 1
+    fi
+}
+
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
+digest=$(sed -n 's/^ *\(60 s of a turn, digest [0-9a-f]*\)$/\1/p' docs/hosts.md)
+bits=32 other=x86_64-w64-mingw32-gcc
+case $machine in x86_64* | aarch64*) bits=64 other=i686-w64-mingw32-gcc ;; esac
+
+case $machine in
+    *mingw*)
+        system=-municode end=.exe dll=.dll name=sins.dll
+        need "gcc-mingw-w64-$(sed 's/-w64.*//; s/_/-/' <<<"$other")" "$other"
+        shared other_size "$other" "int other;"
+        missing="no such file, or a DLL that it needs is missing (Windows error 126)"
+        text="not a DLL for programs of $bits bits, as this one is (Windows error 193)"
+        other_size=$text
+        ;;
+    *)
+        system=-ldl end="" dll=.so name=libsins.so.1
+        # The byte of an ELF file that tells its word size: 1 or 2.
+        sed "1s/^\(.ELF\)[\x01\x02]/\1\x$((bits == 64 ? 1 : 2))/" "$library" >"$folder/other_size$dll"
+        missing="cannot open shared object file: No such file or directory"
+        text="invalid ELF header"
+        other_size="wrong ELF class: ELFCLASS$((96 - bits))"
+        ;;
+esac
+
+without lean 's/sins_scene_/sins_scenX_/g; s/sins_log_/sins_loX_/g'
+without old_engine 's/\x00sins_step\x00/\x00sins_steX\x00/g'
+without old_scenes 's/\x00sins_scene_prepare\x00/\x00sins_scene_preparX\x00/g'
+export_c='#if defined(__cplusplus)
+extern "C"
+#endif
+#if defined(_WIN32)
+__declspec(dllexport)
+#endif
+'
+shared other_abi "$compiler" "${export_c}unsigned sins_abi_version(void) { return 7; }
+${export_c}const char *sins_version_string(void) { return \"9.8.7\"; }"
+shared foreign "$compiler" "int foreign;"
+cp README.md "$folder/text$dll"
+cp "$library" "$folder/$name"
+mkdir "$folder/Übungsflüge 飛行"
+cp "$library" "$folder/Übungsflüge 飛行/$name"
+
+host host$end
+program=host$end
+flies with
+flies with "./Übungsflüge 飛行/$name"
+flies without ./lean$dll
+says "$missing" ./none$dll
+says "$text" ./text$dll
+says "$other_size" ./other_size$dll
+says "a library, but not sins" ./foreign$dll
+says "sins 9.8.7 has version 7 of the interface, this program needs version 1" ./other_abi$dll
+says "sins $version is older than this program: it has no function sins_step" ./old_engine$dll
+says "sins $version is older than this program: it has no function sins_scene_prepare" ./old_scenes$dll
+
+# Hosts of 1998: x87 arithmetic in 24 bits, as Direct3D leaves it, in 53, as Windows does, and in 64.
+if [ "$bits" -eq 32 ]; then
+    for word in 0x07f 0x27f 0x37f; do
+        program=host_$word$end
+        host "$program" -march=i586 -mno-sse -mfpmath=387 -DCONTROL_WORD=$word tests/c/control_word.c
+        flies with
+    done
+fi
+echo "loading, $machine: the host flies, and says what it cannot use"
