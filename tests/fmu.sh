@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 folder=$PWD/target/fmu
 mkdir -p "$folder"
-need python3-venv /usr/lib/python3*/ensurepip 2>/dev/null || need python3-venv /nowhere
+need python3-venv /usr/share/doc/python3-venv
 [ -x "$folder/venv/bin/python" ] || python3 -m venv "$folder/venv"
 if ! "$folder/venv/bin/python" -c "import fmpy" 2>/dev/null && ! "$folder/venv/bin/pip" install --quiet fmpy numpy; then
     could_not "the Functional Mock-up Unit" "no FMPy to be had"
@@ -19,8 +19,8 @@ cargo build --quiet --release -p sins-cli
 if [ -z "${FMU:-}" ]; then
     FMU=$folder/sins.fmu
     cargo build --quiet --release -p sins-fmu
-    target/release/pack-fmu "$FMU" linux64=target/release/libsins_fmu.so
-    target/release/pack-fmu "$folder/again.fmu" linux64=target/release/libsins_fmu.so
+    target/release/pack-fmu "$FMU" binaries/linux64/sins_fmu.so=target/release/libsins_fmu.so
+    target/release/pack-fmu "$folder/again.fmu" binaries/linux64/sins_fmu.so=target/release/libsins_fmu.so
     cmp "$FMU" "$folder/again.fmu"
 fi
 "$folder/venv/bin/python" tests/fmu/fly.py "$FMU" "$folder"

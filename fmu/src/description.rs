@@ -11,7 +11,7 @@ use crate::values::{Base, Value};
 use crate::variables::{Role, Variable, table};
 
 /// File name of the binaries.
-pub const MODEL_IDENTIFIER: &str = "sins_fmu";
+const MODEL_IDENTIFIER: &str = "sins_fmu";
 
 type Xml = Writer<Vec<u8>>;
 

@@ -1,12 +1,12 @@
-//! Packs the unit: `pack-fmu OUT.fmu PLATFORM=BINARY...`, with the platforms' folders of FMI (linux64, win64, win32, ...). With the
-//! name "modelDescription.xml" as OUT it writes that alone.
+//! Packs the unit: `pack-fmu OUT.fmu PLACE=FILE...`, with the places of binaries and licences in the archive, as
+//! "binaries/linux64/sins_fmu.so". With the name "modelDescription.xml" as OUT it writes that alone.
 
 use std::error::Error;
 use std::fs;
 use std::io::{Cursor, Write};
 use std::path::Path;
 
-use sins_fmu::description::{MODEL_IDENTIFIER, xml};
+use sins_fmu::description::xml;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
@@ -24,7 +24,7 @@ const FILES: [(&str, &str); 8] = [
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let out = arguments.next().ok_or("usage: pack-fmu OUT.fmu PLATFORM=BINARY...")?;
+    let out = arguments.next().ok_or("usage: pack-fmu OUT.fmu PLACE=FILE...")?;
     if Path::new(&out).file_name().is_some_and(|name| name == "modelDescription.xml") {
         return Ok(fs::write(&out, xml())?);
     }
@@ -42,11 +42,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     for argument in arguments {
-        let (platform, binary) = argument.split_once('=').ok_or("expected PLATFORM=BINARY")?;
-        let ending = if platform.starts_with("win") { "dll" } else { "so" };
-        files.push((format!("binaries/{platform}/{MODEL_IDENTIFIER}.{ending}"), read(Path::new(binary))?));
+        let (place, file) = argument.split_once('=').ok_or(format!("{argument}: expected PLACE=FILE"))?;
+        files.push((place.to_owned(), read(Path::new(file))?));
     }
     files.sort();
+    files.dedup();
     fs::write(&out, archive(&files)?)?;
     println!("{out}: {} files", files.len());
     Ok(())
