@@ -57,3 +57,13 @@ split() {
 split "lib/$(readlink "$out/lib/libsins.so")"
 split bin/sins
 llvm-objcopy --strip-debug "$out/lib/libsins.a"
+
+# As a linker may bind to a newer glibc after all.
+for file in lib/libsins.so bin/sins; do
+    newest=$(llvm-readelf -V "$out/$file" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1)
+    if [ "$(printf '%s\n' "$newest" "GLIBC_$glibc" | sort -V | tail -n1)" != "GLIBC_$glibc" ]; then
+        echo "release/linux.sh: $file needs $newest" >&2
+        exit 1
+    fi
+    echo "$file: needs $newest"
+done

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Packages for machines without Rust, into target/dist, and SHA256SUMS beside them; docs/packages.md has what is in each.
+#
+#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86]       none: all four
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+. release/build.sh
+
+packages=("$@")
+[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86)
+for package in "${packages[@]}"; do
+    case $package in
+        linux-x86_64 | linux-arm64 | windows-x64 | windows-x86) ;;
+        *)
+            echo "release/package.sh: package $package: must be linux-x86_64, linux-arm64, windows-x64 or windows-x86" >&2
+            exit 2
+            ;;
+    esac
+done
+need python3 python3
+umask 022
+dist=$PWD/target/dist
+mkdir -p "$dist"
+
+# texts FOLDER TARGET TOOLCHAIN: what all packages have: documents, examples with scenes and flights, licences.
+texts() {
+    local file
+    git ls-files README.md CHANGELOG.md docs c_examples | grep -v '\.sh$' | while read -r file; do
+        install -Dm644 "$file" "$1/$file"
+    done
+    cp -r "$manual" "$1/docs/sins.h"
+    install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
+    release/licences.py "$2" >"$1/licences/crates.txt"
+    install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"
+}
+
+# archive FOLDER SUFFIX: the folder, sorted, with the time of the commit, owned by nobody of this machine.
+archive() {
+    local name=${1##*/}
+    chmod -R u=rwX,go=rX "$1"
+    rm -f "$dist/$name.$2"
+    case $2 in
+        tar.gz)
+            tar -C "${1%/*}" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu -c "$name" |
+                gzip -n9 >"$dist/$name.$2"
+            ;;
+        zip)
+            find "$1" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
+            (cd "${1%/*}" && find "$name" | LC_ALL=C sort | TZ=UTC zip -qX9 -@ "$dist/$name.$2")
+            ;;
+    esac
+}
+
+# linux NAME PROCESSOR
+linux() {
+    local folder=$staging/sins-$version-$1
+    release/linux.sh "$2" "$folder"
+    texts "$folder" "$2-unknown-linux-gnu" "$stable"
+    archive "$folder" tar.gz
+    archive "$folder-debug" tar.gz
+}
+
+# windows NAME PROCESSOR
+windows() {
+    local folder=$staging/sins-$version-$1
+    local bin=$folder/bin lib=$folder/lib gcc=$2-w64-mingw32-gcc
+    release/windows.sh "$2" "$bin" program
+    mkdir -p "$lib" "$folder/include"
+    mv "$bin"/{sins.def,sins.lib,libsins.dll.a} "$lib"
+    cp include/*.h include/*.hpp "$folder/include"
+    texts "$folder" "$2-win7-windows-gnu" nightly
+    # The C library's start-up code, and winpthreads.
+    install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
+    "$gcc" -std=c99 -O2 -municode -static -s -Wl,--no-insert-timestamp -I include -o "$bin/loadlibrary.exe" \
+        c_examples/loadlibrary.c
+    if [ -e c_examples/emulator/build.sh ]; then
+        c_examples/emulator/build.sh "$2" "$bin"
+    fi
+    need zip zip
+    archive "$folder" zip
+}
+
+stable=$(rustup show active-toolchain | cut -d' ' -f1)
+staging=$PWD/target/release-packages
+manual=$staging/manual
+rm -rf "$staging"
+release/manual.sh "$manual"
+for package in "${packages[@]}"; do
+    case $package in
+        linux-x86_64) linux linux-x86_64 x86_64 ;;
+        linux-arm64) linux linux-arm64 aarch64 ;;
+        windows-x64) windows windows-x64 x86_64 ;;
+        windows-x86) windows windows-x86 i686 ;;
+    esac
+done
+cd "$dist"
+shopt -s nullglob # not all kinds need be there
+sha256sum sins-"$version"-*.{tar.gz,zip} >SHA256SUMS
+ls -l

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# Builds packages (release/package.sh; arguments as there) and tries each as its user does: unpacked into an empty folder, examples
+# built against it, run. What cannot be had is told at the end.
+#
+#     REBUILD=1 tests/packages.sh ...     then builds them in another folder from the same commit: the same bytes
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+. tests/support/wine.sh
+. tests/support/pe.sh
+. release/build.sh
+
+packages=("$@")
+[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86)
+warnings="-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"
+dist=target/dist
+out=$PWD/target/packages
+digests=$(sed -n 's/.*the same (`\([0-9a-f ]*\)`).*/\1/p' tests/README.md)
+glibc=2.17
+need g++ cc
+need pkgconf pkg-config
+rm -rf "$out"
+mkdir -p "$out"
+
+# flies RUNNER...: a program of tests/c that prints the digests of tests/README.md.
+flies() {
+    local found
+    found=$("$@" | tr -d '\r' | sed -n 's/^digests: \([0-9a-f]*\) .*/\1/p' | uniq | paste -sd' ')
+    [ -n "$digests" ] && [ "$found" = "$digests" ] || fail "$*: digests $found, not $digests"
+}
+
+# files FOLDER NAME...: what every package has, and these.
+files() {
+    local folder=$1
+    shift
+    for name in include/{sins.h,sins.hpp,sins_functions.h} c_examples/{harness.c,loadlibrary.c,sins_loader.h,scenes/patrol.toml} README.md \
+        CHANGELOG.md docs/packages.md docs/sins.h/index.html licences/{LICENSE-MIT,LICENSE-APACHE,crates.txt,rust-library.html} "$@"; do
+        [ -s "$folder/$name" ] || fail "$folder: no $name"
+    done
+    grep -q 'flight simulator *FlightSample' "$folder/docs/sins.h/index.html" || fail "$folder: no picture of the data flow"
+    if grep -rlF -e "$PWD" -e "$HOME/" "$folder"; then fail "these name a folder of this machine"; fi
+}
+
+# linux NAME PROCESSOR RUNNER...
+linux() {
+    local name=sins-$version-$1 compiler=$2-linux-gnu-gcc folder=$out/sins-$version-$1 file flags
+    local readelf=$2-linux-gnu-readelf runner=("${@:3}")
+    tar -C "$out" -xzf "$dist/$name.tar.gz"
+    tar -C "$out" -xzf "$dist/$name-debug.tar.gz"
+    files "$folder" bin/sins lib/{libsins.a,libsins.so,libsins.so.1,pkgconfig/sins.pc,cmake/sins/sinsConfig.cmake}
+    for file in "$folder/lib/libsins.so" "$folder/bin/sins"; do
+        "$readelf" -VW "$file" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1 >"$out/newest"
+        echo "GLIBC_$glibc" | cat "$out/newest" - | sort -VC || fail "$file needs $(cat "$out/newest")"
+        "$readelf" -lW "$file" | grep -E 'LOAD.* RWE|GNU_STACK.*E ' && fail "$file: memory both written and run"
+    done
+    diff <(functions) <("$readelf" --dyn-syms -W "$folder/lib/libsins.so" | awk '$5 == "GLOBAL" && $7 != "UND" { print $8 }' | LC_ALL=C sort) ||
+        fail "$folder: exports are not the functions of the header"
+
+    # A link, as the debugger looks for it; the section of lines is in it.
+    file=$("$readelf" -p .gnu_debuglink "$folder/lib/libsins.so" | grep -o 'libsins[^ ]*debug')
+    "$readelf" -SW "$folder-debug/lib/$file" | grep -q debug_line || fail "$file: no debug symbols"
+
+    flags=$(PKG_CONFIG_PATH=$folder/lib/pkgconfig pkg-config --cflags --libs sins)
+    "$compiler" $warnings c_examples/minimal.c -o "$out/minimal" $flags -lm -Wl,-rpath,"$folder/lib"
+    "$compiler" $warnings -D_GNU_SOURCE tests/c/digests.c -o "$out/digests" $flags -lm -lpthread -Wl,-rpath,"$folder/lib"
+    flags=$(PKG_CONFIG_PATH=$folder/lib/pkgconfig pkg-config --static --cflags --libs sins)
+    "$compiler" $warnings c_examples/minimal.c -o "$out/minimal_static" -static $flags
+    "${runner[@]}" "$out/minimal" >"$out/minimal.txt"
+    "${runner[@]}" "$out/minimal_static" | diff "$out/minimal.txt" - || fail "$folder: libsins.a gives another flight"
+    flies "${runner[@]}" "$out/digests"
+    "${runner[@]}" "$folder/bin/sins" --version
+    echo "$name: $(cat "$out/newest"), exports, digests"
+}
+
+# windows NAME PROCESSOR
+windows() {
+    local name=sins-$version-$1 folder=$out/sins-$version-$1 compiler=$2-w64-mingw32-gcc library file status
+    need unzip unzip
+    need clang clang
+    need lld lld-link
+    unzip -q "$dist/$name.zip" -d "$out"
+    files "$folder" bin/{sins.dll,sins.exe,loadlibrary.exe} lib/{sins.lib,libsins.dll.a,sins.def} licences/mingw-w64.txt
+    check_pe "$folder/bin/sins.dll" "$2" kernel32.dll msvcrt.dll ntdll.dll
+    check_pe "$folder/bin/sins.exe" "$2" $program_imports
+    for file in "$folder"/bin/*; do
+        "$2-w64-mingw32-objdump" -p "$file" | grep -q '^Time/Date.*1970' || fail "$file: has the time of its build"
+    done
+    "$2-w64-mingw32-windres" -i "$folder/bin/sins.dll" -J coff -O rc | grep -F "\"FileVersion\", \"$version\"" ||
+        fail "$folder: sins.dll has no version"
+    have_wine "$2" || return 0
+    for library in sins.lib libsins.dll.a; do
+        "$compiler" $warnings c_examples/minimal.c -I "$folder/include" "$folder/lib/$library" -o "$folder/bin/minimal.exe"
+        "$wine" "$folder/bin/minimal.exe" >"$out/$library.txt"
+        "$compiler" -std=c99 -D__USE_MINGW_ANSI_STDIO=1 -O1 tests/c/digests.c -I "$folder/include" "$folder/lib/$library" \
+            -o "$folder/bin/digests.exe" -static -lpthread
+        flies "$wine" "$folder/bin/digests.exe"
+    done
+    [ -s "$out/sins.lib.txt" ] && diff "$out/sins.lib.txt" "$out/libsins.dll.a.txt" || fail "$folder: the import libraries differ"
+    # As MSVC's linker takes it, without the C library that MSVC has.
+    cat >"$out/host.c" <<'END'
+__declspec(dllimport) unsigned __cdecl sins_abi_version(void);
+int start(void) { return 40 + (int)sins_abi_version(); }
+END
+    clang "--target=$2-pc-windows-msvc" -c "$out/host.c" -o "$out/host.obj"
+    lld-link /nologo /entry:start /subsystem:console /nodefaultlib "$out/host.obj" "$folder/lib/sins.lib" \
+        "/out:$folder/bin/host.exe"
+    status=0
+    "$wine" "$folder/bin/host.exe" || status=$?
+    [ "$status" -eq 41 ] || fail "$folder: a host linked with sins.lib as by MSVC ends with $status"
+    (cd "$folder/bin" && "$wine" loadlibrary.exe && "$wine" sins.exe --version)
+    echo "$name: exports, imports, version, digests by both import libraries"
+}
+
+release/package.sh "${packages[@]}"
+(cd "$dist" && sha256sum --check SHA256SUMS)
+for package in "${packages[@]}"; do
+    echo "== $package"
+    case $package in
+        linux-x86_64) linux linux-x86_64 x86_64 env ;;
+        linux-arm64)
+            need gcc-aarch64-linux-gnu aarch64-linux-gnu-gcc
+            need libc6-dev-arm64-cross /usr/aarch64-linux-gnu/lib/libc.so
+            need qemu-user qemu-aarch64
+            linux linux-arm64 aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu
+            ;;
+        windows-x64) windows windows-x64 x86_64 ;;
+        windows-x86) windows windows-x86 i686 ;;
+    esac
+done
+
+if [ -n "${REBUILD:-}" ]; then
+    echo "== the same commit in another folder"
+    other=$(mktemp -d)
+    trap 'rm -rf "$other"' EXIT
+    git clone -q . "$other/of another name"
+    "$other/of another name/release/package.sh" "${packages[@]}"
+    (cd "$dist" && cat "$other/of another name/target/dist/SHA256SUMS" | sha256sum --check) || fail "another folder, other bytes"
+fi
+report_not_run
