@@ -14,13 +14,12 @@
 #![allow(missing_docs, reason = "the standard has the documentation")]
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
-use std::path::PathBuf;
 use std::ptr;
 
 use crate::instance::{Instance, Phase, Refusal, Refused};
-use crate::logger::{Category, Logger, LoggerFunction};
-use crate::saved;
-use crate::values::{Base, Value};
+pub use crate::logger::LoggerFunction;
+use crate::logger::{Category, Logger};
+use crate::uri::folder;
 use crate::variables::table;
 
 pub type fmi2Status = c_int;
@@ -32,9 +31,6 @@ pub const fmi2Fatal: fmi2Status = 4;
 
 /// The kind of a unit that this one is.
 const CO_SIMULATION: c_int = 1;
-/// Kinds of `fmi2Get...Status`.
-const LAST_SUCCESSFUL_TIME: c_int = 2;
-const TERMINATED: c_int = 3;
 
 #[repr(C)]
 pub struct fmi2CallbackFunctions {
@@ -47,19 +43,19 @@ pub struct fmi2CallbackFunctions {
 
 /// What a component is.
 pub struct Component {
-    instance: Instance,
-    logger: Logger,
+    pub(crate) instance: Instance,
+    pub(crate) logger: Logger,
     /// Texts that were handed out; they live until the next call that hands some out.
-    texts: Vec<CString>,
+    pub(crate) texts: Vec<CString>,
 }
 
-type Outcome = Result<fmi2Status, Refused>;
+pub(crate) type Outcome = Result<fmi2Status, Refused>;
 
 /// Runs the inside of a function on a component, and says to the master what was refused.
 ///
 /// # Safety
 /// `component` is null or one that is alive.
-unsafe fn on(
+pub(crate) unsafe fn on(
     component: *mut Component,
     function: &str,
     body: impl FnOnce(&mut Component) -> Outcome,
@@ -84,7 +80,7 @@ unsafe fn on(
 ///
 /// # Safety
 /// `array` has `count` elements.
-unsafe fn elements<'a, T>(array: *const T, count: usize) -> Result<&'a [T], Refused> {
+pub(crate) unsafe fn elements<'a, T>(array: *const T, count: usize) -> Result<&'a [T], Refused> {
     match (array.is_null(), count) {
         (_, 0) => Ok(&[]),
         (true, _) => Err(Refused::error("a null pointer")),
@@ -97,7 +93,7 @@ unsafe fn elements<'a, T>(array: *const T, count: usize) -> Result<&'a [T], Refu
 ///
 /// # Safety
 /// `array` has `count` elements.
-unsafe fn elements_mut<'a, T>(array: *mut T, count: usize) -> Result<&'a mut [T], Refused> {
+pub(crate) unsafe fn elements_mut<'a, T>(array: *mut T, count: usize) -> Result<&'a mut [T], Refused> {
     match (array.is_null(), count) {
         (_, 0) => Ok(&mut []),
         (true, _) => Err(Refused::error("a null pointer")),
@@ -110,25 +106,13 @@ unsafe fn elements_mut<'a, T>(array: *mut T, count: usize) -> Result<&'a mut [T]
 ///
 /// # Safety
 /// `text` is null or a terminated string.
-unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, Refused> {
+pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, Refused> {
     if text.is_null() {
         return Err(Refused::error("a null pointer for a text"));
     }
     // SAFETY: the caller's promise.
     let text = unsafe { CStr::from_ptr(text) };
     text.to_str().map_err(|_| Refused::error("a text that is not UTF-8"))
-}
-
-/// The folder of a URI: "file:///home/a%20b", "file:/C:/resources". Other schemes: none.
-fn folder(uri: &str) -> Option<PathBuf> {
-    let rest = uri.strip_prefix("file:")?;
-    let path = match rest.strip_prefix("//") {
-        Some(rest) => &rest[rest.find('/')?..],
-        None => rest,
-    };
-    let path = percent_encoding::percent_decode_str(path).decode_utf8().ok()?;
-    let has_drive = path.as_bytes().get(2) == Some(&b':');
-    Some(PathBuf::from(if has_drive { &path[1..] } else { &path }))
 }
 
 #[unsafe(no_mangle)]
@@ -265,370 +249,4 @@ pub unsafe extern "C" fn fmi2Reset(component: *mut Component) -> fmi2Status {
             Ok(fmi2OK)
         })
     }
-}
-
-/// Reads variables of one type.
-unsafe fn get<T>(
-    component: *mut Component,
-    function: &str,
-    base: Base,
-    (references, count, values): (*const u32, usize, *mut T),
-    convert: impl Fn(Value) -> Option<T>,
-) -> fmi2Status {
-    unsafe {
-        on(component, function, |component| {
-            let references = elements(references, count)?;
-            let values = elements_mut(values, count)?;
-            for (&reference, to) in references.iter().zip(values) {
-                if let Some(value) = convert(component.instance.get(base, reference as usize)?) {
-                    *to = value;
-                }
-            }
-            Ok(fmi2OK)
-        })
-    }
-}
-
-/// Sets variables of one type.
-unsafe fn set<T: Copy>(
-    component: *mut Component,
-    function: &str,
-    (references, count, values): (*const u32, usize, *const T),
-    convert: impl Fn(T) -> Result<Value, Refused>,
-) -> fmi2Status {
-    unsafe {
-        on(component, function, |component| {
-            let references = elements(references, count)?;
-            let values = elements(values, count)?;
-            let values = values.iter().map(|&value| convert(value)).collect::<Result<Vec<_>, _>>()?;
-            let pairs = references.iter().map(|&reference| reference as usize).zip(values);
-            component.instance.set(pairs).map(|()| fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetReal(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut f64,
-) -> fmi2Status {
-    let real = |value| if let Value::Real(value) = value { Some(value) } else { None };
-    unsafe { get(component, "fmi2GetReal", Base::Real, (references, count, values), real) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetInteger(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut c_int,
-) -> fmi2Status {
-    let integer = |value| if let Value::Integer(value) = value { Some(value) } else { None };
-    unsafe { get(component, "fmi2GetInteger", Base::Integer, (references, count, values), integer) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetBoolean(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut c_int,
-) -> fmi2Status {
-    let boolean = |value| if let Value::Boolean(value) = value { Some(c_int::from(value)) } else { None };
-    unsafe { get(component, "fmi2GetBoolean", Base::Boolean, (references, count, values), boolean) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetString(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut *const c_char,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2GetString", |component| {
-            let references = elements(references, count)?;
-            let values = elements_mut(values, count)?;
-            let mut texts = Vec::with_capacity(count);
-            for &reference in references {
-                let Value::String(text) = component.instance.get(Base::String, reference as usize)? else {
-                    continue;
-                };
-                texts.push(CString::new(text).unwrap_or_default());
-            }
-            texts.iter().zip(values).for_each(|(text, to)| *to = text.as_ptr());
-            component.texts = texts;
-            Ok(fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetReal(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const f64,
-) -> fmi2Status {
-    unsafe { set(component, "fmi2SetReal", (references, count, values), |value| Ok(Value::Real(value))) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetInteger(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const c_int,
-) -> fmi2Status {
-    unsafe {
-        set(component, "fmi2SetInteger", (references, count, values), |value| Ok(Value::Integer(value)))
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetBoolean(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const c_int,
-) -> fmi2Status {
-    let boolean = |value| Ok(Value::Boolean(value != 0));
-    unsafe { set(component, "fmi2SetBoolean", (references, count, values), boolean) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetString(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const *const c_char,
-) -> fmi2Status {
-    let string = |value| Ok(Value::String(unsafe { text(value) }?.to_owned()));
-    unsafe { set(component, "fmi2SetString", (references, count, values), string) }
-}
-
-/// A state that was got: its bytes.
-pub type State = Vec<u8>;
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2GetFMUstate", |component| {
-            let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
-            let bytes = saved::save(&component.instance).map_err(Refused::error)?;
-            match state.as_mut() {
-                Some(earlier) => *earlier = bytes,
-                None => *state = Box::into_raw(Box::new(bytes)),
-            }
-            Ok(fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetFMUstate(component: *mut Component, state: *mut State) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2SetFMUstate", |component| {
-            let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
-            component.instance = saved::load(state, &component.instance).map_err(Refused::error)?;
-            Ok(fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2FreeFMUstate", |_| {
-            if let Some(state) = state.as_mut().filter(|state| !state.is_null()) {
-                drop(Box::from_raw(*state));
-                *state = ptr::null_mut();
-            }
-            Ok(fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
-    component: *mut Component,
-    state: *mut State,
-    size: *mut usize,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2SerializedFMUstateSize", |_| match (state.as_ref(), size.as_mut()) {
-            (Some(state), Some(size)) => {
-                *size = state.len();
-                Ok(fmi2OK)
-            }
-            _ => Err(Refused::error("a null pointer")),
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializeFMUstate(
-    component: *mut Component,
-    state: *mut State,
-    bytes: *mut u8,
-    size: usize,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2SerializeFMUstate", |_| {
-            let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
-            let needed = state.len();
-            if size < needed {
-                return Err(Refused::error(format!("size = {size}: must be at least {needed}")));
-            }
-            elements_mut(bytes, needed)?.copy_from_slice(state);
-            Ok(fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
-    component: *mut Component,
-    bytes: *const u8,
-    size: usize,
-    state: *mut *mut State,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2DeSerializeFMUstate", |component| {
-            let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
-            let bytes = elements(bytes, size)?;
-            saved::load(bytes, &component.instance).map_err(Refused::error)?;
-            match state.as_mut() {
-                Some(earlier) => *earlier = bytes.to_vec(),
-                None => *state = Box::into_raw(Box::new(bytes.to_vec())),
-            }
-            Ok(fmi2OK)
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DoStep(
-    component: *mut Component,
-    current_communication_point: f64,
-    communication_step_size: f64,
-    _no_set_state_prior_to_current_point: c_int,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2DoStep", |component| {
-            if component.instance.step(current_communication_point, communication_step_size)? {
-                let text = format!("the sample at {current_communication_point} s closes a gap in the truth");
-                component.logger.say(Category::Warning, fmi2OK, &text);
-            }
-            Ok(fmi2OK)
-        })
-    }
-}
-
-/// A call that this unit has no use for.
-unsafe fn without(component: *mut Component, function: &str, why: &str) -> fmi2Status {
-    unsafe { on(component, function, |_| Err(Refused::error(why))) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2CancelStep(component: *mut Component) -> fmi2Status {
-    unsafe { without(component, "fmi2CancelStep", "steps are never asynchronous") }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
-    component: *mut Component,
-    _references: *const u32,
-    _count: usize,
-    _orders: *const c_int,
-    _values: *const f64,
-) -> fmi2Status {
-    unsafe { without(component, "fmi2SetRealInputDerivatives", "inputs are not interpolated") }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
-    component: *mut Component,
-    _references: *const u32,
-    _count: usize,
-    _orders: *const c_int,
-    _values: *mut f64,
-) -> fmi2Status {
-    unsafe { without(component, "fmi2GetRealOutputDerivatives", "outputs have no derivatives") }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
-    component: *mut Component,
-    _unknowns: *const u32,
-    _unknown_count: usize,
-    _knowns: *const u32,
-    _known_count: usize,
-    _seed: *const f64,
-    _values: *mut f64,
-) -> fmi2Status {
-    unsafe { without(component, "fmi2GetDirectionalDerivative", "there are no directional derivatives") }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealStatus(
-    component: *mut Component,
-    kind: c_int,
-    value: *mut f64,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2GetRealStatus", |component| match (kind, value.as_mut()) {
-            (LAST_SUCCESSFUL_TIME, Some(value)) => {
-                *value = component.instance.end_s;
-                Ok(fmi2OK)
-            }
-            _ => Err(Refused::discard(format!("there is no real status of kind {kind}"))),
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetBooleanStatus(
-    component: *mut Component,
-    kind: c_int,
-    value: *mut c_int,
-) -> fmi2Status {
-    unsafe {
-        on(component, "fmi2GetBooleanStatus", |_| match (kind, value.as_mut()) {
-            (TERMINATED, Some(value)) => {
-                *value = 0;
-                Ok(fmi2OK)
-            }
-            _ => Err(Refused::discard(format!("there is no boolean status of kind {kind}"))),
-        })
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStatus(
-    component: *mut Component,
-    _kind: c_int,
-    _value: *mut c_int,
-) -> fmi2Status {
-    unsafe { without(component, "fmi2GetStatus", "steps are never asynchronous") }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetIntegerStatus(
-    component: *mut Component,
-    _kind: c_int,
-    _value: *mut c_int,
-) -> fmi2Status {
-    unsafe { without(component, "fmi2GetIntegerStatus", "there is no integer status") }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStringStatus(
-    component: *mut Component,
-    _kind: c_int,
-    _value: *mut *const c_char,
-) -> fmi2Status {
-    unsafe { without(component, "fmi2GetStringStatus", "steps are never asynchronous") }
 }

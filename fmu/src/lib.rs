@@ -1,7 +1,7 @@
 //! The simulator as a Functional Mock-up Unit: FMI 2.0 for co-simulation.
 //!
 //! ```text
-//!  master          fmi2...        calls                         `interface`
+//!  master          fmi2...        calls                         `interface`, `get_set`, `steps`, `states`
 //!    |
 //!    v
 //!  instance        phases, values, the simulator                `instance`, saved by `saved`
@@ -25,6 +25,7 @@
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
 pub mod description;
+pub mod get_set;
 mod inputs;
 mod instance;
 pub mod interface;
@@ -32,5 +33,8 @@ mod logger;
 mod outputs;
 mod parameters;
 mod saved;
+pub mod states;
+pub mod steps;
+mod uri;
 mod values;
 mod variables;

@@ -61,7 +61,8 @@ fn of_key(key: &KeyLine, path: &str, role: Role, numbers: &[f64], word: &str) ->
                 // Of a key that has no default there is nothing to state.
                 let start = numbers.get(index).copied().filter(|number| number.is_finite()).unwrap_or(0.0);
                 let start = Value::Real(start);
-                Variable::new(name, role, start, doc).in_unit(key.unit, key.unit_si)
+                let variable = Variable::new(name, role, start, doc).in_unit(key.unit, key.unit_si);
+                Variable { limits: key.limits, ..variable }
             })
             .collect(),
         KeyKind::Words(words) => {

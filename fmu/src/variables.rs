@@ -33,6 +33,7 @@ pub struct Variable {
     pub unit_si: f64,
     /// A usual size; 1 where there is none.
     pub nominal: f64,
+    /// Least and largest number, in its unit.
     pub limits: Option<(f64, f64)>,
     pub doc: String,
 }

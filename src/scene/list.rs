@@ -1,7 +1,8 @@
 //! The list of keys, for those who write a scene.
 
-use super::key::{Key, Section, Target, Unit};
+use super::key::{Key, Place, Section, Target, Unit};
 use super::table::{KEYS, of_section};
+use crate::sensors::{PARAMETERS, ParameterRange};
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +23,8 @@ pub struct KeyLine {
     pub unit: &'static str,
     /// SI units in one of it.
     pub unit_si: f64,
+    /// Least and largest number, in its unit, where a table has them; a 0 that is off is within.
+    pub limits: Option<(f64, f64)>,
     /// What it means.
     pub doc: &'static str,
 }
@@ -89,8 +92,31 @@ fn line(key: &Key) -> KeyLine {
         takes,
         unit: unit.text,
         unit_si: unit.si,
+        limits: limits(key),
         doc: key.doc,
     }
+}
+
+/// The limits of a key's numbers, in its unit.
+fn limits(key: &Key) -> Option<(f64, f64)> {
+    let Target::Numbers { unit, limits, place, .. } = key.target else { return None };
+    let Place::Parameter(sensor, row) = place else { return limits };
+    let (low, high) = match PARAMETERS[row].of(sensor)?.range {
+        ParameterRange::Within(low, high) => (low, high),
+        off_or => (0.0, off_or.ends().1),
+    };
+    // Rounded towards 0, so that the limit itself is accepted.
+    let in_unit = |limit: f64| {
+        let number = limit / unit.si;
+        if (number * unit.si).abs() <= limit.abs() {
+            number
+        } else if number > 0.0 {
+            number.next_down()
+        } else {
+            number.next_up()
+        }
+    };
+    Some((in_unit(low), in_unit(high)))
 }
 
 /// The meaning and the unit of a key, for a comment behind it.
