@@ -43,5 +43,5 @@ echo
 "$sins" report -o "$out/report.html" --picture "$out/simulation2.svg" \
     "$out/simulation2_patrol.csv" "$out/simulation2_rest.csv" \
     "$out/simulation1_patrol.csv" "$out/simulation1_rest.csv" \
-    "$out/airliner_cruise.csv" "$out/fighter_aerobatics.csv"
+    "$out/airliner_cruise.csv" "$out/fighter_aerobatics.csv" >/dev/null
 printf '\nopen the page: %s\nthe picture:   %s\n' "$PWD/$out/report.html" "$PWD/$out/simulation2.svg"

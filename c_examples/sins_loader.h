@@ -154,8 +154,8 @@ SINS_LOADER_INLINE int sins_loader_close(sins_loader *loader)
  * folder: LoadLibrary() beside the program first, dlopen() in LD_LIBRARY_PATH and among the system's libraries alone.
  *
  * Returns 1. Returns 0 if the file is missing, is no library, is one for programs of another word size, is not sins, has another
- * version of the interface than sins.h, or is older than sins.h and lacks a function: then message, of size bytes, says which,
- * nothing stays loaded, and all members are 0.
+ * version of the interface than sins.h, or is older than sins.h and lacks a function: then message says which, nothing stays
+ * loaded, and all members are 0. A message is cut to size bytes, which must not be 0.
  */
 SINS_LOADER_INLINE int sins_loader_open(sins_loader *loader, const char *path, char *message, size_t size)
 {

@@ -65,7 +65,7 @@
 //! |---|---|
 //! | increments are the integrals of rate and force | `tests/reference_signals.rs` |
 //! | the damped vertical channel answers as its three poles do, to second order in the interval | `tests/vertical_loop.rs` |
-//! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/real_flights.rs` |
+//! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/logged_flights.rs` |
 //! | error data 1 and 2 agree to second order, and with the closed form | `tests/simulation2.rs` |
 //! | every term of the error equations is that of the mechanization | `tests/error_equations.rs` |
 //! | each scheme has its order | `tests/convergence.rs` |

@@ -60,10 +60,14 @@ fn the_table_of_functions_fits_their_declarations() {
 /// What a host includes is free of warnings that a host may have made errors.
 #[test]
 fn the_headers_are_clean_under_the_warnings_of_strict_projects() {
-    let of_both = ["-Wconversion", "-Wsign-conversion", "-Wundef", "-Wshadow", "-Wcast-qual", "-Wdouble-promotion"];
+    let of_both =
+        ["-Wconversion", "-Wsign-conversion", "-Wundef", "-Wshadow", "-Wcast-qual", "-Wdouble-promotion"];
     for standard in ["c99", "c11", "c++98", "c++11", "c++20"] {
         let (mut compiler, language) = compiler_of(standard);
-        compiler.args(["-x", language, &format!("-std={standard}"), "-fsyntax-only"]).args(STRICT).args(of_both);
+        compiler
+            .args(["-x", language, &format!("-std={standard}"), "-fsyntax-only"])
+            .args(STRICT)
+            .args(of_both);
         if language == "c++" {
             compiler.arg("-Wold-style-cast");
         }

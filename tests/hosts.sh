@@ -11,11 +11,11 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 
-hosts="fortran ada fortran_windows"
+hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
-library=$PWD/target/c_examples/libsins.so.1
-link=("$library" "-Wl,-rpath,${library%/*}")
+library=$(realpath -m "${SINS_LIB_DIR:-target/release}")
+link=(-L "$library" -lsins "-Wl,-rpath,$library")
 
 # The C host and the C compiler say what is right.
 c() {
@@ -86,6 +86,44 @@ ada() {
     same_as_c ada
 }
 
+# Debian's own Python, for which its packages are.
+python() {
+    local packages=/usr/lib/python3/dist-packages
+    need python3 /usr/bin/python3
+    for package in numpy matplotlib pycparser; do
+        need "python3-$package" "$packages/$package/__init__.py"
+    done
+    export SINS_LIBRARY=$library/libsins.so PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
+    mkdir -p "$out/python"
+    for program in fly:c_examples/python/fly.py layout:tests/hosts/layout_python.py calls:tests/hosts/calls.py; do
+        printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$@"\n' "$PWD/${program#*:}" >"$out/python/${program%:*}"
+        chmod +x "$out/python/${program%:*}"
+    done
+    same_as_c python
+    sed 's/^hours = .*/hours = 1/' c_examples/scenes/patrol.toml >"$out/patrol.toml"
+    target/c_examples/harness "$out/patrol.toml" >"$out/patrol.c"
+    for picture in png svg; do
+        "$out/python/fly" "$out/patrol.toml" -o "$out/patrol.$picture" >"$out/patrol.python"
+        same_figures patrol python
+    done
+    /usr/bin/python3 tests/hosts/test_sins.py 2>"$out/test_sins" || { cat "$out/test_sins"; return 1; }
+    echo "python: $(grep -o "^Ran .* tests" "$out/test_sins"); the patrol is drawn in target/hosts/patrol.png"
+}
+
+# The MEX file flies a log: a matrix of samples.
+octave() {
+    need octave-dev mkoctfile
+    mkdir -p "$out/octave"
+    mkoctfile --mex -Wall -Wextra -Werror -Iinclude -o "$out/octave/sins_fly.mex" c_examples/octave/sins_fly.c \
+        "-L$library" -lsins "-Wl,-rpath,$library"
+    octave-cli --norc --path "$out/octave" c_examples/octave/fly.m >"$out/fighter.octave"
+    grep -q "^sins:SINS_ERROR_TIME_ORDER" "$out/fighter.octave"
+    target/c_examples/harness c_examples/scenes/fighter.toml >"$out/fighter.c"
+    same_figures fighter octave
+    octave-cli --norc --path "$out/octave" tests/hosts/test_octave.m
+    echo "octave: flies a log to the bits of C"
+}
+
 # numbers HOST: what its programs `layout` and `calls` print, a name and a number a line.
 numbers() {
     { "$out/$1/layout" | LC_ALL=C sort; "$out/$1/calls"; } >"$out/numbers.$1"
@@ -95,10 +133,7 @@ numbers() {
 same_as_c() {
     for scene in $scenes; do
         "$out/$1/fly" "$scene" >"$out/$scene.$1"
-        paste <(figures 1 "$out/$scene.c") <(figures 3 "$out/$scene.$1") |
-            awk -v host="$1 $scene" '
-                NF != 2 || $1 + 0 != $2 + 0 || $1 == 0 { print host ": line " NR ": " $0; bad = 1 }
-                END { if (NR != 9 || bad) { print host ": not the figures of the C host"; exit 1 } }'
+        same_figures "$scene" "$1"
     done
     if "$out/$1/fly" no_such_scene 2>"$out/refused.$1"; then
         echo "$1: a scene that there is not was flown"
@@ -110,6 +145,14 @@ same_as_c() {
         NF != 4 || $1 != $3 || $2 + 0 != $4 + 0 { print host ": in C and here: " $0; bad = 1 }
         END { exit bad }'
     echo "$1: flies to the bits of C; sizes, offsets, constants and what calls give are those of C"
+}
+
+# same_figures SCENE HOST: the figures that the host printed of the scene are those of the C host.
+same_figures() {
+    paste <(figures 1 "$out/$1.c") <(figures 3 "$out/$1.$2") |
+        awk -v host="$2 $1" '
+            NF != 2 || $1 + 0 != $2 + 0 || $1 == 0 { print host ": line " NR ": " $0; bad = 1 }
+            END { if (NR != 9 || bad) { print host ": not the figures of the C host"; exit 1 } }'
 }
 
 # figures COUNT FILE: the errors at the end in the output of a host, one a line: COUNT of them in a line, behind the title. Those of

@@ -1,7 +1,8 @@
 //! Why the mechanization navigates in Earth-fixed axes: accuracy and time against wander-azimuth and
 //! geographic axes, in one run on the same exact increments, two subsamples, exact body part.
 //!
-//! Wander-azimuth axes with equally good Earth terms are as accurate; Earth-fixed axes take less time.
+//! Wander-azimuth axes with equally good Earth terms are as accurate where truncation rules (coning), and leave more where
+//! rounding does: 4.0e-7 m of 3.4e-9 m in the loop. Earth-fixed axes take less time.
 //! Gravity is `Earth::gravity` for all, timed with its default, the closed form, which takes and gives
 //! Cartesian vectors. Somigliana's formula takes latitude and height: written out for wander axes it would
 //! make them the faster.

@@ -35,10 +35,8 @@ struct Rules {
 /// What tells a file from others, by whatever name or link it is found.
 #[derive(Debug, PartialEq)]
 struct Identity {
-    #[cfg(unix)]
-    device_and_inode: (u64, u64),
-    #[cfg(not(unix))]
-    path: PathBuf,
+    device: u64,
+    index: u64,
 }
 
 impl Identity {
@@ -48,12 +46,19 @@ impl Identity {
         // Standard input is a file as well, where it was redirected.
         let path = if path == Path::new("-") { Path::new("/dev/stdin") } else { path };
         let metadata = std::fs::metadata(path).ok()?;
-        Some(Self { device_and_inode: (metadata.dev(), metadata.ino()) })
+        Some(Self { device: metadata.dev(), index: metadata.ino() })
     }
 
-    #[cfg(not(unix))]
+    #[cfg(windows)]
     fn of(path: &Path) -> Option<Self> {
-        Some(Self { path: std::fs::canonicalize(path).ok()? })
+        use winapi_util::{HandleRef, file::information};
+        let information = if path == Path::new("-") {
+            information(HandleRef::stdin())
+        } else {
+            information(&File::open(path).ok()?)
+        };
+        let information = information.ok()?;
+        Some(Self { device: information.volume_serial_number(), index: information.file_index() })
     }
 }
 
@@ -80,9 +85,12 @@ impl Outputs {
         let Some(name) = path.file_name() else {
             return Err(Failure::new(format!("{}: expected the name of a file", path.display())));
         };
+        if let Some(why) = unfit(&name.to_string_lossy()) {
+            return Err(Failure::of_file(path, &why));
+        }
         let folder_itself = folder.canonicalize().map_err(|error| Failure::of_output(path, &error))?;
         let place = folder_itself.join(name);
-        if self.taken.contains(&place) {
+        if self.taken.iter().any(|taken| is_same(taken, &place)) {
             return Err(Failure::new(format!("{}: two outputs have this name", path.display())));
         }
         self.rules.check(path, mark)?;
@@ -136,6 +144,41 @@ impl Rules {
         }
         Ok(())
     }
+}
+
+/// Whether the paths are the same: on Windows case does not matter.
+fn is_same(one: &Path, other: &Path) -> bool {
+    if cfg!(windows) {
+        one.to_string_lossy().to_lowercase() == other.to_string_lossy().to_lowercase()
+    } else {
+        one == other
+    }
+}
+
+/// Why no file can have this name, if it cannot: on Windows some names are devices, whatever their ending, and a colon leads to
+/// another stream of a file.
+fn unfit(name: &str) -> Option<&'static str> {
+    if !cfg!(windows) {
+        None
+    } else if is_device_of_windows(name) {
+        Some("is the name of a device of Windows, whatever its ending")
+    } else if name.contains(':') {
+        Some("no file has a colon in its name on Windows")
+    } else {
+        None
+    }
+}
+
+/// Whether Windows takes a file of this name for a device.
+pub fn is_device_of_windows(name: &str) -> bool {
+    let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end().to_uppercase();
+    let numbered = ["COM", "LPT"].iter().find_map(|port| stem.strip_prefix(port));
+    let is_port = numbered.is_some_and(|number| {
+        let mut digits = number.chars();
+        digits.next().is_some_and(|digit| matches!(digit, '0'..='9' | '¹' | '²' | '³'))
+            && digits.next().is_none()
+    });
+    is_port || ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"].contains(&stem.as_str())
 }
 
 fn kind_of(metadata: &Metadata) -> &'static str {

@@ -1,71 +1,114 @@
 //! Progress on a terminal: how far, how fast, how long still. Nothing of it goes into a file or a pipe.
 
-use std::time::{Duration, Instant};
+use std::fmt::Write;
+use std::io::Read;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use crate::terminal::printable;
 use crate::units::time_text;
 
-/// What takes no longer is not worth a line.
+/// What takes no longer shows no line; the line is renewed as often.
 const QUIET: Duration = Duration::from_secs(1);
 
-/// A line at the bottom of a terminal, from the second second on.
+/// A line at the bottom of a terminal, from the second second on until it is dropped.
 pub struct Progress {
     bar: ProgressBar,
-    began: Instant,
-    duration_s: f64,
-    is_shown: bool,
+    /// Simulated time flown so far [µs].
+    flown_us: Arc<AtomicU64>,
 }
 
 impl Progress {
-    /// Of a flight of `duration_s` [s].
-    pub fn new(duration_s: f64, quiet: bool) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("{percent:>3} %  {msg}, {eta} left") {
-            bar.set_style(style);
-        }
-        // A quiet one stays hidden.
-        Self { bar, began: Instant::now(), duration_s, is_shown: quiet }
+    /// Flights of so many steps together.
+    pub fn flying(what: impl Into<String>, steps: usize, quiet: bool) -> Self {
+        Self::new(what, Some(steps as u64), quiet)
     }
 
-    /// The flight has come to `time_s` [s] since its start.
-    pub fn show(&mut self, time_s: f64) {
-        let elapsed = self.began.elapsed();
-        if !self.is_shown && elapsed > QUIET {
-            self.is_shown = true;
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        let rate = time_s / elapsed.as_secs_f64().max(1e-3);
-        let (flown, whole) = (time_text(time_s), time_text(self.duration_s));
-        self.bar.set_message(format!("{flown} of {whole}, {rate:.0} times real time"));
-        self.bar.set_position((1000.0 * time_s / self.duration_s) as u64);
+    /// So many parts of work.
+    pub fn counting(what: impl Into<String>, parts: usize) -> Self {
+        Self::new(what, Some(parts as u64), false)
     }
-}
 
-/// A line for work whose end is not known: what is being done, and for how long.
-pub struct Working(ProgressBar);
+    /// Work whose end is not known.
+    pub fn working(what: impl Into<String>) -> Self {
+        Self::new(what, None, false)
+    }
 
-impl Working {
-    pub fn on(what: impl Into<String>) -> Self {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-        if let Ok(style) = ProgressStyle::with_template("{msg}, {elapsed}") {
-            bar.set_style(style);
+    fn new(what: impl Into<String>, whole: Option<u64>, quiet: bool) -> Self {
+        let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let bar = ProgressBar::with_draw_target(whole, target);
+        let flown_us = Arc::new(AtomicU64::new(0));
+        let (what, flown) = (printable(&what.into()), Arc::clone(&flown_us));
+        let line = move |state: &ProgressState, text: &mut dyn Write| {
+            let done = state.len().map(|_| f64::from(state.fraction()));
+            let flown_s = 1e-6 * flown.load(Ordering::Relaxed) as f64;
+            let _ = text.write_str(&line(&what, state.elapsed(), done, state.eta(), flown_s));
+        };
+        if let Ok(style) = ProgressStyle::with_template("{line}") {
+            bar.set_style(style.with_key("line", line));
         }
-        bar.set_message(printable(&what.into()));
         bar.enable_steady_tick(QUIET);
-        Self(bar)
+        Self { bar, flown_us }
     }
-}
 
-impl Drop for Working {
-    fn drop(&mut self) {
-        self.0.finish_and_clear();
+    /// So many steps of `period_s` [s] more were flown.
+    pub fn fly(&self, steps: usize, period_s: f64) {
+        let flown_us = 1e6 * period_s * steps as f64;
+        self.flown_us.fetch_add(flown_us.round() as u64, Ordering::Relaxed);
+        self.bar.inc(steps as u64);
+    }
+
+    /// One part more is done.
+    pub fn count(&self) {
+        self.bar.inc(1);
+    }
+
+    /// `input`, of which each byte is a part.
+    pub fn reading<R: Read>(&self, input: R) -> impl Read + use<R> {
+        self.bar.wrap_read(input)
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// The line: nothing yet while the work may be a short one.
+fn line(what: &str, elapsed: Duration, done: Option<f64>, left: Duration, flown_s: f64) -> String {
+    if elapsed < QUIET {
+        return String::new();
+    }
+    let Some(done) = done else {
+        return format!("{what}, {}", time_text(elapsed.as_secs_f64().round()));
+    };
+    let mut text = format!("{what}: {:.0} %", (100.0 * done).floor());
+    if flown_s > 0.0 {
+        text += &format!(", {:.0} simulated seconds a second", flown_s / elapsed.as_secs_f64());
+    }
+    if !left.is_zero() {
+        text += &format!(", {} left", time_text(left.as_secs_f64().ceil()));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn how_far_how_fast_and_how_long_still() {
+        let seconds = Duration::from_secs;
+        let of =
+            |elapsed, done, left, flown_s| line("flying", seconds(elapsed), done, seconds(left), flown_s);
+        assert_eq!(of(0, Some(0.1), 30, 1e4), "");
+        assert_eq!(of(4, Some(0.259), 12, 1e5), "flying: 25 %, 25000 simulated seconds a second, 12 s left");
+        assert_eq!(of(2, Some(0.5), 150, 0.0), "flying: 50 %, 2.5 min left");
+        assert_eq!(of(2, Some(0.0), 0, 0.0), "flying: 0 %");
+        assert_eq!(of(3, None, 0, 0.0), "flying, 3 s");
     }
 }

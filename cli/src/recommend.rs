@@ -11,7 +11,7 @@ use sins::units::ARCSEC;
 use crate::failure::{Failure, Kind};
 use crate::fly::FOR_LOGS;
 use crate::given::{Given, Settings};
-use crate::progress::Working;
+use crate::progress::Progress;
 use crate::terminal::print;
 use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text, two_digits};
 
@@ -68,7 +68,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     requirement.validate()?;
     let (first, samples) = piece(order, &given)?;
     let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.mounting };
-    let working = Working::on("trying the algorithms");
+    let working = Progress::working("trying the algorithms");
     let answer = recommend(&setup, &samples, &requirement).map_err(|refusal| match refusal.sample {
         Some(index) => given.refusal(first + index, &refusal.error),
         None => Failure::new(format!("{}: {}", given.origin, refusal.error)),

@@ -75,7 +75,8 @@ fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
         match Given::load(Some(name), None, settings, FOR_LOGS) {
             Ok(given) => {
                 let (duration, rate_hz) = (time_text(given.duration_s), six_digits(1.0 / given.period_s));
-                good += &format!("{}: {}, {duration} at {rate_hz} Hz\n", given.origin, given.title);
+                let title = given.title.trim_end_matches('.');
+                good += &format!("{}: {title}, {duration} at {rate_hz} Hz\n", given.origin);
             }
             Err(failure) => bad.push(failure),
         }

@@ -19,9 +19,9 @@ fn a_first_flight_and_its_page() {
     let said =
         done(&folder, &["fly", "simulation2", "--set", "flight.hours=0.2", "--set", "gyro.bias_deg_h=0.1"]);
     assert!(said.contains(" 0.1 deg/h,") && said.contains(" 10 micro-g,"), "{said}");
-    assert!(said.contains("in sins_out/simulation2.csv"), "{said}");
+    assert!(said.replace('\\', "/").contains("in sins_out/simulation2.csv"), "{said}");
     let said = done(&folder, &["report", "sins_out/simulation2.csv", "sins_out/simulation2_summary.csv"]);
-    assert_eq!(said, "sins_out/report.html\n");
+    assert_eq!(said.replace('\\', "/"), "sins_out/report.html\n");
     let page = read(folder.join("sins_out/report.html"));
     assert!(page.contains("simulation2") && page.contains("Gyro errors"));
     // One figure, one number.
@@ -146,8 +146,11 @@ fn the_scene_of_the_readme_flies() {
     let readme = read(project_file("README.md"));
     let (text, _) = readme.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
     let flights = project_file("c_examples/flights");
-    std::fs::write(folder.join("readme.toml"), text.replace("../flights", flights.to_str().unwrap()))
-        .unwrap();
+    std::fs::write(
+        folder.join("readme.toml"),
+        text.replace("../flights", &flights.to_str().unwrap().replace('\\', "/")),
+    )
+    .unwrap();
     done(&folder, &["fly", "readme.toml", "-q", "--set", "flight.hours=0.02"]);
     assert!(folder.join("sins_out/readme.csv").exists());
 }

@@ -3,10 +3,13 @@
 #[path = "support/program.rs"]
 mod program;
 
-use std::io::Write;
-use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+#[cfg(unix)]
+use std::{
+    io::Write,
+    path::Path,
+    process::{Child, Command, Stdio},
+    time::{Duration, Instant},
+};
 
 use program::{done, folder, names, numbers, project_file, read, refused, run, sins, told};
 
@@ -151,9 +154,51 @@ fn pipes_and_standard_input_are_logs_and_devices_are_not() {
     done(&folder, &["fly", "logs/mylog.csv", "-q"]);
     let of = |name: &str| read(folder.join("sins_out").join(name));
     assert!(of("log.csv") == of("mylog.csv") && of("pipe.csv") == of("mylog.csv"));
-    assert!(refused(&folder, &["fly", "--log", "/dev/zero"]).contains("/dev/zero: is a device"));
+    for order in [&["fly", "--log", "/dev/zero"][..], &["allan", "/dev/zero", "-o", "a.svg"]] {
+        assert!(refused(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
+    }
     // A pipe is no run: its summary cannot lie beside it. It is not waited for.
     assert!(refused(&folder, &["report", "pipe.csv"]).contains("pipe_summary.csv"));
+}
+
+/// Whoever wrote the scene: it names no place outside.
+#[test]
+fn a_scene_names_no_file_outside() {
+    let folder = with_log("outside");
+    for (key, value, words) in [
+        ("folder", "/tmp", "output.folder = \"/tmp\""),
+        ("folder", "..", "output.folder = \"..\""),
+        ("folder", "a/../../b", "output.folder"),
+        ("name", "../mylog", "without a folder"),
+        ("imu", "../kept.csv", "output.imu = \"../kept.csv\""),
+        ("imu", "/etc/passwd", "output.imu"),
+    ] {
+        let scene = format!("[flight]\nfile = \"logs/mylog.csv\"\n[output]\n{key} = \"{value}\"\n");
+        std::fs::write(folder.join("scene.toml"), scene).unwrap();
+        let errors = refused(&folder, &["fly", "scene.toml", "--force"]);
+        assert!(errors.contains(words), "{key} = {value}: {errors}");
+        assert_eq!(names(&folder), ["logs", "scene.toml"], "{key} = {value}");
+    }
+}
+
+/// On Windows case does not matter, some names are devices, and a colon leads to another stream of a file.
+#[test]
+#[cfg(windows)]
+fn names_that_windows_has_for_something_else() {
+    let folder = with_log("windows");
+    for (arguments, words) in [
+        (&["fly", "logs/mylog.csv", "--out", "LOGS", "--name", "MyLog", "--force"][..], "is the input"),
+        (&["fly", "logs/mylog.csv", "--imu", "MYLOG.csv"], "two outputs"),
+        (&["fly", "logs/mylog.csv", "--name", "con"], "the name of a device"),
+        (&["fly", "logs/mylog.csv", "--imu", "NUL.csv"], "the name of a device"),
+        (&["fly", "logs/mylog.csv", "--imu", "mylog.csv:b"], "colon"),
+        (&["fly", "logs/mylog.csv", "--imu", "C:x.csv"], "below the folder"),
+        (&["fly", "--log", "CON"], "is a device"),
+    ] {
+        let errors = refused(&folder, arguments);
+        assert!(errors.contains(words), "{arguments:?}: {errors}");
+        assert_eq!(read(folder.join("logs/mylog.csv")), log(), "{arguments:?}");
+    }
 }
 
 #[test]
@@ -271,6 +316,7 @@ fn assert_is_finite(page: &str, what: &str) {
 }
 
 /// Waits until a temporary file is there.
+#[cfg(unix)]
 fn wait_for_part(out: &Path) {
     let deadline = Instant::now() + Duration::from_secs(60);
     while !out.exists() || !names(out).iter().any(|name| name.ends_with(".part")) {
@@ -279,6 +325,7 @@ fn wait_for_part(out: &Path) {
     }
 }
 
+#[cfg(unix)]
 fn signal(child: &Child, name: &str) {
     // The shell's own kill: the program of that name is not on every machine.
     let order = format!("kill -{name} {}", child.id());

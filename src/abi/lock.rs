@@ -5,7 +5,7 @@ use core::cell::UnsafeCell;
 use core::ops::{Deref, DerefMut};
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use super::thread::{WAITED_FOR, has_ended, this_thread, wait_while, wake};
+use super::thread::{WAITED_FOR, Waiters, has_ended, this_thread};
 
 const FREE: usize = 0;
 /// In place of an owner that will never release the lock. No thread is named so.
@@ -15,6 +15,7 @@ const LOST: usize = usize::MAX & !WAITED_FOR;
 pub(super) struct Lock<T> {
     /// `FREE`, `LOST`, or the name of the thread that holds the lock, with `WAITED_FOR` if another thread waits.
     owner: AtomicUsize,
+    waiters: Waiters,
     value: UnsafeCell<T>,
 }
 
@@ -28,7 +29,7 @@ pub(super) struct Guard<'a, T> {
 
 impl<T> Lock<T> {
     pub const fn new(value: T) -> Self {
-        Self { owner: AtomicUsize::new(FREE), value: UnsafeCell::new(value) }
+        Self { owner: AtomicUsize::new(FREE), waiters: Waiters::new(), value: UnsafeCell::new(value) }
     }
 
     /// Waits for other threads; `None` if the lock is this thread's own, or lost.
@@ -57,7 +58,7 @@ impl<T> Lock<T> {
             } else if has_ended(owner) {
                 replace(word, LOST);
             } else if word == owner | WAITED_FOR || replace(word, owner | WAITED_FOR) {
-                wait_while(&self.owner, owner | WAITED_FOR);
+                self.waiters.wait_while(&self.owner, owner | WAITED_FOR);
             }
         }
     }
@@ -96,7 +97,7 @@ impl<T> Drop for Guard<'_, T> {
     #[inline]
     fn drop(&mut self) {
         if self.lock.owner.swap(FREE, Ordering::Release) & WAITED_FOR != 0 {
-            wake(&self.lock.owner);
+            self.lock.waiters.wake(&self.lock.owner);
         }
     }
 }

@@ -7,7 +7,7 @@ use core::sync::atomic::AtomicUsize;
 pub(super) const WAITED_FOR: usize = 1;
 
 pub(super) use system::{has_ended, this_thread};
-pub(super) use waiting::{wait_while, wake};
+pub(super) use waiting::Waiters;
 
 #[cfg(unix)]
 mod system {
@@ -92,21 +92,115 @@ mod waiting {
         from_ref(word).cast()
     }
 
-    /// Returns when the word may have changed.
-    pub fn wait_while(word: &AtomicUsize, value: usize) {
-        // SAFETY: the word lives; no timeout is stated.
-        unsafe { syscall(SYS_FUTEX, half(word), WAIT_PRIVATE, value as u32, null::<u8>()) };
+    /// The threads that wait for a word.
+    pub struct Waiters;
+
+    impl Waiters {
+        pub const fn new() -> Self {
+            Self
+        }
+
+        /// Returns when the word may have changed.
+        pub fn wait_while(&self, word: &AtomicUsize, value: usize) {
+            // SAFETY: the word lives; no timeout is stated.
+            unsafe { syscall(SYS_FUTEX, half(word), WAIT_PRIVATE, value as u32, null::<u8>()) };
+        }
+
+        /// Wakes one of them.
+        pub fn wake(&self, word: &AtomicUsize) {
+            // SAFETY: nothing but the address of the word is used.
+            unsafe { syscall(SYS_FUTEX, half(word), WAKE_PRIVATE, 1_u32) };
+        }
+    }
+}
+
+/// An event of the kernel for each word. A queue of the process would have a lock of its own, and `TerminateThread` can end the
+/// thread that holds it: then all threads would wait for ever.
+#[cfg(windows)]
+mod waiting {
+    use super::AtomicUsize;
+    use core::ffi::c_void;
+    use core::ptr::{null, null_mut};
+    use core::sync::atomic::{AtomicPtr, Ordering, fence};
+
+    /// After so long it is asked again whether the owner still lives.
+    const PATIENCE_MS: u32 = 100;
+
+    #[link(name = "kernel32")]
+    unsafe extern "system" {
+        fn CreateEventW(security: *const u8, manual: i32, signalled: i32, name: *const u16) -> *mut c_void;
+        fn SetEvent(event: *mut c_void) -> i32;
+        fn WaitForSingleObject(object: *mut c_void, milliseconds: u32) -> u32;
+        fn CloseHandle(object: *mut c_void) -> i32;
+        safe fn Sleep(milliseconds: u32);
     }
 
-    /// Wakes a thread that waits for the word.
-    pub fn wake(word: &AtomicUsize) {
-        // SAFETY: nothing but the address of the word is used.
-        unsafe { syscall(SYS_FUTEX, half(word), WAKE_PRIVATE, 1_u32) };
+    /// The threads that wait for a word. The first of them makes the event, which is signalled until one thread has seen it.
+    pub struct Waiters(AtomicPtr<c_void>);
+
+    impl Waiters {
+        pub const fn new() -> Self {
+            Self(AtomicPtr::new(null_mut()))
+        }
+
+        /// Null: the process has no handle left.
+        fn event(&self) -> *mut c_void {
+            let found = self.0.load(Ordering::Acquire);
+            if !found.is_null() {
+                return found;
+            }
+            // SAFETY: neither security nor name; an object that another thread was faster to make is closed by its only owner.
+            unsafe {
+                let made = CreateEventW(null(), 0, 0, null());
+                match self.0.compare_exchange(null_mut(), made, Ordering::AcqRel, Ordering::Acquire) {
+                    Ok(_) => made,
+                    Err(found) => {
+                        CloseHandle(made);
+                        found
+                    }
+                }
+            }
+        }
+
+        /// Returns when the word may have changed. The event keeps a signal that comes before the wait.
+        pub fn wait_while(&self, word: &AtomicUsize, value: usize) {
+            let event = self.event();
+            // Whoever changes the word behind this look at it finds the event.
+            fence(Ordering::SeqCst);
+            if word.load(Ordering::Relaxed) != value {
+                return;
+            }
+            if event.is_null() {
+                return Sleep(1);
+            }
+            // SAFETY: the event lives as long as these waiters.
+            unsafe { WaitForSingleObject(event, PATIENCE_MS) };
+        }
+
+        /// Wakes one of them.
+        pub fn wake(&self, _word: &AtomicUsize) {
+            fence(Ordering::SeqCst);
+            let event = self.0.load(Ordering::Acquire);
+            if !event.is_null() {
+                // SAFETY: as above.
+                unsafe { SetEvent(event) };
+            }
+        }
+    }
+
+    impl Drop for Waiters {
+        fn drop(&mut self) {
+            let event = *self.0.get_mut();
+            if !event.is_null() {
+                // SAFETY: nobody waits any more.
+                unsafe { CloseHandle(event) };
+            }
+        }
     }
 }
 
 /// One queue for all words, where no signal interrupts.
-#[cfg(not(target_os = "linux"))]
+#[cfg(not(any(target_os = "linux", windows)))]
 mod waiting {
     use super::AtomicUsize;
     use core::sync::atomic::Ordering;
@@ -118,17 +212,26 @@ mod waiting {
     /// After so long it is asked again whether the owner still lives.
     const PATIENCE: Duration = Duration::from_millis(100);
 
-    /// Returns when the word may have changed.
-    pub fn wait_while(word: &AtomicUsize, value: usize) {
-        let queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
-        if word.load(Ordering::Relaxed) == value {
-            drop(CHANGED.wait_timeout(queue, PATIENCE));
-        }
-    }
+    /// The threads that wait for a word.
+    pub struct Waiters;
 
-    /// Wakes the threads that wait.
-    pub fn wake(_word: &AtomicUsize) {
-        let _queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
-        CHANGED.notify_all();
+    impl Waiters {
+        pub const fn new() -> Self {
+            Self
+        }
+
+        /// Returns when the word may have changed.
+        pub fn wait_while(&self, word: &AtomicUsize, value: usize) {
+            let queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
+            if word.load(Ordering::Relaxed) == value {
+                drop(CHANGED.wait_timeout(queue, PATIENCE));
+            }
+        }
+
+        /// Wakes the threads that wait.
+        pub fn wake(&self, _word: &AtomicUsize) {
+            let _queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
+            CHANGED.notify_all();
+        }
     }
 }

@@ -7,11 +7,14 @@
 
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_sim *sim;
+/* What a thread that begins holds of Windows itself is not the matter here: it is terminated when it has called. */
+static volatile LONG calling;
 
 static DWORD WINAPI fly_all_the_time(LPVOID unused)
 {
     static sins_record records[SCENE_COUNT - 1];
     (void)unused;
+    InterlockedIncrement(&calling);
     for (;;) {
         scene_fly(sim, samples, records);
         CHECK(sins_reset(sim) == SINS_OK);
@@ -23,6 +26,7 @@ static DWORD WINAPI read_until_refused(LPVOID unused)
     sins_options options = {.struct_size = sizeof options};
     sins_status status;
     (void)unused;
+    InterlockedIncrement(&calling);
     do {
         status = sins_get_options(sim, &options);
     } while (status == SINS_OK);
@@ -38,10 +42,14 @@ int main(void)
         HANDLE flier, reader;
         DWORD answer;
         CHECK(rounds < 1000);
+        calling = 0;
         sim = scene_simulator(NULL, 4);
         flier = CreateThread(NULL, 0, fly_all_the_time, NULL, 0, NULL);
         reader = CreateThread(NULL, 0, read_until_refused, NULL, 0, NULL);
         CHECK(flier != NULL && reader != NULL);
+        while (calling < 2) {
+            Sleep(1);
+        }
         Sleep(20);
         CHECK(TerminateThread(flier, 1) && WaitForSingleObject(flier, INFINITE) == WAIT_OBJECT_0);
         if (sins_reset(sim) == SINS_ERROR_BAD_STATE) {

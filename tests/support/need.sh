@@ -3,10 +3,13 @@
 # What is built lies in target, wherever the caller builds his own.
 unset CARGO_TARGET_DIR
 
-# need PACKAGE PROGRAM: installs the Debian package if the program, or a file of that path, is not there. Recommended packages
-# do not come along: g++ brings the headers of the C library, gcc alone does not.
+# need PACKAGE PROGRAM: installs the Debian package if the program, or the file where a path is given, is not there. Recommended
+# packages do not come along: g++ brings the headers of the C library, gcc alone does not.
 need() {
-    [ -e "$2" ] || command -v "$2" >/dev/null || install "$1"
+    case $2 in
+        */*) [ -e "$2" ] || install "$1" ;;
+        *) command -v "$2" >/dev/null || install "$1" ;;
+    esac
 }
 
 # One at a time, when scripts run side by side.

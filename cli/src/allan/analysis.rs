@@ -9,6 +9,7 @@ use super::estimate::terms::{TERMS, Term};
 use super::log::{Log, Series};
 use super::quantity::Sensor;
 use crate::failure::Failure;
+use crate::progress::Progress;
 
 /// Of all intervals.
 pub const CONFIDENCE: f64 = 0.95;
@@ -65,11 +66,15 @@ impl Analysis {
     /// All columns of a log.
     pub fn of_log(log: &Log) -> Result<Vec<Self>, Failure> {
         let factors = factors(log.count());
+        let progress = Progress::counting("analysing", 1 + log.series.len());
         let covariance = Covariance::new(log.count(), log.interval_s, &factors);
-        log.series
-            .iter()
-            .map(|series| Self::of_series(series, log.interval_s, &factors, &covariance))
-            .collect()
+        progress.count();
+        let analysis = |series| {
+            let analysis = Self::of_series(series, log.interval_s, &factors, &covariance);
+            progress.count();
+            analysis
+        };
+        log.series.iter().map(analysis).collect()
     }
 
     fn of_series(

@@ -9,6 +9,8 @@ use super::estimate::deviation::FEWEST_SAMPLES;
 use super::quantity::{Quantity, Sensor, TIMES, choose};
 use crate::drawing::series::mean;
 use crate::failure::Failure;
+use crate::given::refuse_device;
+use crate::progress::Progress;
 use crate::table::Table;
 
 /// A step between stamps may differ from the usual one by less than this part of it: a gap is a whole one.
@@ -34,9 +36,17 @@ impl Log {
     /// Reads the log of `order`.
     pub fn read(order: &Order) -> Result<Self, Failure> {
         let path = &order.log;
+        refuse_device(path)?;
         let input =
             File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
-        Self::from_input(order, input)
+        // A pipe has no length.
+        let length = input.metadata().map_or(0, |metadata| metadata.len());
+        let what = format!("reading {}", path.display());
+        let progress = match length {
+            0 => Progress::working(what),
+            bytes => Progress::counting(what, bytes as usize),
+        };
+        Self::from_input(order, progress.reading(input))
     }
 
     fn from_input(order: &Order, input: impl Read) -> Result<Self, Failure> {

@@ -20,7 +20,6 @@ use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::output::Outputs;
-use crate::progress::Working;
 use crate::terminal::print;
 use analysis::Analysis;
 use log::Log;
@@ -33,10 +32,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let points =
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
-    let working = Working::on("reading and analysing the log");
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
-    drop(working);
     drawn_file.finish(&if is_page {
         document::page(&log, &analyses)?
     } else {

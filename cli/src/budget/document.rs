@@ -156,7 +156,7 @@ mod tests {
         let svg = picture(&made());
         let (limit, label) = (svg.find("<line class=\"limit\""), svg.find("class=\"value\""));
         assert!(limit.is_some() && limit < label);
-        let rule = svg.split(".plot text.value {").nth(1).and_then(|rest| rest.split('}').next()).unwrap();
+        let rule = svg.split(".plot text {").nth(1).and_then(|rest| rest.split('}').next()).unwrap();
         assert!(rule.contains("paint-order: stroke") && rule.contains("stroke: var(--halo)"), "{rule}");
     }
 

@@ -14,6 +14,8 @@ pub struct Scene {
     pub options: Options,
     pub parameters: ErrorParameters,
     pub count: usize,
+    /// Time between two samples, of a log on average [s].
+    pub period_s: f64,
     given: Given,
 }
 
@@ -44,6 +46,7 @@ impl Scene {
                 gravity: scene.gravity,
             },
             count,
+            period_s: given.period_s,
             given,
         }
     }

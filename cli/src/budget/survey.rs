@@ -1,13 +1,25 @@
 //! The budgets of the scenes.
 
-use sins::budget::{Budget, BudgetRequest, Costs, error_budget, step_costs_ns};
+use sins::budget::{Budget, BudgetRequest, Costs, Effect, error_budget, step_costs_ns};
 use sins::recommend::{Refusal, SolutionError};
 
 use super::scene::Scene;
 use crate::failure::Failure;
 use crate::parallel::in_parallel;
-use crate::progress::Working;
+use crate::progress::Progress;
 use crate::terminal::say;
+
+/// Steps between two looks at the progress.
+const PROGRESS_STEPS: usize = 1024;
+
+/// Flights of a budget, but for those that find effects which do not add up ([`error_budget`]).
+fn flights(scene: &Scene, request: &BudgetRequest) -> usize {
+    let count =
+        |is_random| Effect::set_in(&scene.parameters).filter(|effect| effect.is_random == is_random).count();
+    let (steady, random) = (count(false), count(true));
+    let runs = if random == 0 { 1 } else { request.runs as usize };
+    1 + steady + runs * (random + 1 + usize::from(request.has_limits()))
+}
 
 /// A scene's budget.
 pub struct Survey {
@@ -47,12 +59,19 @@ impl Survey {
     /// The budgets of all, on all cores; then the times of their steps, one after the other.
     pub fn of_all(scenes: &[Scene], request: &BudgetRequest) -> Result<Vec<Self>, Failure> {
         scenes.iter().for_each(|scene| say(&format!("{}: {}", scene.name, scene.title)));
-        let _working = Working::on("flying each effect alone");
+        let steps = scenes.iter().map(|scene| flights(scene, request) * scene.count).sum();
+        let progress = Progress::flying("flying each effect alone", steps, false);
         let budgets = in_parallel(scenes, |scene| {
-            let sample = |index| scene.sample(index);
+            let sample = |index: usize| {
+                if index.is_multiple_of(PROGRESS_STEPS) {
+                    progress.fly(PROGRESS_STEPS.min(scene.count - index), scene.period_s);
+                }
+                scene.sample(index)
+            };
             let flown = sins::budget::Scene { count: scene.count, sample: &sample };
             error_budget(&scene.options, &flown, &scene.parameters, request)
         });
+        drop(progress);
         let surveyed = scenes.iter().zip(budgets).map(|(scene, budget)| {
             let refused = |refusal: Refusal| {
                 Failure::new(format!("{}: {}", scene.place(refusal.sample), refusal.error))
@@ -65,6 +84,7 @@ impl Survey {
     fn timed(scene: &Scene, request: &BudgetRequest, budget: Budget) -> Result<Self, Failure> {
         let sample = |index| scene.sample(index);
         let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+        let _timing = Progress::working(format!("timing a step of {}", scene.name));
         let effects = budget.rows.iter().map(|row| row.effect);
         let costs = step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?;
         let (name, title) = (scene.name.clone(), scene.title.clone());

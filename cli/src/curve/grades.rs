@@ -6,6 +6,7 @@ use sins::{Options, Simulator};
 
 use super::scene::{Rate, Scene};
 use crate::parallel::in_parallel;
+use crate::progress::Progress;
 
 /// At which rate the sensors are flown [Hz]: the one nearest to it.
 const RATE_HZ: f64 = 100.0;
@@ -40,12 +41,16 @@ pub fn effects(scene: &Scene, runs: u64) -> Result<[f64; 2], Refusal> {
     flights.extend((1..=runs).map(|run| (navigation, run)).chain((1..=runs).map(|run| (tactical, run))));
     let samples = scene.samples_at(rate);
     let instants = scene.instants_at(rate);
+    let what = format!("{}: flying sensors with errors", scene.name);
+    let progress = Progress::flying(what, samples.len() * flights.len(), false);
     let tracks = in_parallel(&flights, |(grade, run)| {
         let key = StreamKey { run: *run, ..Default::default() };
         let mut simulator = Simulator::new(&rate.applied_to(&Options { key, ..scene.base }))?;
         simulator.set_gyro(&grade.gyro)?;
         simulator.set_accel(&grade.accel)?;
-        sins::recommend::track(&mut simulator, &samples, &instants)
+        let track = sins::recommend::track(&mut simulator, &samples, &instants);
+        progress.fly(samples.len(), 1.0 / rate.hz);
+        track
     });
     let tracks = tracks.into_iter().collect::<Result<Vec<Track>, Refusal>>()?;
     let (ideal, noisy) = (&tracks[0], &tracks[1..]);

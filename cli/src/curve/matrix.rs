@@ -7,19 +7,25 @@ use super::configuration::Configuration;
 use super::reference::Judgement;
 use super::scene::{Rate, Scene};
 use crate::parallel::in_parallel;
+use crate::progress::Progress;
 
 /// What became of a flight: its errors, or why it was refused.
 pub type Outcome = Result<Judgement, Refusal>;
 
 /// The outcome of each of `configurations` at each rate of `scene`, rate by rate.
 pub fn outcomes(scene: &Scene, configurations: &[Configuration]) -> Vec<(Rate, Configuration, Outcome)> {
+    let samples: usize = scene.rates.iter().map(|rate| scene.samples.len().div_ceil(rate.stride)).sum();
+    let what = format!("{}: flying every configuration", scene.name);
+    let progress = Progress::flying(what, samples * configurations.len(), false);
     let mut outcomes = Vec::new();
     for rate in &scene.rates {
         let (samples, instants) = (scene.samples_at(rate), scene.instants_at(rate));
         let flown = in_parallel(configurations, |configuration| {
             let options = rate.applied_to(&configuration.options(&scene.base));
             let mut simulator = Simulator::new(&options)?;
-            track(&mut simulator, &samples, &instants).map(|track| scene.judge.judge(&track))
+            let track = track(&mut simulator, &samples, &instants);
+            progress.fly(samples.len(), 1.0 / rate.hz);
+            track.map(|track| scene.judge.judge(&track))
         });
         outcomes.extend(configurations.iter().zip(flown).map(|(which, outcome)| (*rate, *which, outcome)));
     }

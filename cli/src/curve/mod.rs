@@ -29,7 +29,6 @@ use crate::failure::Failure;
 use crate::fly::FOR_LOGS;
 use crate::given::Given;
 use crate::output::Outputs;
-use crate::progress::Working;
 use crate::rows::TABLE_MARK;
 use crate::terminal::{print, say};
 use instructions::Instructions;
@@ -64,14 +63,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     for scene in scenes.chain(given.iter().map(|given| own::scene(given, effort.duration_s))) {
         let scene: Scene = scene?;
         say(&format!("{}: {}", scene.name, scene.title));
-        let _working = Working::on("flying every configuration");
         let (survey, course) = Survey::flown(&scene, &effort)?;
         surveys.push(survey);
         courses.push(course);
     }
-    let timed = Working::on("timing all of them in turns");
     let costs = timing::costs(&courses, effort.rounds)?;
-    drop(timed);
     for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
         survey.set_costs(&costs);
         picture.finish(&diagram::diagram(survey)?)?;

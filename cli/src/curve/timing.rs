@@ -10,6 +10,7 @@ use sins::{Error, Options, Simulator};
 
 use super::configuration::Configuration;
 use super::scene::{Rate, Scene};
+use crate::progress::Progress;
 
 /// Places of the scene that a round flies at, equally spaced: a step costs more where the aircraft turns.
 const PLACES: usize = 8;
@@ -36,6 +37,7 @@ impl Course {
 pub fn costs(courses: &[Course], rounds: usize) -> Result<Vec<Vec<f64>>, Error> {
     let mut times: Vec<Vec<Vec<f64>>> =
         courses.iter().map(|course| vec![Vec::with_capacity(rounds); course.candidates.len()]).collect();
+    let progress = Progress::counting("timing all of them in turns", rounds * courses.len());
     for _ in 0..rounds {
         for (course, times) in courses.iter().zip(&mut times) {
             for ((rate, configuration), times) in course.candidates.iter().zip(times) {
@@ -46,6 +48,7 @@ pub fn costs(courses: &[Course], rounds: usize) -> Result<Vec<Vec<f64>>, Error> 
                     own.flat_map(|(_, stretches)| stretches),
                 )?);
             }
+            progress.count();
         }
     }
     Ok(times.into_iter().map(|times| times.into_iter().map(median).collect()).collect())

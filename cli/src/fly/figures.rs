@@ -83,7 +83,9 @@ impl<'a> Figures<'a> {
         let words: Vec<String> = set
             .iter()
             .filter(|key| key.section == section)
-            .map(|key| format!("{} {} {}", key.doc, rounded(&key.value), key.unit).trim_end().to_owned())
+            .map(|key| {
+                format!("{} {} {}", name(key.doc), rounded(&key.value), key.unit).trim_end().to_owned()
+            })
             .collect();
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     }
@@ -93,6 +95,11 @@ impl<'a> Figures<'a> {
         let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     }
+}
+
+/// What a key sets, without what explains it.
+fn name(doc: &str) -> &str {
+    doc.split([',', ':', ';', '(']).next().unwrap_or(doc).trim_end()
 }
 
 /// The numbers of a value with six digits: what a person set, without what its unit makes of the last bit.
@@ -136,6 +143,18 @@ fn failure_text(planned: &PlannedFailure) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_is_what_stands_before_its_explanation() {
+        for (doc, expected) in [
+            ("constant bias, measured less true", "constant bias"),
+            ("white noise N: angle or velocity random walk", "white noise N"),
+            ("deflection in the meridian (xi)", "deflection in the meridian"),
+            ("mechanization", "mechanization"),
+        ] {
+            assert_eq!(name(doc), expected);
+        }
+    }
 
     #[test]
     fn values_in_words() {

@@ -101,7 +101,7 @@ fn fly_with(
     push(simulator, given, 0, given.sample(0)?)?;
     let start = Record::now(simulator).map_err(|error| stopped(given, 0, &error))?;
     start.iter().try_for_each(|record| keep(flown, &mut files.records, record))?;
-    let mut progress = Progress::new(given.duration_s, quiet);
+    let progress = Progress::flying("flying", given.count - 1, quiet);
     let mut sum = SensorSum::default();
     for first in (1..given.count).step_by(CHUNK) {
         let last = (first + CHUNK).min(given.count);
@@ -120,7 +120,7 @@ fn fly_with(
         if interrupt::is_asked() {
             return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are whole"));
         }
-        progress.show((last - 1) as f64 * given.period_s);
+        progress.fly(last - first, given.period_s);
     }
     Ok(())
 }

@@ -8,6 +8,13 @@ use sins::log::{FlightLog, LogError};
 use crate::failure::Failure;
 
 /// A device has no end, or waits for a keyboard.
+pub fn refuse_device(path: &Path) -> Result<(), Failure> {
+    if is_device(path) {
+        return Err(Failure::of_file(path, &"is a device: a log is a file or a pipe"));
+    }
+    Ok(())
+}
+
 fn is_device(path: &Path) -> bool {
     #[cfg(unix)]
     {
@@ -17,18 +24,15 @@ fn is_device(path: &Path) -> bool {
         };
         std::fs::metadata(path).is_ok_and(is_one)
     }
-    #[cfg(not(unix))]
+    #[cfg(windows)]
     {
-        let _ = path;
-        false
+        path.file_name().is_some_and(|name| crate::output::is_device_of_windows(&name.to_string_lossy()))
     }
 }
 
 /// The log at `path`; "-": of standard input.
 pub fn read_log(path: &Path) -> Result<FlightLog, Failure> {
-    if is_device(path) {
-        return Err(Failure::of_file(path, &"is a device: a log is a file or a pipe"));
-    }
+    refuse_device(path)?;
     let read = if path == Path::new("-") {
         let mut bytes = Vec::new();
         std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)

@@ -13,6 +13,7 @@ use sins::log::FlightLog;
 use sins::scene::{FlightSource, Scene};
 use sins::truth::FlightSample;
 
+pub use log::refuse_device;
 pub use settings::Settings;
 pub use text::is_log;
 

@@ -55,9 +55,8 @@ fn no_output_is_an_input_whatever_its_name() {
     std::os::unix::fs::symlink(&log, place("soft.csv")).unwrap();
     for force in [false, true] {
         let mut outputs = Outputs::new(std::slice::from_ref(&log), force);
-        let names: &[&str] =
-            if cfg!(unix) { &["log.csv", "./log.csv", "hard.csv", "soft.csv"] } else { &["log.csv"] };
-        for name in names {
+        let more = if cfg!(unix) { "soft.csv" } else { "LOG.CSV" };
+        for name in ["log.csv", "./log.csv", "hard.csv", more] {
             let words = refused(&mut outputs, &place(name));
             assert!(words.contains("is the input"), "{name}: {words}");
         }
@@ -105,6 +104,17 @@ fn links_pipes_and_devices_stay_what_they_are() {
         assert!(words.contains("only plain files") || words.contains("name of a file"), "{name}: {words}");
     }
     assert!(!place("nowhere").exists() && read(&log).starts_with("time_s"));
+}
+
+#[test]
+fn devices_of_windows_are_known_by_their_names() {
+    for name in ["con", "CON.csv", "nul .txt", "Com1", "LPT³.a.b", "conin$", "aux:x"] {
+        assert!(is_device_of_windows(name), "{name}");
+    }
+    for name in ["console.csv", "com10", "com", "lpt", "a.con", "nul1", ".csv", ""] {
+        assert!(!is_device_of_windows(name), "{name}");
+    }
+    assert_eq!(unfit("con").is_some(), cfg!(windows));
 }
 
 #[test]

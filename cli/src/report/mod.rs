@@ -20,7 +20,7 @@ use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::fly::OUTPUT_FOLDER;
 use crate::output::Outputs;
-use crate::progress::Working;
+use crate::progress::Progress;
 use crate::terminal::print;
 use run::Run;
 
@@ -60,7 +60,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     };
     let page_file = outputs.file(&output, PAGE_MARK)?;
     let picture_file = order.picture.as_ref().map(|path| outputs.file(path, PICTURE_MARK)).transpose()?;
-    let working = Working::on("drawing");
+    let working = Progress::working("reading and drawing");
     let runs = paths.into_iter().map(|path| Run::read(path)).collect::<Result<Vec<_>, _>>()?;
     let page = page::page(&runs)?;
     let picture = picture_file.map(|file| picture::picture(&runs[0]).map(|text| (file, text))).transpose()?;

@@ -73,7 +73,7 @@ fn text(run: &Run, key: &str) -> Option<String> {
 pub fn sensors(run: &Run) -> Option<String> {
     match (run.summary.value("gyro_text")?, run.summary.value("accel_text")?) {
         ("none", "none") => Some("none".to_owned()),
-        (gyros, accelerometers) => Some(format!("gyros {gyros}; accelerometers {accelerometers}")),
+        (gyros, accelerometers) => Some(format!("gyros: {gyros}; accelerometers: {accelerometers}")),
     }
 }
 
@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn sensor_errors_are_told_as_the_summary_has_them() {
         let run = with(&[("gyro_text", "bias 0.01 deg/h", ""), ("accel_text", "none", "")]);
-        assert_eq!(sensors(&run).as_deref(), Some("gyros bias 0.01 deg/h; accelerometers none"));
+        assert_eq!(sensors(&run).as_deref(), Some("gyros: bias 0.01 deg/h; accelerometers: none"));
         assert_eq!(sensors(&with(&[])), None);
     }
 

@@ -7,6 +7,7 @@ mod c_header;
 mod c_types;
 mod fortran;
 mod model;
+mod python;
 mod read;
 pub mod sensor_structs;
 mod sizes;
@@ -72,6 +73,7 @@ pub fn generate(abi: &Path, sensor_params: &str) -> (Vec<Output>, String) {
         ("include/sins_functions.h", c_functions::write(&interface)),
         ("c_examples/fortran/sins.f90", fortran::write(&interface)),
         ("c_examples/ada/sins.ads", ada::write(&interface)),
+        ("c_examples/python/sins.py", python::write(&interface)),
     ];
     (outputs, sizes::check(&interface))
 }

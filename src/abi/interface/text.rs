@@ -16,7 +16,7 @@ pub fn comment(mark: &str, lines: &[String], width: usize) -> String {
 }
 
 /// The words of a paragraph in lines that are as long as they may be.
-fn filled(paragraph: &[String], width: usize) -> Vec<String> {
+pub fn filled(paragraph: &[String], width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in paragraph.iter().flat_map(|line| line.split(' ')) {
         let line = lines.last_mut().expect("there is one");

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Flies a scene and draws the errors of its navigation: fly.py c_examples/scenes/patrol.toml -o patrol.png
+
+Its flight is built-in or of manoeuvres. It is flown by sins_run(), ten minutes in a call; the samples of all 48 hours of the
+patrol would take 2.5 GB.
+"""
+
+import argparse
+import ctypes
+import sys
+
+import matplotlib
+import numpy
+import sins
+from matplotlib import pyplot
+
+matplotlib.use("Agg")  # into a file, no window
+CALL_S = 600.0
+
+
+def open_scene(name, hours):
+    """The scene of a file, or a built-in one; hours replaces the duration that it states."""
+    scene, fault, setup = sins.scene(), sins.fault(), sins.scene_setup()
+    if name.endswith(".toml"):
+        with open(name, "rb") as file:
+            status = sins.scene_parse(file.read(), scene)
+        if status == sins.SCENE_HAS_FAULTS:
+            sins.scene_get_fault(scene, 0, fault)
+            sys.exit(f"{name}:{fault.line}:{fault.column}: {fault.sentence.decode()}")
+    else:
+        sins.scene_create_builtin(name, scene)
+    sins.scene_get_setup(scene, setup)
+    if hours is not None:
+        setup.duration_s = hours * 3600
+        sins.scene_set_setup(scene, setup)
+        sins.scene_get_setup(scene, setup)
+    failures = ctypes.c_size_t()
+    sins.scene_get_failure_count(scene, failures)
+    if setup.flight == sins.SCENE_FLIGHT_LOG or setup.has_temperature or failures.value:
+        sys.exit(f"{name}: a log, a temperature or failures want sins.scene_prepare() before each sample: see harness.c")
+    return scene, setup
+
+
+def fly(scene, setup):
+    """The records of the whole flight, in arrays of numpy."""
+    count = int(setup.flown_s * setup.rate_hz + 1e-6) + 1  # 1e-6: rounding
+    every = max(1, round((setup.every_s or setup.flown_s / 1000) * setup.rate_hz))
+    times_s = numpy.minimum(numpy.arange(count) / setup.rate_hz, setup.flown_s)
+    with sins.sim() as sim, sins.flight() as flight:
+        sins.scene_create_simulator(scene, sim)
+        sins.scene_create_flight(scene, flight)
+        parts = numpy.array_split(times_s, int(setup.flown_s / CALL_S) + 1)
+        records = [sins.fly(sim, sins.samples_at(flight, part), every) for part in parts]
+        last = sins.record()
+        sins.get_record(sim, last)
+    return numpy.concatenate(records), last
+
+
+def draw(records, title, path):
+    """The errors by both ways: navigation less truth, and on top of it the error differential equations, if they were on."""
+    hours, model = records["time_s"] / 3600, records["model_errors"]
+    rows = [("position_enu_m", 1e3, "position [km]"), ("velocity_enu_m_s", 1, "velocity [m/s]"),
+            ("misalignment_enu_rad", sins.ARCSEC, "misalignment [arcsec]")]
+    figure, axes = pyplot.subplots(3, 1, figsize=(9, 9), sharex=True, constrained_layout=True)
+    for axis, (field, unit, label) in zip(axes, rows):
+        axis.plot(hours, records["navigation_errors"][field] / unit, linewidth=1.5, label=["east", "north", "up"])
+        if not (model["flags"] & sins.ERRORS_NOT_COMPUTED).any():
+            axis.plot(hours, model[field] / unit, "k:", linewidth=1, label=["error equations", None, None])
+        axis.set_ylabel(label)
+        axis.grid(alpha=0.3)
+    axes[0].legend(ncol=4, fontsize="small")
+    axes[0].set_title(title)
+    axes[-1].set_xlabel("time [h]")
+    figure.savefig(path, dpi=120)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("scene", help="a scene, SCENE.toml, or the name of a built-in one")
+    parser.add_argument("--hours", type=float, help="how long to fly, in place of what the scene states")
+    parser.add_argument("-o", "--output", help="the picture, .png or .svg")
+    arguments = parser.parse_args()
+    try:
+        scene, setup = open_scene(arguments.scene, arguments.hours)
+        records, last = fly(scene, setup)
+        title = sins.text(sins.scene_get_text, scene, sins.SCENE_TEXT_TITLE) or arguments.scene
+        if arguments.output:
+            draw(records, title, arguments.output)
+    except sins.Error as error:
+        sys.exit(f"fly.py: {error} ({sins.status_string(error.status)})")
+    except (OSError, ValueError) as error:  # ValueError: no format of that name
+        sys.exit(f"fly.py: {error}")
+    errors = last.navigation_errors
+    print("errors at the end, navigation - truth, east-north-up")
+    print("position m      ", *errors.position_enu_m)
+    print("velocity m/s    ", *errors.velocity_enu_m_s)
+    print("misalignment rad", *errors.misalignment_enu_rad)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,35 @@
+//! Progress: on a terminal how far, how fast and how long still; nothing of it in a file or a pipe.
+#![cfg(target_os = "linux")]
+
+#[path = "support/program.rs"]
+mod program;
+
+use std::process::{Command, Stdio};
+
+use program::{folder, run};
+
+/// What the program writes on a terminal.
+fn on_a_terminal(folder: &std::path::Path, arguments: &str) -> String {
+    let order = format!("'{}' {arguments}", env!("CARGO_BIN_EXE_sins"));
+    let mut terminal = Command::new("script");
+    terminal.args(["-qec", &order, "/dev/null"]).current_dir(folder).stdin(Stdio::null());
+    let output = terminal.output().unwrap();
+    assert!(output.status.success(), "{order}");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+#[test]
+fn a_terminal_sees_how_far_how_fast_and_how_long_still() {
+    let folder = folder("terminal");
+    for (arguments, words) in [
+        ("fly simulation2 --set flight.hours=24 --set output.every_s=60", "flying: "),
+        ("budget simulation2 --hours 0.3", "flying each effect alone: "),
+    ] {
+        let said = on_a_terminal(&folder, arguments);
+        let line = said.split(words).find(|line| line.contains(" left"));
+        let line = line.unwrap_or_else(|| panic!("{arguments}: {said}"));
+        assert!(line.contains(" %, ") && line.contains(" simulated seconds a second, "), "{line}");
+    }
+    let (code, said, errors) = run(&folder, &["budget", "simulation2", "--hours", "0.3"]);
+    assert!(code == 0 && !(said + &errors).contains(" left"), "{errors}");
+}

@@ -1,0 +1,264 @@
+"""sins.h for Python 3.9 and later, by ctypes: nothing is compiled.
+
+    import sins
+
+    gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # what is not named is 0: off
+    errors = sins.errors()
+    with sins.sim() as sim:                                                # destroyed at the end
+        sins.create(None, sim)
+        sins.set_gyro(sim, gyro)
+        for second in range(3601):
+            sins.push_sample(sim, sins.flight_sample(time_s=second, latitude_rad=39.9 * sins.DEG))
+            sins.step(sim)
+        sins.get_errors(sim, sins.ERRORS_NAVIGATION, errors)
+    print(errors.position_enu_m[0], errors.position_enu_m[1])
+
+sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
+header, but for the number of elements behind an array, which Python knows. NULL is None. An output is an object that the call
+fills: a struct, a handle, or a number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised
+as sins.Error; the others are returned. Whole numbers that are too large for their type in C are cut, as everywhere in ctypes.
+
+An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both; nothing is copied.
+
+The library is the file that SINS_LIBRARY in the environment names, or else lies beside this file, or is the system's.
+
+This file is written by build.rs from the Rust sources; do not edit it.
+"""
+
+import ctypes
+import enum
+import functools
+import os
+import sys
+from ctypes import POINTER, c_char, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64
+
+# <constants>
+
+
+def _load():
+    """The library, of the version of the interface that this file is for."""
+    beside = os.path.dirname(os.path.abspath(__file__))
+    names = {"win32": ["sins.dll"], "darwin": ["libsins.dylib"]}
+    names = names.get(sys.platform, [f"libsins.so.{HEADER_ABI}", "libsins.so"])
+    found = [path for path in (os.path.join(beside, name) for name in names) if os.path.exists(path)]
+    path = os.environ.get("SINS_LIBRARY") or (found + names)[0]
+    try:
+        library = ctypes.CDLL(path)
+        version = library.sins_abi_version()
+    except OSError as error:
+        raise ImportError(
+            f"the library sins cannot be loaded: {error}. Put {names[-1]} of {8 * ctypes.sizeof(ctypes.c_void_p)} bits, "
+            f"as this Python has, beside {__file__}, or set SINS_LIBRARY to its path"
+        ) from None
+    except AttributeError:
+        raise ImportError(f"{path} is not the library sins: it has no sins_abi_version()") from None
+    if version != HEADER_ABI:
+        raise ImportError(
+            f"{path} has version {version} of the interface, {__file__} is for version {HEADER_ABI}: "
+            "take both from one release"
+        )
+    return library
+
+
+_library = _load()
+
+
+class Error(Exception):
+    """A call that failed: its status, the library's sentence, and in info what that is made of."""
+
+    def __init__(self, status, sentence, info):
+        super().__init__(sentence)
+        self.status = status_code(status)
+        self.info = info
+
+
+def _exported(enumeration):
+    """Makes sins.frame.FRAME_GEOGRAPHIC known as sins.FRAME_GEOGRAPHIC, as in C."""
+    globals().update(enumeration.__members__)
+    return enumeration
+
+
+class _Struct(ctypes.Structure):
+    """All zero but for the fields that are named, and struct_size, which is set."""
+
+    __slots__ = ()  # a field that does not exist is an error
+
+    def __init__(self, **fields):
+        super().__init__(**fields)
+        if hasattr(self, "struct_size"):
+            self.struct_size = ctypes.sizeof(self)
+
+    def __setattr__(self, name, value):
+        given = value
+        if getattr(value, "ndim", 0):  # an array of numpy; a matrix row by row
+            value = tuple(value.ravel())
+        try:
+            super().__setattr__(name, value)
+        except (IndexError, RuntimeError, TypeError) as error:
+            raise TypeError(f"{type(self).__name__}.{name} = {given!r}: {error}") from None
+
+    def __repr__(self):
+        def shown(value):
+            return list(value) if isinstance(value, ctypes.Array) else value
+
+        fields = (f"{name}={shown(getattr(self, name))!r}" for name, _ in self._fields_)
+        return f"sins.{type(self).__name__}({', '.join(fields)})"
+
+
+class _Handle(ctypes.c_void_p):
+    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped."""
+
+    def close(self):
+        if self:
+            getattr(_library, self._destroy)(self)
+            self.value = None
+
+    __del__ = close
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+# <types>
+
+
+class _Text(ctypes.c_char_p):
+    """An argument that is a text: str or bytes."""
+
+    @classmethod
+    def from_param(cls, value):
+        value = value.encode() if isinstance(value, str) else value
+        if isinstance(value, bytes) and b"\0" in value:
+            raise ValueError(f"{value!r}: a text has no zero byte")
+        return super().from_param(value)
+
+
+class _New:
+    """An argument that is a handle which stands for nothing yet."""
+
+    def __init__(self, handle):
+        self.pointer = POINTER(handle)
+
+    def from_param(self, value):
+        if value:
+            raise ValueError("the handle stands for something already: close() it first")
+        return self.pointer.from_param(value)
+
+
+class _Array:
+    """Two arguments: a pointer to elements, and their number."""
+
+    def __init__(self, element, is_input=False):
+        self.element = element
+        self.is_bytes = is_input and element is c_char
+        self.types = (ctypes.c_char_p if self.is_bytes else POINTER(element), c_size_t)
+
+    def __call__(self, value):
+        if value is None:
+            return None, 0
+        if isinstance(value, self.element):
+            return value, 1
+        if self.is_bytes:
+            value = value.encode() if isinstance(value, str) else bytes(memoryview(value))
+        elif isinstance(value, (str, bytes)):
+            raise TypeError("a buffer to write into: make it by ctypes.create_string_buffer(size)")
+        elif hasattr(value, "dtype"):  # of numpy
+            if value.dtype != _dtype(self.element):
+                raise TypeError("not an array as sins.array(sins.{0}, count) makes it".format(self.element.__name__))
+            value = (self.element * value.size).from_buffer(value)
+        return value, len(value)
+
+
+@functools.lru_cache(maxsize=None)
+def _dtype(struct):
+    import numpy  # needed for arrays of numpy alone
+
+    return numpy.dtype(struct)
+
+
+def _fail(status, sim):
+    """Raises what the library says of the last call: of a simulator, or of this thread."""
+    sentence, info = ctypes.create_string_buffer(1024), error_info()
+    length = ctypes.sizeof(sentence)
+    if _library.sins_last_error(sim, sentence, c_size_t(length), None) not in (status_code.OK, status_code.ERROR_BUFFER_TOO_SMALL):
+        sim = None  # a refused handle remembers nothing; the thread does
+        _library.sins_last_error(sim, sentence, c_size_t(length), None)
+    _library.sins_last_error_info(sim, ctypes.byref(info))
+    raise Error(status, sentence.value.decode(errors="replace"), info)
+
+
+def _function(result, *kinds):
+    """The function of the library that has the name of the one below; it takes the arguments, and what is below documents them."""
+
+    def declare(described):
+        name = "sins_" + described.__name__
+        foreign = getattr(_library, name, None)
+        if foreign is None:
+            def missing(*_):
+                raise NotImplementedError(f"the library has no {name}(): it is older, or built without the feature scenes")
+
+            return functools.wraps(described)(missing)
+
+        has_arrays = any(isinstance(kind, _Array) for kind in kinds)
+        first = described.__code__.co_varnames[:1]
+        foreign.restype = result
+        foreign.argtypes = [one for kind in kinds for one in (kind.types if isinstance(kind, _Array) else (kind,))]
+
+        @functools.wraps(described)
+        def call(*arguments):
+            given = arguments
+            if has_arrays:
+                if len(arguments) != len(kinds):
+                    raise TypeError(f"{described.__name__}() takes {len(kinds)} arguments, {len(arguments)} were given")
+                given = []
+                for kind, value in zip(kinds, arguments):
+                    given += kind(value) if isinstance(kind, _Array) else (value,)
+            answer = foreign(*given)
+            if result is status and answer < 0:
+                _fail(answer, arguments[0] if first == ("sim",) else None)
+            return answer.decode() if isinstance(answer, bytes) else answer
+
+        return call
+
+    return declare
+
+
+# <functions>
+
+
+def text(function, *arguments):
+    """What a function writes into a buffer: sins.text(sins.scene_write, scene)."""
+    needed = c_size_t()
+    function(*arguments, None, needed)
+    buffer = ctypes.create_string_buffer(needed.value)
+    function(*arguments, buffer, needed)
+    return buffer.value.decode()
+
+
+def array(struct, count):
+    """An array of numpy, all zero and with each struct_size set. Its columns are the fields: samples["time_s"]."""
+    import numpy
+
+    made = numpy.zeros(count, _dtype(struct))
+    made["struct_size"] = ctypes.sizeof(struct)
+    return made
+
+
+def samples_at(flight, times_s):
+    """The samples of a flight at these times, as an array of numpy."""
+    samples = array(flight_sample, len(times_s))
+    each = (flight_sample * len(times_s)).from_buffer(samples)
+    for time_s, sample in zip(times_s, each):
+        flight_sample_at(flight, time_s, sample)
+    return samples
+
+
+def fly(sim, samples, every=1):
+    """Flies an array of samples by run(); an array of the record of each `every` intervals."""
+    records = array(record, len(samples) // every + 1 if every else 0)
+    written = c_size_t()
+    run(sim, samples, every, records, written)
+    return records[: written.value]

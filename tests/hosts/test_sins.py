@@ -1,0 +1,232 @@
+"""sins.py beside the header: names and types as a C parser has them; and how it behaves.
+
+Wants SINS_LIBRARY, PYTHONPATH, pycparser and numpy: tests/hosts.sh.
+"""
+
+import ctypes
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+import sins
+from pycparser import CParser, c_ast
+
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins.h"
+COMPILER = os.environ.get("CC", "cc")
+# Words of the system's headers, which pycparser does not know; sins.h has none.
+GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]
+
+
+def run(*command):
+    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
+
+
+def plain(name):
+    return name[len("sins_"):]
+
+
+NUMBERS = {"double": "f8", "int32_t": "i4", "uint32_t": "u4", "int64_t": "i8", "uint64_t": "u8",
+           "size_t": f"u{ctypes.sizeof(ctypes.c_size_t)}", "sins_status": "i4", "void": "char"}
+
+
+def of_header(kind):
+    """A type of the header in a word. void is bytes, as char is."""
+    if isinstance(kind, c_ast.PtrDecl):
+        return of_header(kind.type) + "*"
+    if isinstance(kind, c_ast.ArrayDecl):
+        return f"{of_header(kind.type)}[{kind.dim.value}]"
+    name = kind.type.name if isinstance(kind.type, c_ast.Struct) else kind.type.names[-1]
+    return NUMBERS.get(name, name)
+
+
+def of_module(kind):
+    """A type of ctypes in the same word."""
+    if isinstance(kind, sins._New):
+        return of_module(kind.pointer)
+    if issubclass(kind, ctypes.Array):
+        return f"{of_module(kind._type_)}[{kind._length_}]"
+    if issubclass(kind, sins._Handle):
+        return f"sins_{kind.__name__}*"
+    if issubclass(kind, ctypes.Structure):
+        return f"sins_{kind.__name__}"
+    if issubclass(kind, ctypes.c_char_p):
+        return "char*"
+    if issubclass(kind, ctypes.c_char):
+        return "char"
+    if issubclass(kind, ctypes._Pointer):
+        return of_module(kind._type_) + "*"
+    sign = "f" if kind is ctypes.c_double else "i" if kind(-1).value < 0 else "u"
+    return f"{sign}{ctypes.sizeof(kind)}"
+
+
+class Header(unittest.TestCase):
+    """What stands in the header, by a parser that does not know this project, is in the module."""
+
+    @classmethod
+    def setUpClass(cls):
+        without = [f"-D{word}=" for word in GNU]
+        text = run(COMPILER, "-std=c99", "-E", "-P", *without, HEADER)
+        cls.structs, cls.functions = {}, {}
+        for item in CParser().parse(text, str(HEADER)).ext:
+            kind = getattr(item, "type", None)
+            if isinstance(kind, c_ast.FuncDecl) and item.name.startswith("sins_"):
+                cls.functions[item.name] = kind
+            inner = getattr(kind, "type", kind) if isinstance(item, c_ast.Typedef) else kind
+            if isinstance(inner, c_ast.Struct) and inner.decls and inner.name and inner.name.startswith("sins_"):
+                cls.structs[inner.name] = inner.decls
+
+    def test_the_parser_found_all(self):
+        declared = re.findall(r"SINS_CALL (sins_\w+)\(", HEADER.read_text())
+        self.assertGreater(len(declared), 80)
+        self.assertEqual(sorted(declared), sorted(self.functions))
+        sizes = re.findall(r"    SINS_SIZEOF_\w+ = ", HEADER.read_text())
+        self.assertEqual(len(sizes), len(self.structs))
+
+    def test_fields(self):
+        for name, fields in self.structs.items():
+            told = [(field, of_module(kind)) for field, kind in getattr(sins, plain(name))._fields_]
+            self.assertEqual(told, [(field.name, of_header(field.type)) for field in fields], name)
+
+    def test_functions(self):
+        for name, declaration in self.functions.items():
+            documented, foreign = getattr(sins, plain(name)), getattr(sins._library, name)
+            self.assertTrue(documented.__doc__, name)
+            self.assertEqual(of_module(foreign.restype), of_header(declaration.type), name)
+            arguments = [of_header(one.type) for one in declaration.args.params]
+            told = [of_module(kind) for kind in foreign.argtypes] or ["char"]  # (void)
+            self.assertEqual(told, arguments, name)
+
+
+class Calls(unittest.TestCase):
+    def setUp(self):
+        self.samples = sins.array(sins.flight_sample, 101)
+        self.samples["time_s"] = numpy.arange(101)
+        self.samples["latitude_rad"] = 39.9 * sins.DEG
+        self.sim = sins.sim()
+        sins.create(None, self.sim)
+        sins.set_gyro(self.sim, sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0)))
+
+    def test_arrays_of_numpy_are_the_memory_that_the_library_reads_and_writes(self):
+        records = sins.array(sins.record, 20)
+        column, written = records["navigation_errors"]["position_enu_m"], ctypes.c_size_t()
+        sins.run(self.sim, self.samples, 10, records, written)
+        self.assertEqual(written.value, 10)
+        self.assertTrue(column[:10].all() and not column[10:].any())
+        by_steps, last = sins.sim(), sins.record()
+        sins.create(None, by_steps)
+        sins.set_gyro(by_steps, sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0)))
+        for sample in (sins.flight_sample * 101).from_buffer(self.samples):
+            sins.push_sample(by_steps, sample)
+            sins.step(by_steps)
+        sins.get_record(by_steps, last)
+        self.assertEqual(bytes(last), records[9].tobytes())
+        sins.reset(self.sim)
+        self.assertEqual(sins.fly(self.sim, self.samples, 10).tobytes(), records[:10].tobytes())
+        sins.reset(self.sim)
+        self.assertEqual(len(sins.fly(self.sim, self.samples, 0)), 0)
+
+    def test_a_wrong_array_does_not_reach_the_library(self):
+        short, written = sins.array(sins.record, 3), ctypes.c_size_t()
+        for samples in (self.samples[::2], short, self.samples.tolist(), numpy.zeros(144, "u1")):
+            self.assertRaises((TypeError, ctypes.ArgumentError), sins.run, self.sim, samples, 1, None, None)
+        with self.assertRaises(sins.Error) as caught:
+            sins.run(self.sim, self.samples, 10, short, written)
+        self.assertEqual(caught.exception.status, sins.ERROR_BUFFER_TOO_SMALL)
+        self.assertRaises(TypeError, sins.run, self.sim, self.samples, 10, short)
+        self.assertRaises(TypeError, sins.snapshot_save, self.sim, bytes(sins.SNAPSHOT_MAX_SIZE), None)
+
+    def test_fields_of_structs(self):
+        matrix = numpy.arange(9.0).reshape(3, 3)
+        self.assertEqual(sins.gyro_params(misalignment_rad=matrix).misalignment_rad[3], matrix[1, 0])
+        self.assertEqual(sins.gyro_params(reference_temperature_c=matrix[0, 2]).reference_temperature_c, 2)
+        with self.assertRaisesRegex(TypeError, r"gyro_params.bias_rad_s = \(1, 2, 3, 4\)"):
+            sins.gyro_params(bias_rad_s=(1, 2, 3, 4))
+        self.assertRaises(AttributeError, sins.gyro_params, bais_rad_s=(0, 0, 0))
+
+    def test_an_error_has_the_sentence_and_its_parts(self):
+        with self.assertRaises(sins.Error) as caught:
+            sins.set_gyro(self.sim, sins.gyro_params(bias_rad_s=(0, 1e9, 0)))
+        error = caught.exception
+        self.assertEqual(str(error), "gyro.bias_rad_s[1] = 1e9: must be from -100 to 100")
+        self.assertEqual((error.status, error.info.index, error.info.maximum), (sins.ERROR_INVALID_ARGUMENT, 1, 100))
+        # That of a simulator, which another simulator does not have; and those of the thread.
+        with self.assertRaisesRegex(sins.Error, "options.frame = 7"):
+            sins.create(sins.options(frame=7), sins.sim())
+        with self.assertRaisesRegex(sins.Error, "sim: "):
+            sins.step(sins.sim())
+        with self.assertRaisesRegex(sins.Error, "requirement"):
+            sins.recommend(self.sim, self.samples, sins.requirement(), sins.options(), sins.cost())
+        self.assertRaises(ctypes.ArgumentError, sins.step, sins.flight())
+
+    def test_handles_are_destroyed(self):
+        with sins.sim() as sim:
+            sins.create(None, sim)
+            key = sim.value
+        self.assertFalse(sim)
+        with self.assertRaises(sins.Error) as caught:
+            sins.reset(sins.sim(key))
+        self.assertEqual(caught.exception.status, sins.ERROR_BAD_HANDLE)
+        for _ in range(5000):  # more than can live
+            sins.create(None, sins.sim())
+
+    def test_texts(self):
+        scene, fault = sins.scene(), sins.fault()
+        sins.scene_create_builtin("patrol", scene)
+        self.assertRaises(ctypes.ArgumentError, sins.scene_create_builtin, "patrol", scene)
+        text = sins.text(sins.scene_write, scene)
+        scene.close()
+        self.assertEqual(sins.scene_parse(text, scene), sins.OK)
+        self.assertEqual(sins.text(sins.scene_write, scene), text)
+        scene.close()
+        faulty = '[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\n'
+        self.assertEqual(sins.scene_parse(faulty, scene), sins.SCENE_HAS_FAULTS)
+        sins.scene_get_fault(scene, 0, fault)
+        self.assertEqual(fault.line, 4)
+        self.assertRaises(ctypes.ArgumentError, sins.scene_create_builtin, "patrol\0", sins.scene())
+
+    def test_a_snapshot_goes_on(self):
+        buffer, size, copy = ctypes.create_string_buffer(sins.SNAPSHOT_MAX_SIZE), ctypes.c_size_t(), sins.sim()
+        sins.fly(self.sim, self.samples[:50])
+        sins.snapshot_save(self.sim, buffer, size)
+        sins.create(None, copy)
+        sins.snapshot_load(copy, bytearray(buffer[: size.value]))
+        ends = [sins.fly(sim, self.samples[50:]).tobytes() for sim in (self.sim, copy)]
+        self.assertEqual(*ends)
+
+
+class Loading(unittest.TestCase):
+    """What an import says of a library that will not do."""
+
+    def imported(self, library, then=""):
+        environment = {**os.environ, "SINS_LIBRARY": str(library)}
+        done = subprocess.run([sys.executable, "-c", f"import sins; {then}"], env=environment, capture_output=True, text=True)
+        return done.stderr.strip().splitlines()[-1] if done.returncode else ""
+
+    def stub(self, version):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        source, library = pathlib.Path(folder.name) / "stub.c", pathlib.Path(folder.name) / "stub.so"
+        source.write_text(f"unsigned sins_abi_version(void) {{ return {version}; }}\n")
+        run(COMPILER, "-shared", "-fPIC", source, "-o", library)
+        return library
+
+    def test_messages(self):
+        self.assertEqual(self.imported(sins._library._name), "")
+        self.assertRegex(self.imported("/none/libsins.so"), "ImportError: .*/none/libsins.so.*SINS_LIBRARY")
+        self.assertRegex(self.imported(__file__), "ImportError: .*cannot be loaded: .*test_sins.py")
+        self.assertRegex(self.imported("libc.so.6"), "ImportError: libc.so.6 is not the library sins")
+        self.assertRegex(self.imported(self.stub(7)), "ImportError: .* version 7 of the interface, .* version 1")
+
+    def test_a_library_that_lacks_functions(self):
+        library = self.stub(sins.HEADER_ABI)
+        self.assertEqual(self.imported(library), "")
+        self.assertRegex(self.imported(library, "sins.scene_create(sins.scene())"), "no sins_scene_create")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,156 @@
+#!/usr/bin/env bash
+# A live flight simulator as host: builds c_examples/jsbsim, flies its script, and checks what the INS makes of it.
+# SINS_LIB_DIR: as in c_examples/jsbsim/build.sh.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+status=0
+c_examples/jsbsim/build.sh || status=$?
+if [ "$status" -eq 2 ]; then
+    could_not "JSBSim" "its source distribution cannot be had from PyPI"
+    report_not_run
+    exit 0
+fi
+[ "$status" -eq 0 ]
+
+out=target/jsbsim/out
+mkdir -p "$out"
+perfect="ins/grade=0 ins/pauses=0 ins/slews=0 ins/replays=0 ins/gyro-failure=0"
+
+# fly NAME [PROPERTY=VALUE]...: the files NAME.csv and NAME_truth.csv, and what the host says, with no sample refused.
+fly() {
+    local name=$1
+    shift
+    target/jsbsim/host target/jsbsim/source c_examples/jsbsim/flight.xml "$out/$name" "$@" >"$out/$name.txt"
+    grep -q ', 0 samples refused$' "$out/$name.txt" || fail "$name: samples were refused, see $out/$name.txt"
+}
+
+fail() {
+    echo "jsbsim: $*" >&2
+    exit 1
+}
+
+# closed NAME: perfect sensors close on the truth, within the sum of
+# - the step between JSBSim's velocities and positions: these are third-order Adams-Bashforth sums of those, which errs by
+#   3/8 h d2 at either end, d2 the largest second difference of the velocities;
+# - the norm of JSBSim's quaternions, 1 to 1e-10, of whose fourth power the velocities are: 4e-10 of the path;
+# - what a misalignment phi makes of gravity, g phi t^2 / 2: the INS's own. phi itself stays below a thousandth of what the best
+#   grade of gyros drifts, 0.001 deg/h.
+closed() {
+    awk -F, -v name="$1" '
+        function length3(a, b, c) { return sqrt(a * a + b * b + c * c) }
+        function larger(a, b) { return a > b ? a : b }
+        FNR == 1 { file++; next }
+        file == 1 {
+            if (FNR == 2) start = $1
+            if (FNR > 2) path += length3($5, $6, $7) * (h = $1 - end)
+            if (FNR > 3) d2 = larger(d2, length3($5 - 2 * e1 + e2, $6 - 2 * n1 + n2, $7 - 2 * u1 + u2))
+            end = $1; e2 = e1; n2 = n1; u2 = u1; e1 = $5; n1 = $6; u1 = $7
+        }
+        file == 2 {
+            found = larger(found, length3($5, $6, $7))
+            phi = larger(phi, length3($11, $12, $13))
+        }
+        END {
+            t = end - start
+            bound = 2 * 3 / 8 * h * d2 + 4e-10 * path + 9.80665 * phi * t * t / 2
+            drift = 0.001 * 3.14159265 / 180 / 3600 * t
+            printf "%s: %.0f s, %.1f km: %.2g m of %.2g m, %.2g rad of %.2g rad\n", name, t, path / 1000, found, bound,
+                phi, drift / 1000
+            exit !(found > 0 && found < bound && phi > 0 && phi < drift / 1000)
+        }' "$out/$1_truth.csv" "$out/$1.csv" || fail "$1 does not close"
+}
+
+# force NAME J2: JSBSim's specific force is that of perfect accelerometers, less the difference of two gravities: the J2 that JSBSim
+# was made to forget, at 29.44 degrees of geocentric latitude, and J4, which it lacks: 5 J4 g (a/r)^4 = 1.2e-4 m/s2 at the most, at a
+# pole. A wrong axis, sign or unit would be meters per second squared.
+force() {
+    awk -v name="$1" -v j2="$2" '/^JSBSim.s force m\/s2 / {
+        latitude = 29.44 * 3.14159265 / 180
+        north = -9.79 * 3 * j2 * sin(latitude) * cos(latitude)
+        up = -9.79 * 1.5 * j2 * (1 - 3 * sin(latitude) ^ 2)
+        off = sqrt($4 * $4 + ($5 - north) ^ 2 + ($6 - up) ^ 2)
+        printf "%s: force %.2g m/s2, expected %.2g m/s2, off by %.2g of 1.2e-4 m/s2\n", name, sqrt($5 * $5 + $6 * $6),
+            sqrt(north * north + up * up), off
+        good = off < 1.2e-4
+    } END { exit !good }' "$out/$1.txt" || fail "$1: JSBSim's force is not that of the INS"
+}
+
+# Fuel that burns moves the centre of gravity, and on the wheels JSBSim moves its position by that, without a velocity.
+echo "== perfect sensors close on the truth, from the air, from the ground, and in a gravity without J2"
+fly air $perfect ins/start-s=60
+closed air
+force air 0
+fly ground $perfect propulsion/fuel_freeze=1
+closed ground
+fly round_earth $perfect propulsion/fuel_freeze=1 simulation/gravity-model=0
+closed round_earth
+force round_earth 1.08263e-3
+
+echo "== pause, slew, snapshot and a gyro's failure"
+fly all
+grep -q 'paused for 5 s' "$out/all.txt" || fail "there was no pause"
+grep -q '3000 frames again, to the same bits' "$out/all.txt" || fail "the flight from the snapshot has other bits"
+
+fly no_pause ins/pauses=0
+cmp "$out/all.csv" "$out/no_pause.csv" || fail "the pause changed the flight"
+
+start=$(date +%s%N)
+fly fast ins/pace=60
+milliseconds=$((($(date +%s%N) - start) / 1000000))
+cmp "$out/all.csv" "$out/fast.csv" || fail "the pace changed the flight"
+echo "615 s in $milliseconds ms, at pace 60"
+[ "$milliseconds" -ge $((615000 / 60)) ] || fail "the flight is faster than its pace"
+
+# A flight without a slew is a flight log: flown by the C host of the other examples, it ends with the same bits.
+fly log ins/slews=0 ins/gyro-failure=0
+cat >"$out/log.toml" <<'SCENE'
+[flight]
+file = "log_truth.csv"
+[gyro]
+preset = "navigation"
+[accelerometer]
+preset = "navigation"
+[options]
+axes = "frd"
+sample_period_s = 0.01
+SCENE
+cc -O2 -Iinclude c_examples/harness.c -o target/jsbsim/harness -Ltarget/jsbsim -l:libsins.so.1 '-Wl,-rpath,$ORIGIN' -lm
+cmp <(target/jsbsim/harness "$out/log.toml" | awk '/^(position m|velocity m.s|misalignment rad) / { print $4 }') \
+    <(tail -n 1 "$out/log.csv" | cut -d, -f 5-13 | tr , '\n') || fail "the log of the flight has other bits"
+echo "the log of the flight: the same bits"
+
+# The truth moves 5 km in a frame, and the error is that before. In the other 99 frames of this second it goes on by its velocity,
+# that of the height also by the altimeter.
+awk -F, '
+    function size(x) { return x < 0 ? -x : x }
+    $1 > 199 && $1 < 200 { longitude = $3; for (i = 5; i < 11; i++) before[i] = $i }
+    $1 > 200 && $1 < 201 {
+        moved = ($3 - longitude) * 6378137
+        for (i = 5; i < 7; i++) {
+            step = size($i - before[i] - (before[i + 3] + $(i + 3)) / 2 * 0.99)
+            bad += step > size($(i + 3) - before[i + 3])
+            largest = step > largest ? step : largest
+        }
+    }
+    END {
+        printf "slewed by %.0f m: the error of position goes on by its velocity to %.1g m\n", moved, largest
+        exit !(moved > 4000 && !bad)
+    }' "$out/all.csv" || fail "the slew changed the error"
+
+# A step b of the yaw gyro for T turns the INS by b cos(roll) cos(pitch) T about the vertical, but for its square and for what the
+# Earth's turn makes of it.
+fly sound ins/gyro-failure=0
+cmp <(awk -F, '$1 < 400' "$out/all.csv") <(awk -F, '$1 < 400' "$out/sound.csv") || fail "the failure begins too early"
+awk -F, '
+    FNR == 1 { file++; next }
+    file == 1 && $1 > 400.005 && $1 < 460.005 { turned += 1.745329252e-4 * cos($8) * cos($9) * 0.01 }
+    $1 > 460 && $1 < 461 && file == 2 { found = $13 }
+    $1 > 460 && $1 < 461 && file == 3 { found -= $13 }
+    END {
+        bound = turned * turned + 7.292115e-5 * 60 * turned
+        printf "gyro failure: turned by %.5f mrad, expected %.5f, within %.5f\n", found * 1e3, turned * 1e3, bound * 1e3
+        exit !(found - turned < bound && turned - found < bound)
+    }' "$out/all_truth.csv" "$out/all.csv" "$out/sound.csv" || fail "the failure does not show"
+report_not_run

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The program sins on Windows, by wine: its tests of hostile files and orders, of files of its own, and of the first flights.
+# What cannot be had is told at the end.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+target=x86_64-pc-windows-gnu
+export WINEPREFIX=$PWD/target/wine WINEDEBUG=-all WINESERVER=/usr/lib/wine/wineserver64
+need gcc-mingw-w64-x86-64 x86_64-w64-mingw32-gcc
+if ! [ -x /usr/lib/wine/wine64 ] && ! install wine64; then
+    could_not "the program on Windows" "no wine to be had"
+else
+    rustup target add "$target"
+    # What this wine lacks; the folder is searched for it.
+    mkdir -p "$WINEPREFIX" target/windows/program
+    x86_64-w64-mingw32-gcc -shared -Wl,--kill-at -o target/windows/program/bcryptprimitives.dll tests/c/bcryptprimitives.c
+    WINEPATH=$(/usr/lib/wine/wine64 winepath -w "$PWD/target/windows/program")
+    export WINEPATH CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=/usr/lib/wine/wine64
+    # 700 programs for the pages of bad numbers, of a second each under wine: what they check does not depend on the system.
+    cargo test -p sins-cli --target "$target" --bin sins --test hostile --test fly -- --skip no_number_of_a_record "$@"
+fi
+report_not_run
