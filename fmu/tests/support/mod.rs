@@ -44,7 +44,7 @@ impl Drop for Unit {
 impl Unit {
     /// As it is instantiated, with a URI of the resources.
     pub fn new(uri: Option<&str>, logging_on: bool) -> Self {
-        let messages = Box::into_raw(Box::default());
+        let messages: *mut Messages = Box::into_raw(Box::default());
         // SAFETY: a function of variable arguments is called as one without them, on all processors that the unit is built for.
         let logger = unsafe { std::mem::transmute::<*const (), LoggerFunction>(log as *const ()) };
         let functions = fmi2CallbackFunctions {
