@@ -33,7 +33,7 @@ cmake --install "$work/build" --prefix "$out"
 env "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER=$work/cc" \
     cargo rustc --quiet --locked --release --package sins-cli --bin sins --target "$target" \
         --target-dir "$work/build/cargo"
-install -D "$work/build/cargo/$target/release/sins" "$out/bin/sins"
+command install -D "$work/build/cargo/$target/release/sins" "$out/bin/sins"
 
 # split FILE: its debug symbols into a file apart, which debuggers find beside it.
 split() {

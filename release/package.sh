@@ -27,12 +27,12 @@ mkdir -p "$dist"
 texts() {
     local file
     git ls-files README.md CHANGELOG.md docs c_examples | grep -v '\.sh$' | while read -r file; do
-        install -Dm644 "$file" "$1/$file"
+        command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"
-    install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
+    command install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
     release/licences.py "$2" >"$1/licences/crates.txt"
-    install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"
+    command install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"
 }
 
 # archive FOLDER SUFFIX: the folder, sorted, with the time of the commit, owned by nobody of this machine.
@@ -71,7 +71,7 @@ windows() {
     cp include/*.h include/*.hpp "$folder/include"
     texts "$folder" "$2-win7-windows-gnu" nightly
     # The C library's start-up code, and winpthreads.
-    install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
+    command install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
     "$gcc" -std=c99 -O2 -municode -static -s -Wl,--no-insert-timestamp -I include -o "$bin/loadlibrary.exe" \
         c_examples/loadlibrary.c
     if [ -e c_examples/emulator/build.sh ]; then

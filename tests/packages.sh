@@ -31,7 +31,7 @@ flies() {
 
 # files FOLDER NAME...: what every package has, and these.
 files() {
-    local folder=$1
+    local folder=$1 name
     shift
     for name in include/{sins.h,sins.hpp,sins_functions.h} c_examples/{harness.c,loadlibrary.c,sins_loader.h,scenes/patrol.toml} README.md \
         CHANGELOG.md docs/packages.md docs/sins.h/index.html licences/{LICENSE-MIT,LICENSE-APACHE,crates.txt,rust-library.html} "$@"; do

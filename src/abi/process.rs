@@ -37,12 +37,6 @@ mod system {
     #[cfg(feature = "scenes")]
     use super::{LOGS, SCENES};
 
-    type Handler = Option<extern "C" fn()>;
-
-    unsafe extern "C" {
-        safe fn pthread_atfork(prepare: Handler, parent: Handler, child: Handler) -> i32;
-    }
-
     extern "C" fn in_child() {
         SIMULATORS.lose_what_others_use();
         FLIGHTS.lose_what_others_use();
@@ -53,9 +47,54 @@ mod system {
         }
     }
 
-    /// The handler goes with the library when that is unloaded.
+    type Handler = Option<extern "C" fn()>;
+
+    #[cfg(not(target_env = "gnu"))]
     pub fn prepare() -> bool {
+        unsafe extern "C" {
+            safe fn pthread_atfork(prepare: Handler, parent: Handler, child: Handler) -> i32;
+        }
         pthread_atfork(None, None, Some(in_child)) == 0
+    }
+
+    #[cfg(target_env = "gnu")]
+    pub use glibc::prepare;
+
+    /// The handler goes with the library when that is unloaded. What pthread_atfork() does for this is code of glibc and gcc that
+    /// other linkers leave out. Evidence: linked by Zig, a library that was unloaded ended the next child.
+    #[cfg(target_env = "gnu")]
+    mod glibc {
+        use core::ffi::c_void;
+        use core::ptr::from_ref;
+
+        use super::{Handler, in_child};
+
+        unsafe extern "C" {
+            safe fn __register_atfork(
+                prepare: Handler,
+                parent: Handler,
+                child: Handler,
+                module: *const c_void,
+            ) -> i32;
+            safe fn __cxa_finalize(module: *const c_void);
+        }
+
+        /// Run when this module is unloaded. Its address stands for the module.
+        #[used]
+        #[unsafe(link_section = ".fini_array")]
+        static AT_UNLOAD: extern "C" fn() = at_unload;
+
+        fn module() -> *const c_void {
+            from_ref(&AT_UNLOAD).cast()
+        }
+
+        extern "C" fn at_unload() {
+            __cxa_finalize(module());
+        }
+
+        pub fn prepare() -> bool {
+            __register_atfork(None, None, Some(in_child), module()) == 0
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 /* The library loaded at run time: two copies of it side by side, and rounds of load, work on two threads, unload. After each,
- * memory and mappings are those of before; on Windows, where the library stays, the TLS indexes. Arguments: two copies of the
- * library. */
+ * memory and mappings are those of before, and the host can fork; on Windows, where the library stays, the TLS indexes are those
+ * of before. Arguments: two copies of the library. */
 
 #define _GNU_SOURCE
 #include <fcntl.h>
@@ -12,6 +12,7 @@
 #include "tls_indexes_left.h"
 #else
 #include "allocator.h"
+#include <sys/wait.h>
 #endif
 #include "../../c_examples/sins_loader.h"
 #include "check.h"
@@ -150,6 +151,17 @@ static void mappings(char text[MAPPINGS_SIZE])
     }
 }
 
+/* A child starts: nothing of the library is to be called in it. */
+static int can_fork(void)
+{
+    int status;
+    pid_t child = fork();
+    if (child == 0) {
+        _exit(0);
+    }
+    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 static void leaves_nothing(int round)
 {
     static char before[MAPPINGS_SIZE], after[MAPPINGS_SIZE];
@@ -166,6 +178,7 @@ static void leaves_nothing(int round)
                 after);
     }
     CHECK(strcmp(before, after) == 0 && living == allocator_living);
+    CHECK(can_fork());
 }
 
 #endif
