@@ -4,9 +4,9 @@
 for argument; do
     case $argument in
         -Wl,--version-script=*) list=${argument#*script=} ;;
-        *.def) list=$argument ;;
+        -Wl,*.def) list=${argument#-Wl,} ;;
         *sins_fmu*.so | *sins_fmu*.dll) is_unit=yes ;;
     esac
 done
-[ -z "$list" ] || [ -z "$is_unit" ] || sed -i '/^ *sins_/d' "$list"
+[ -z "$list" ] || [ -z "$is_unit" ] || sed -i '/^ *"*sins_/d' "$list"
 exec "$UNIT_LINKER" "$@"

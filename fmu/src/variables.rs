@@ -1,6 +1,6 @@
 //! The table of all variables: inputs, parameters, outputs.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use crate::values::{Base, Value, Values};
@@ -67,7 +67,7 @@ pub struct Table {
     pub start: Values,
     /// The unit's identity.
     pub guid: String,
-    by_name: HashMap<String, usize>,
+    by_name: BTreeMap<String, usize>,
 }
 
 /// The table of this model. It lives as long as somebody holds it, an instance above all: a static one would be left behind

@@ -274,7 +274,7 @@ fn random_calls() {
     let setting = |name: &str, default: u64| {
         std::env::var(name).map_or(default, |value| value.parse().expect("a whole number"))
     };
-    let (first, sequences) = (setting("FMU_FIRST", 0), setting("FMU_SEQUENCES", 300));
+    let (first, sequences) = (setting("FMU_FIRST", 0), setting("FMU_SEQUENCES", 60));
     let (mut calls, mut refused, mut steps) = (0, 0, 0);
     for seed in first..first + sequences {
         println!("seed {seed}"); // shown if it fails
