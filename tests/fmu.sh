@@ -62,15 +62,15 @@ uri=$(python3 -c 'import pathlib, sys; print(pathlib.Path(sys.argv[1], "resource
 cp "$unit/modelDescription.xml" "$folder"
 digest=
 
-# host PLATFORM COMPILER URI RUNNER...: a digest that is the first one's.
+# host PLATFORM "COMPILER OPTION" URI RUNNER...: a digest that is the first one's.
 host() {
     local found
-    # The binary with its exports, which are the standard's alone if the unit is that of the release.
+    rm -f "$folder"/sins_fmu.*
     cp "$unit/binaries/$1"/sins_fmu.* "$folder"
-    $2 -std=c99 -O2 -Wall -Wextra -Wpedantic -Werror tests/fmu/host.c -o "$folder/host_$1"
-    found=$(cd "$folder" && "${@:4}" "./host_$1" ./sins_fmu.* modelDescription.xml "$3" | tr -d '\r')
+    ${2% *} -std=c99 -O2 -Wall -Wextra -Wpedantic -Werror tests/fmu/host.c -o "$folder/host_$1.exe" "${2#* }"
+    found=$(cd "$folder" && "${@:4}" "./host_$1.exe" ./sins_fmu.* modelDescription.xml "$3" 2>"$folder/log" | tr -d '\r') ||
+        { cat "$folder/log"; exit 1; }
     echo "$1: $found"
-    rm "$folder"/sins_fmu.*
     [ "${digest:=$found}" = "$found" ] || { echo "$1: not the $digest of the first platform" >&2; exit 1; }
 }
 
