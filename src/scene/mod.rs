@@ -21,7 +21,7 @@ mod write;
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
 pub use fault::{Fault, MAX_FAULTS, nearest};
-pub use list::{KeyLine, keys, keys_text};
+pub use list::{KeyKind, KeyLine, keys, keys_text};
 pub use write::ChangedKey;
 
 use crate::error::{Error, Rule, check_range};

@@ -1,0 +1,31 @@
+# For the scripts of this folder, to be sourced after need.sh: the C compiler and linker of Linux for an old glibc. Zig has the
+# symbols of every glibc: another linker binds to the newest versions of the glibc that it finds.
+
+glibc=2.17 # the oldest that Rust's standard library takes
+need python3-venv /usr/share/doc/python3-venv
+need llvm llvm-readelf
+tools=$PWD/target/release-tools
+if ! [ -x "$tools/bin/cargo-zigbuild" ]; then
+    python3 -m venv "$tools"
+    "$tools/bin/pip" install --quiet --disable-pip-version-check cargo-zigbuild==0.24.0 ziglang==0.17.1
+fi
+
+# zig_cc PROCESSOR FILE: writes the compiler's command. cargo-zigbuild gives Zig's the options of gcc's that rustc writes.
+zig_cc() {
+    cat >"$2" <<CC
+#!/bin/sh
+PATH="$tools/bin:\$PATH" exec "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"
+CC
+    chmod +x "$2"
+}
+
+# check_glibc FILE: as a linker may bind to a newer glibc after all.
+check_glibc() {
+    local newest
+    newest=$(llvm-readelf -V "$1" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1)
+    if [ "$(printf '%s\n' "$newest" "GLIBC_$glibc" | sort -V | tail -n1)" != "GLIBC_$glibc" ]; then
+        echo "$1 needs $newest" >&2
+        return 1
+    fi
+    echo "$1: needs $newest"
+}
