@@ -27,12 +27,17 @@ if ! [ -x "$tools/bin/cargo-zigbuild" ]; then
 fi
 rustup target add "$target" 2>/dev/null
 
-# The linker: cargo-zigbuild gives Zig's the options of gcc's that rustc writes.
+# The linker: cargo-zigbuild gives Zig's the options of gcc's that rustc writes. Zig compiles its own parts of the C library when
+# a program first needs them, and their debug symbols name folders of this machine: a second link takes them without.
 work=$PWD/target/release-linux/$1
 mkdir -p "$work"
 cat >"$work/cc" <<END
 #!/bin/sh
-PATH="$tools/bin:\$PATH" exec "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"
+export PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$work/zig"
+link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"; }
+link "\$@" || exit
+find "$work/zig/o" -name '*.[oa]' -exec llvm-strip --strip-debug {} +
+link "\$@"
 END
 chmod +x "$work/cc"
 
