@@ -47,6 +47,7 @@ linux() {
     local readelf=$2-linux-gnu-readelf runner=("${@:3}")
     tar -C "$out" -xzf "$dist/$name.tar.gz"
     tar -C "$out" -xzf "$dist/$name-debug.tar.gz"
+    if grep -rlF -e "$PWD" -e "$HOME/" "$folder-debug"; then fail "these name a folder of this machine"; fi
     files "$folder" bin/sins lib/{libsins.a,libsins.so,libsins.so.1,pkgconfig/sins.pc,cmake/sins/sinsConfig.cmake}
     for file in "$folder/lib/libsins.so" "$folder/bin/sins"; do
         "$readelf" -VW "$file" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1 >"$out/newest"

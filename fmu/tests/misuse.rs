@@ -28,7 +28,8 @@ fn null_pointers() {
     let (component, references) = (unit.component, inputs());
     let (references, count) = (references.as_ptr(), references.len());
     let before = unit.state();
-    let calls: [(&str, Box<dyn Fn() -> c_int>); 14] = unsafe {
+    type Call = Box<dyn Fn() -> c_int>;
+    let calls: [(&str, Call); 14] = unsafe {
         [
             ("SetReal", Box::new(move || fmi2SetReal(component, references, count, ptr::null()))),
             ("SetReal", Box::new(move || fmi2SetReal(component, ptr::null(), count, AT_REST.as_ptr()))),
