@@ -45,6 +45,7 @@ impl<T> Lock<T> {
     fn wait(&self, me: usize) -> bool {
         let replace =
             |old, new| self.owner.compare_exchange(old, new, Ordering::Acquire, Ordering::Relaxed).is_ok();
+        let mut waited_in_vain = false;
         loop {
             let word = self.owner.load(Ordering::Relaxed);
             let owner = word & !WAITED_FOR;
@@ -55,10 +56,10 @@ impl<T> Lock<T> {
                 }
             } else if owner == me || owner == LOST {
                 return false;
-            } else if has_ended(owner) {
+            } else if waited_in_vain && has_ended(owner) {
                 replace(word, LOST);
             } else if word == owner | WAITED_FOR || replace(word, owner | WAITED_FOR) {
-                self.waiters.wait_while(&self.owner, owner | WAITED_FOR);
+                waited_in_vain = !self.waiters.wait_while(&self.owner, owner | WAITED_FOR);
             }
         }
     }

@@ -100,10 +100,11 @@ mod waiting {
             Self
         }
 
-        /// Returns when the word may have changed.
-        pub fn wait_while(&self, word: &AtomicUsize, value: usize) {
+        /// Returns true when the word may have changed.
+        pub fn wait_while(&self, word: &AtomicUsize, value: usize) -> bool {
             // SAFETY: the word lives; no timeout is stated.
             unsafe { syscall(SYS_FUTEX, half(word), WAIT_PRIVATE, value as u32, null::<u8>()) };
+            true
         }
 
         /// Wakes one of them.
@@ -123,8 +124,9 @@ mod waiting {
     use core::ptr::{null, null_mut};
     use core::sync::atomic::{AtomicPtr, Ordering, fence};
 
-    /// After so long it is asked again whether the owner still lives.
+    /// After so long it is asked whether the owner still lives.
     const PATIENCE_MS: u32 = 100;
+    const WAIT_OBJECT_0: u32 = 0;
 
     #[link(name = "kernel32")]
     unsafe extern "system" {
@@ -162,19 +164,21 @@ mod waiting {
             }
         }
 
-        /// Returns when the word may have changed. The event keeps a signal that comes before the wait.
-        pub fn wait_while(&self, word: &AtomicUsize, value: usize) {
+        /// Returns true when the word may have changed, false after a while. The event keeps a signal that comes before the
+        /// wait.
+        pub fn wait_while(&self, word: &AtomicUsize, value: usize) -> bool {
             let event = self.event();
             // Whoever changes the word behind this look at it finds the event.
             fence(Ordering::SeqCst);
             if word.load(Ordering::Relaxed) != value {
-                return;
+                return true;
             }
             if event.is_null() {
-                return Sleep(1);
+                Sleep(PATIENCE_MS);
+                return false;
             }
             // SAFETY: the event lives as long as these waiters.
-            unsafe { WaitForSingleObject(event, PATIENCE_MS) };
+            unsafe { WaitForSingleObject(event, PATIENCE_MS) == WAIT_OBJECT_0 }
         }
 
         /// Wakes one of them.
@@ -209,7 +213,7 @@ mod waiting {
 
     static QUEUE: Mutex<()> = Mutex::new(());
     static CHANGED: Condvar = Condvar::new();
-    /// After so long it is asked again whether the owner still lives.
+    /// After so long it is asked whether the owner still lives.
     const PATIENCE: Duration = Duration::from_millis(100);
 
     /// The threads that wait for a word.
@@ -220,12 +224,11 @@ mod waiting {
             Self
         }
 
-        /// Returns when the word may have changed.
-        pub fn wait_while(&self, word: &AtomicUsize, value: usize) {
+        /// Returns true when the word may have changed, false after a while.
+        pub fn wait_while(&self, word: &AtomicUsize, value: usize) -> bool {
             let queue = QUEUE.lock().unwrap_or_else(PoisonError::into_inner);
-            if word.load(Ordering::Relaxed) == value {
-                drop(CHANGED.wait_timeout(queue, PATIENCE));
-            }
+            word.load(Ordering::Relaxed) != value
+                || CHANGED.wait_timeout(queue, PATIENCE).is_ok_and(|(_, waited)| !waited.timed_out())
         }
 
         /// Wakes the threads that wait.

@@ -229,9 +229,10 @@ impl Scene {
     pub(crate) fn path(&self) -> Result<FlightPath, Error> {
         let mut path = match &self.flight {
             FlightSource::Path(path) => path.clone(),
-            FlightSource::Builtin(name) => match builtin(name).map(|scene| scene.flight) {
-                Some(FlightSource::Path(path)) => path,
-                _ => return Err(Error::bad_state("the scene names no built-in flight")),
+            // A built-in scene may fly the flight of another one.
+            FlightSource::Builtin(name) => match builtin(name) {
+                Some(scene) => scene.path()?,
+                None => return Err(Error::bad_state("the scene names no built-in flight")),
             },
             FlightSource::Log(_) => {
                 return Err(Error::bad_state("the flight of the scene is a log; read that"));

@@ -62,7 +62,7 @@ impl Value {
             Self::Text(text) => format!("\"{}\"", excerpt(text)),
             Self::Flag(flag) => flag.to_string(),
             Self::Whole(whole) => whole.to_string(),
-            Self::Number(number) => number.to_string(),
+            Self::Number(number) => number_text(*number),
             Self::Numbers(numbers) => format!("an array of {}", numbers.len()),
             Self::Other(name) => (*name).to_owned(),
         }
