@@ -69,6 +69,12 @@ windows() {
     mkdir -p "$lib" "$folder/include"
     mv "$bin"/{sins.def,sins.lib,libsins.dll.a} "$lib"
     cp include/*.h include/*.hpp "$folder/include"
+    # The CMake package, as an installation has it; nothing is built.
+    need cmake cmake
+    rustup target add "$2-pc-windows-gnu" 2>/dev/null
+    cmake -S . -B "$staging/cmake-$2" -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR="$2" -DCMAKE_C_COMPILER="$gcc" \
+        -DSINS_CARGO_TARGET="$2-pc-windows-gnu"
+    cmake --install "$staging/cmake-$2" --component cmake --prefix "$folder"
     texts "$folder" "$2-win7-windows-gnu" nightly
     # The C library's start-up code, and winpthreads.
     command install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"

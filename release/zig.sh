@@ -10,11 +10,17 @@ if ! [ -x "$tools/bin/cargo-zigbuild" ]; then
     "$tools/bin/pip" install --quiet --disable-pip-version-check cargo-zigbuild==0.24.0 ziglang==0.17.1
 fi
 
-# zig_cc PROCESSOR FILE: writes the compiler's command. cargo-zigbuild gives Zig's the options of gcc's that rustc writes.
+# zig_cc PROCESSOR FILE: writes the compiler's command. cargo-zigbuild gives Zig's the options of gcc's that rustc writes. Zig compiles
+# its own parts of the C library when a program first needs them, and their debug symbols name folders of this machine: a second link
+# takes them without.
 zig_cc() {
     cat >"$2" <<CC
 #!/bin/sh
-PATH="$tools/bin:\$PATH" exec "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"
+export PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$2-cache"
+link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"; }
+link "\$@" || exit
+find "$2-cache/o" -name '*.[oa]' -exec llvm-strip --strip-debug {} + 2>/dev/null
+link "\$@"
 CC
     chmod +x "$2"
 }

@@ -47,6 +47,7 @@ linux() {
     local readelf=$2-linux-gnu-readelf runner=("${@:3}")
     tar -C "$out" -xzf "$dist/$name.tar.gz"
     tar -C "$out" -xzf "$dist/$name-debug.tar.gz"
+    if grep -rlF -e "$PWD" -e "$HOME/" "$folder-debug"; then fail "these name a folder of this machine"; fi
     files "$folder" bin/sins lib/{libsins.a,libsins.so,libsins.so.1,pkgconfig/sins.pc,cmake/sins/sinsConfig.cmake}
     for file in "$folder/lib/libsins.so" "$folder/bin/sins"; do
         "$readelf" -VW "$file" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1 >"$out/newest"
@@ -78,8 +79,10 @@ windows() {
     need unzip unzip
     need clang clang
     need lld lld-link
+    need cmake cmake
+    need "g++-mingw-w64-$(echo "$2" | tr _ -)" "$2-w64-mingw32-g++"
     unzip -q "$dist/$name.zip" -d "$out"
-    files "$folder" bin/{sins.dll,sins.exe,loadlibrary.exe} lib/{sins.lib,libsins.dll.a,sins.def} licences/mingw-w64.txt
+    files "$folder" bin/{sins.dll,sins.exe,loadlibrary.exe} lib/{sins.lib,libsins.dll.a,sins.def,cmake/sins/sinsConfig.cmake} licences/mingw-w64.txt
     check_pe "$folder/bin/sins.dll" "$2" kernel32.dll msvcrt.dll ntdll.dll
     check_pe "$folder/bin/sins.exe" "$2" advapi32.dll kernel32.dll msvcrt.dll ntdll.dll
     for file in "$folder"/bin/*; do
@@ -96,6 +99,12 @@ windows() {
         flies "$wine" "$folder/bin/digests.exe"
     done
     [ -s "$out/sins.lib.txt" ] && diff "$out/sins.lib.txt" "$out/libsins.dll.a.txt" || fail "$folder: the import libraries differ"
+    cmake -S tests/install -B "$out/cmake-$2" -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_EXE_LINKER_FLAGS=-static \
+        -DCMAKE_C_COMPILER="$compiler" -DCMAKE_CXX_COMPILER="$2-w64-mingw32-g++" -DCMAKE_PREFIX_PATH="$folder"
+    cmake --build "$out/cmake-$2"
+    cp "$out/cmake-$2"/*_sins.exe "$folder/bin"
+    "$wine" "$folder/bin/minimal_sins.exe" | diff "$out/sins.lib.txt" - || fail "$folder: find_package gives another flight"
+    "$wine" "$folder/bin/cpp_host_sins.exe" >/dev/null
     # As MSVC's linker takes it, without the C library that MSVC has.
     cat >"$out/host.c" <<'END'
 __declspec(dllimport) unsigned __cdecl sins_abi_version(void);

@@ -15,8 +15,6 @@ fn step(unit: &Unit, time_s: f64) -> c_int {
     unsafe { fmi2DoStep(unit.component, time_s, 0.01, 1) }
 }
 
-type Call = Box<dyn Fn() -> c_int>;
-
 /// The one sentence that was said.
 fn sentence(unit: &Unit) -> String {
     let mut messages = unit.messages();
@@ -30,6 +28,7 @@ fn null_pointers() {
     let (component, references) = (unit.component, inputs());
     let (references, count) = (references.as_ptr(), references.len());
     let before = unit.state();
+    type Call = Box<dyn Fn() -> c_int>;
     let calls: [(&str, Call); 14] = unsafe {
         [
             ("SetReal", Box::new(move || fmi2SetReal(component, references, count, ptr::null()))),
