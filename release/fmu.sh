@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # The Functional Mock-up Unit OUT/sins.fmu for the platforms that are named, or for all: Linux with glibc 2.17 and later, Windows 7
-# and later. The same commit gives the same bytes. The binaries stay in OUT/PLATFORM.
+# and later. The binaries stay in OUT/PLATFORM.
 #
 #     release/fmu.sh OUT [linux64] [win64] [win32] [aarch64-linux]
 #
-# FMI 2.0 names no folder for Linux on ARM: "aarch64-linux" is that of FMPy.
+# FMI 2.0 names no folder for Linux on ARM: "aarch64-linux" is that of FMI 3.0.
 set -euo pipefail
 mkdir -p "$1"
 out=$(cd "$1" && pwd)

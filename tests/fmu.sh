@@ -88,6 +88,10 @@ for platform in $(ls "$unit/binaries"); do
             processor=x86_64
             [ "$platform" = win64 ] || processor=i686
             need "gcc-mingw-w64-$(echo "$processor" | tr _ -)" "$processor-w64-mingw32-gcc"
+            if "$processor-w64-mingw32-objdump" -p "$unit/binaries/$platform/sins_fmu.dll" | grep -w sins_create; then
+                echo "$platform: exports functions of the library" >&2
+                exit 1
+            fi
             if have_wine "$processor"; then
                 host "$platform" "$processor-w64-mingw32-gcc -static" "file:///Z:${uri#file://}" "$wine"
             fi
