@@ -28,7 +28,8 @@ fi
 rustup target add "$target" 2>/dev/null
 
 # The linker: cargo-zigbuild gives Zig's the options of gcc's that rustc writes. Zig compiles its own parts of the C library when
-# a program first needs them, and their debug symbols name folders of this machine: a second link takes them without.
+# a program first needs them: their debug symbols name folders of this machine, and their archives have the order in which its
+# threads were ready. A second link takes them without symbols, sorted.
 work=$PWD/target/release-linux/$1
 mkdir -p "$work"
 cat >"$work/cc" <<END
@@ -37,6 +38,12 @@ export PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$work/zig"
 link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"; }
 link "\$@" || exit
 find "$work/zig/o" -name '*.[oa]' -exec llvm-strip --strip-debug {} +
+find "$work/zig/o" -name '*.a' | while read -r archive; do
+    parts=\${archive%.a}
+    rm -rf "\$parts"
+    mkdir "\$parts"
+    (cd "\$parts" && llvm-ar x "\$archive" && rm "\$archive" && LC_ALL=C && llvm-ar rcs "\$archive" *.o) || exit
+done
 link "\$@"
 END
 chmod +x "$work/cc"
