@@ -1734,7 +1734,8 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
 
 /*
- * The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
+ * The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. No interval is flown from the
+ * sample before to this one, so the errors do not grow between them. Position error in metres (along
  * the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those
  * before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity
  * there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Licences of all crates that are in the library and the program for one target, as a text.
+"""Licences of all crates that are in packages of this workspace, as a text: for one target, or for "all". Without a package those
+of the library and the program.
 
-    release/licences.py TARGET >LICENCES.txt
+    release/licences.py TARGET|all [PACKAGE...] >LICENCES.txt
 
 A script and not cargo-about: that takes longer to compile than everything else here.
 """
@@ -14,13 +15,15 @@ import sys
 NAMES = ("licen", "copying", "unlicense", "notice", "copyright")
 
 
-def crates(target):
+def crates(target, own):
     """Crates that are linked: neither build scripts' nor tests', nor macros and what they alone need."""
-    command = ["cargo", "metadata", "--locked", "--format-version", "1", "--filter-platform", target]
+    command = ["cargo", "metadata", "--locked", "--format-version", "1"]
+    if target != "all":
+        command += ["--filter-platform", target]
     metadata = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
     packages = {package["id"]: package for package in metadata["packages"]}
     nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
-    linked, todo = set(), list(metadata["workspace_members"])
+    linked, todo = set(), [name for name in metadata["workspace_members"] if packages[name]["name"] in own]
     while todo:
         name = todo.pop()
         is_macro = any("proc-macro" in target["kind"] for target in packages[name]["targets"])
@@ -44,8 +47,9 @@ def texts(package):
 
 def main():
     owners = {}
-    print("Crates in the library and in the program sins, and their licences. The texts follow.\n")
-    for package in crates(sys.argv[1]):
+    own = sys.argv[2:] or ["sins", "sins-cli"]
+    print(f"Crates in {', '.join(own)}, and their licences. The texts follow.\n")
+    for package in crates(sys.argv[1], own):
         name = f"{package['name']} {package['version']}"
         print(f"{name}: {package['license']}; {package['repository']}")
         for text in texts(package):

@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # Packages for machines without Rust, into target/dist, and SHA256SUMS beside them; docs/packages.md has what is in each.
 #
-#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86]       none: all four
+#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86] [fmu]       none: all five
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . release/build.sh
 
 packages=("$@")
-[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86)
+[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86 fmu)
 for package in "${packages[@]}"; do
     case $package in
-        linux-x86_64 | linux-arm64 | windows-x64 | windows-x86) ;;
+        linux-x86_64 | linux-arm64 | windows-x64 | windows-x86 | fmu) ;;
         *)
-            echo "release/package.sh: package $package: must be linux-x86_64, linux-arm64, windows-x64 or windows-x86" >&2
+            echo "release/package.sh: package $package: must be linux-x86_64, linux-arm64, windows-x64, windows-x86 or fmu" >&2
             exit 2
             ;;
     esac
@@ -98,9 +98,13 @@ for package in "${packages[@]}"; do
         linux-arm64) linux linux-arm64 aarch64 ;;
         windows-x64) windows windows-x64 x86_64 ;;
         windows-x86) windows windows-x86 i686 ;;
+        fmu)
+            release/fmu.sh "$staging/fmu"
+            cp "$staging/fmu/sins.fmu" "$dist/sins-$version.fmu"
+            ;;
     esac
 done
 cd "$dist"
 shopt -s nullglob # not all kinds need be there
-sha256sum sins-"$version"-*.{tar.gz,zip} >SHA256SUMS
+sha256sum sins-"$version"{-*.tar.gz,-*.zip,*.fmu} >SHA256SUMS
 ls -l

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The library for Windows 7 and later: sins.dll, sins.def, and the import libraries sins.lib (for MSVC) and libsins.dll.a (for
-# mingw), into OUT. With a third argument, "program", sins.exe too.
+# mingw), into OUT. With a third argument, "program", sins.exe too; with "unit" the
+# binary of the Functional Mock-up Unit (release/fmu.sh) alone.
 #
-#     release/windows.sh x86_64|i686 OUT [program]
+#     release/windows.sh x86_64|i686 OUT [program|unit]
 #
 # Nightly Rust, as only its -Zbuild-std makes the standard library for Windows 7; that of *-pc-windows-gnu imports
 # bcryptprimitives.dll and functions of Windows 10. Tried with nightly 2026-05-19 (1.97.0).
@@ -72,6 +73,15 @@ build() {
         cargo +nightly rustc --quiet --locked --release -Zbuild-std=std,panic_unwind --target "$target" "$@" -- \
         -Clink-arg="$object"
 }
+
+if [ "${3:-}" = unit ]; then
+    resource sins_fmu.dll 2 "Functional Mock-up Unit of the strapdown inertial navigation system simulator"
+    export UNIT_LINKER=$mingw-gcc
+    export "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER=$PWD/release/fmu_linker.sh"
+    build sins_fmu.dll --package sins-fmu --lib --crate-type cdylib
+    cp "$built/sins_fmu.dll" "$out"
+    exit
+fi
 
 resource sins.dll 2 "Strapdown inertial navigation system simulator"
 build sins.dll --lib --crate-type cdylib

@@ -1487,13 +1487,14 @@ module sins
       integer(sins_status) :: sins_move_time
     end function sins_move_time
 
-    !> The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. Position error in metres (along
-    !> the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are
-    !> those before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and
-    !> the velocity there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
-    !> factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once.
-    !> Waiting samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the
-    !> interval before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+    !> The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. No interval is flown from the
+    !> sample before to this one, so the errors do not grow between them. Position error in metres (along the truth's east and
+    !> north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those before, from both
+    !> sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity there. Noise,
+    !> sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale factor, which is of the new
+    !> height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting samples are dropped;
+    !> time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval before. Where the
+    !> sample has no velocity, the solution has its velocity error alone until the next is pushed.
     !>
     !> Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
     !> common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the

@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_h
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::failure::{Failure, SINS_ERROR_INTERNAL, sins_status};
+use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
 use super::fpu::FloatState;
 use super::process::{is_inside_a_handle, is_prepared};
 use super::refusal;
@@ -65,6 +65,23 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
         remember(Failure::internal());
     }
     status
+}
+
+/// Runs `body` as the inside of a C function that another shared library makes of this crate: with the default floating-point
+/// control state, and with the host's put back behind it. `None`: `body` panicked; nothing is printed.
+pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
+    if !is_prepared() {
+        return None;
+    }
+    silence_panics();
+    let outer = HERE.with(|here| here.inside.replace(true));
+    let mut result = None;
+    enter(|| {
+        result = Some(body());
+        SINS_OK
+    });
+    HERE.with(|here| here.inside.set(outer));
+    result
 }
 
 /// Keeps a failure for this thread.

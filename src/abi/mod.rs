@@ -67,6 +67,7 @@ mod version;
 pub use accel::*;
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
 pub use altimeter::*;
+pub use boundary::shielded;
 pub use budget::*;
 pub use budget_answer::*;
 pub use failure::*;

@@ -33,6 +33,8 @@ mod tests {
             let flight = scene.flight().unwrap();
             assert!((60.0..=flight.duration_s()).contains(&scene.flown_s().unwrap()), "{name}");
             assert!(scene.simulator().is_ok(), "{name}");
+            let named = Scene::parse(format!("[flight]\nbuiltin = \"{name}\"\n").as_bytes()).unwrap();
+            assert_eq!(named.flown_s(), scene.flown_s(), "{name} as the flight of another scene");
         }
     }
 }

@@ -1,10 +1,11 @@
 //! The list of keys, for those who write a scene.
 
-use super::key::{Key, Section, Target};
+use super::key::{Key, Place, Section, Target, Unit};
 use super::table::{KEYS, of_section};
+use crate::sensors::{PARAMETERS, ParameterRange};
 
 /// A key as a reader sees it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct KeyLine {
     /// Section, with the sections above it: "manoeuvre.sinusoid".
     pub section: &'static str,
@@ -14,12 +15,33 @@ pub struct KeyLine {
     pub name: &'static str,
     /// The same quantity in SI, if the key has another unit.
     pub si_name: Option<&'static str>,
-    /// What it takes: "one number for all axes, or three", or the words.
+    /// What kind of value it takes.
+    pub kind: KeyKind,
+    /// The same in words: "one number for all axes, or three", or the words it takes.
     pub takes: String,
     /// Its unit; empty: none.
     pub unit: &'static str,
+    /// SI units in one of it.
+    pub unit_si: f64,
+    /// Least and largest number, in its unit, where a table has them; a 0 that is off is within.
+    pub limits: Option<(f64, f64)>,
     /// What it means.
     pub doc: &'static str,
+}
+
+/// What kind of value a key takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum KeyKind {
+    /// So many numbers, matrices row by row.
+    Numbers(usize),
+    /// One of these words.
+    Words(&'static [&'static str]),
+    /// A whole number.
+    Whole,
+    /// A text.
+    Text,
+    /// True or false.
+    Flag,
 }
 
 /// Every key of a scene, in the order in which a scene is written.
@@ -51,22 +73,50 @@ pub fn keys_text() -> String {
 }
 
 fn line(key: &Key) -> KeyLine {
-    let (takes, unit) = match key.target {
-        Target::Numbers { shape, unit, .. } => (shape.expected().to_owned(), unit.text),
-        Target::Choice { words, .. } => (words.join("|"), ""),
-        Target::Count { .. } => ("a whole number".to_owned(), ""),
-        Target::Text { example, .. } => (format!("a text, as \"{example}\""), ""),
-        Target::Flag { .. } => ("true or false".to_owned(), ""),
+    const NONE: Unit = Unit { text: "", si: 1.0 };
+    let (kind, takes, unit) = match key.target {
+        Target::Numbers { shape, unit, .. } => {
+            (KeyKind::Numbers(shape.count()), shape.expected().to_owned(), unit)
+        }
+        Target::Choice { words, .. } => (KeyKind::Words(words), words.join("|"), NONE),
+        Target::Count { .. } => (KeyKind::Whole, "a whole number".to_owned(), NONE),
+        Target::Text { example, .. } => (KeyKind::Text, format!("a text, as \"{example}\""), NONE),
+        Target::Flag { .. } => (KeyKind::Flag, "true or false".to_owned(), NONE),
     };
     KeyLine {
         section: key.section.name(),
         is_list: key.section.is_list(),
         name: key.name,
         si_name: key.si_name(),
+        kind,
         takes,
-        unit,
+        unit: unit.text,
+        unit_si: unit.si,
+        limits: limits(key),
         doc: key.doc,
     }
+}
+
+/// The limits of a key's numbers, in its unit.
+fn limits(key: &Key) -> Option<(f64, f64)> {
+    let Target::Numbers { unit, limits, place, .. } = key.target else { return None };
+    let Place::Parameter(sensor, row) = place else { return limits };
+    let (low, high) = match PARAMETERS[row].of(sensor)?.range {
+        ParameterRange::Within(low, high) => (low, high),
+        off_or => (0.0, off_or.ends().1),
+    };
+    // Rounded towards 0, so that the limit itself is accepted.
+    let in_unit = |limit: f64| {
+        let number = limit / unit.si;
+        if (number * unit.si).abs() <= limit.abs() {
+            number
+        } else if number > 0.0 {
+            number.next_down()
+        } else {
+            number.next_up()
+        }
+    };
+    Some((in_unit(low), in_unit(high)))
 }
 
 /// The meaning and the unit of a key, for a comment behind it.

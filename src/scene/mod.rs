@@ -21,7 +21,7 @@ mod write;
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
 pub use fault::{Fault, MAX_FAULTS, nearest};
-pub use list::{KeyLine, keys, keys_text};
+pub use list::{KeyKind, KeyLine, keys, keys_text};
 pub use write::ChangedKey;
 
 use crate::error::{Error, Rule, check_range};
@@ -229,9 +229,10 @@ impl Scene {
     pub(crate) fn path(&self) -> Result<FlightPath, Error> {
         let mut path = match &self.flight {
             FlightSource::Path(path) => path.clone(),
-            FlightSource::Builtin(name) => match builtin(name).map(|scene| scene.flight) {
-                Some(FlightSource::Path(path)) => path,
-                _ => return Err(Error::bad_state("the scene names no built-in flight")),
+            // A built-in scene may fly the flight of another one.
+            FlightSource::Builtin(name) => match builtin(name) {
+                Some(scene) => scene.path()?,
+                None => return Err(Error::bad_state("the scene names no built-in flight")),
             },
             FlightSource::Log(_) => {
                 return Err(Error::bad_state("the flight of the scene is a log; read that"));

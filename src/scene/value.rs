@@ -62,7 +62,7 @@ impl Value {
             Self::Text(text) => format!("\"{}\"", excerpt(text)),
             Self::Flag(flag) => flag.to_string(),
             Self::Whole(whole) => whole.to_string(),
-            Self::Number(number) => number.to_string(),
+            Self::Number(number) => number_text(*number),
             Self::Numbers(numbers) => format!("an array of {}", numbers.len()),
             Self::Other(name) => (*name).to_owned(),
         }
@@ -173,7 +173,7 @@ pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
 }
 
 /// The number that `unit` [SI] times is `number` to the bit, of few digits if there is one.
-fn divided(number: f64, unit: f64) -> Option<f64> {
+pub fn divided(number: f64, unit: f64) -> Option<f64> {
     if unit == 1.0 {
         return Some(number);
     }

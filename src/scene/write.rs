@@ -6,7 +6,7 @@ use super::draft::{Draft, FailureDraft, SinusoidDraft};
 use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::table::of_section;
-use super::value::written;
+use super::value::{divided, written};
 use crate::flight::ManoeuvreFields;
 use crate::sensors::SensorOutput;
 
@@ -72,12 +72,23 @@ impl Scene {
     /// The value of a key of a section in single brackets, default or not: `"options.scheme"`. As the text of a scene has it, a
     /// text without its quotes.
     pub fn value(&self, path: &str) -> Option<String> {
-        let (section, name) = path.rsplit_once('.')?;
-        let section = Section::ALL.into_iter().find(|known| known.name() == section && !known.is_list())?;
-        let (_, key) = of_section(section).find(|(_, key)| key.name == name)?;
-        let (value, _) = written(&mut Draft::from(self), key);
+        let (value, _) = written(&mut Draft::from(self), single_key(path)?);
         Some(value.trim_matches('"').to_owned())
     }
+
+    /// The numbers of such a key in its unit, matrices row by row; `None`: no such key, or one of another kind.
+    pub fn numbers(&self, path: &str) -> Option<Vec<f64>> {
+        let Target::Numbers { place, unit, .. } = single_key(path)?.target else { return None };
+        let in_unit = |number: &mut f64| divided(*number, unit.si).unwrap_or(*number / unit.si);
+        Some(place.of(&mut Draft::from(self)).into_iter().map(in_unit).collect())
+    }
+}
+
+/// The key of a path, `section.key`, in a section in single brackets.
+fn single_key(path: &str) -> Option<&'static Key> {
+    let (section, name) = path.rsplit_once('.')?;
+    let section = Section::ALL.into_iter().find(|known| known.name() == section && !known.is_list())?;
+    of_section(section).find(|(_, key)| key.name == name).map(|(_, key)| key)
 }
 
 /// A failure states its sensor, its axis and its kind, and of the keys of a quantity the one of its sensor.

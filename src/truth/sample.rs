@@ -90,6 +90,10 @@ impl FlightSample {
     pub const MAX_LONGITUDE_RAD: f64 = 100.0;
     /// Largest attitude angle of either sign: any number of turns that leaves an angle its digits [rad].
     pub const MAX_ANGLE_RAD: f64 = 1e4;
+    /// Largest component of its angular rate [rad/s].
+    pub const MAX_RATE_RAD_S: f64 = 1e3;
+    /// Largest component of its specific force [m/s²].
+    pub const MAX_FORCE_M_S2: f64 = 1e5;
 
     /// Checks each field by itself.
     pub fn validate(&self) -> Result<(), Error> {
@@ -108,10 +112,12 @@ impl FlightSample {
         check_range("sample.pitch_rad", self.euler.pitch, -angle, angle)?;
         check_range("sample.heading_rad", self.euler.heading, -angle, angle)?;
         if let Some(rate) = &self.omega_ib_b {
-            check_ranges("sample.angular_rate_rad_s", rate.as_slice(), -1e3, 1e3)?;
+            let largest = Self::MAX_RATE_RAD_S;
+            check_ranges("sample.angular_rate_rad_s", rate.as_slice(), -largest, largest)?;
         }
         if let Some(force) = &self.f_b {
-            check_ranges("sample.specific_force_m_s2", force.as_slice(), -1e5, 1e5)?;
+            let largest = Self::MAX_FORCE_M_S2;
+            check_ranges("sample.specific_force_m_s2", force.as_slice(), -largest, largest)?;
         }
         match self.temperature_c {
             Some(temperature_c) => check_temperature("sample.temperature_c", temperature_c),

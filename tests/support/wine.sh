@@ -28,8 +28,21 @@ have_wine() {
 # 32-bit wine, unpacked from its packages: no second architecture comes into the packages of this machine, and no root is
 # needed. 100 MB to fetch.
 fetch_wine32() {
-    local apt=$wine32/apt
     rm -rf "$wine32"
+    fetch_i386 wine32 libwine libz-mingw-w64 || return
+    cp "$wine32/usr/i686-w64-mingw32/lib/zlib1.dll" "$wine32/usr/lib/i386-linux-gnu/wine/i386-windows"
+}
+
+# Windows on a screen and their fonts for 32-bit wine, which finds them by LD_LIBRARY_PATH.
+fetch_screen32() {
+    [ -e "$wine32/usr/lib/i386-linux-gnu/libfontconfig.so.1" ] || fetch_i386 libx11-6 libxcb1 libxau6 libxdmcp6 libbsd0 libmd0 \
+        libxext6 libxrender1 libfreetype6 libpng16-16 zlib1g libbrotli1 libfontconfig1 libexpat1 libuuid1 || return
+    export LD_LIBRARY_PATH=$wine32/usr/lib/i386-linux-gnu:$wine32/lib/i386-linux-gnu
+}
+
+# fetch_i386 PACKAGE...: unpacked into $wine32.
+fetch_i386() {
+    local apt=$wine32/apt
     mkdir -p "$apt/lists/partial" "$apt/archives/partial"
     touch "$apt/status"
     cat >"$apt/conf" <<END
@@ -43,11 +56,10 @@ END
     export APT_CONFIG=$apt/conf
     # A source without i386 fails; what is missing fails in the next line.
     apt-get update -qq || true
-    (cd "$apt" && apt-get download -qq wine32 libwine libz-mingw-w64) || return
+    (cd "$apt" && apt-get download -qq "$@") || return
     unset APT_CONFIG
     for package in "$apt"/*.deb; do
         dpkg-deb -x "$package" "$wine32" || return
     done
-    cp "$wine32/usr/i686-w64-mingw32/lib/zlib1.dll" "$wine32/usr/lib/i386-linux-gnu/wine/i386-windows"
     rm -r "$apt"
 }

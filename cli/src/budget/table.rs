@@ -1,7 +1,7 @@
 //! The budgets as Markdown.
 
 use super::survey::{Kind, Line, Survey};
-use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief, short, time_text, usual};
+use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, short, time_text, usual};
 
 /// Costs are uncertain by so much of a step: less is noise, and may be negative.
 const NOISE: f64 = 0.01;
@@ -98,12 +98,11 @@ pub fn remark(survey: &Survey) -> String {
     text += ".";
     if budget.rows.iter().any(|row| row.can_be_left_out) {
         let left_out = &budget.left_out;
-        text += &format!(
-            " Without what can be left out, flown, the errors change by {}, {}, {}.",
-            brief(left_out.position_m, LENGTH),
-            brief(left_out.velocity_m_s, SPEED),
-            brief(left_out.attitude_rad, ANGLE)
-        );
+        let sizes = [left_out.position_m, left_out.velocity_m_s, left_out.attitude_rad];
+        let sizes = sizes.iter().zip(Columns::of(survey).units);
+        let sizes: Vec<String> =
+            sizes.map(|(size, unit)| format!("{} {}", short(size / unit.si), unit.name)).collect();
+        text += &format!(" Without what can be left out, flown, the errors change by {}.", sizes.join(", "));
     }
     text
 }

@@ -1,0 +1,87 @@
+/* A flight through the simulator: a worker thread steps, the window reads. */
+#pragma once
+#include <windows.h>
+
+#include <atomic>
+#include <memory>
+
+#include "curves.h"
+#include "samples.h"
+
+class Flight {
+public:
+    enum State { FLYING, PAUSED, FINISHED, STOPPED, FAILED };
+    struct Status {
+        State state;
+        double time_s, duration_s, snapshot_s; /* since the start; snapshot_s: -1 without one */
+        sins_record record;
+        sins_accuracy accuracy;
+        std::wstring sentence; /* why it failed */
+    };
+
+    ~Flight();
+    /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
+    bool start(const Scene &scene, const std::wstring &folder, double pace, std::wstring &why);
+    void pace(double factor);
+    void pause(bool paused);
+    void stop();
+    Status status() const;
+    void read(Curves &curves) const;
+    /* The failures of the scene as they are now: they take effect with the next interval. */
+    void plan(const Scene &scene);
+    bool save_snapshot(std::wstring &why);
+    bool go_back(std::wstring &why);
+    /* The records so far, as `sins fly` writes them. */
+    bool write_records(const std::wstring &path, std::wstring &why) const;
+    const std::wstring &log_path() const { return samples_.log_path; }
+
+private:
+    struct Moment { /* what goes on from sample to sample */
+        size_t next = 0; /* sample */
+        double angle[3] = {}, velocity[3] = {}, time_s = 0; /* sums since the last record: sensor errors and their time */
+        Point low, high;                                    /* since the last point of the curves */
+        bool has_point = false;
+        long long written = 0; /* bytes of records */
+        Curves curves;
+    };
+    static DWORD WINAPI thread(void *flight);
+    void fly();
+    bool step(std::wstring &why);
+    bool keep(bool is_row, std::wstring &why);
+    void add_extremes(const Point &point, int first, int last);
+    bool write(const std::string &bytes, std::wstring &why);
+    bool flush(std::wstring &why);
+
+    Handle<sins_sim> sim_;
+    Scene scene_;
+    Samples samples_;
+    size_t every_ = 1, points_every_ = 1;
+    Moment now_, saved_;
+    double saved_s_ = 0;
+    std::vector<char> snapshot_;
+    std::string buffer_;
+    HANDLE file_ = INVALID_HANDLE_VALUE, worker_ = NULL;
+    State state_ = FLYING;
+    std::wstring sentence_;
+    double pace_ = 0, paced_from_s_ = 0;
+    ULONGLONG paced_at_ms_ = 0;
+    mutable CRITICAL_SECTION section_;
+    mutable std::atomic<int> waiting_{0};
+    std::atomic<bool> ends_{false};
+    friend class Guard;
+};
+
+/* Holds the lock of a flight; the worker makes way for the window. */
+class Guard {
+public:
+    explicit Guard(const Flight &flight) : flight_(flight)
+    {
+        flight_.waiting_++;
+        EnterCriticalSection(&flight_.section_);
+        flight_.waiting_--;
+    }
+    ~Guard() { LeaveCriticalSection(&flight_.section_); }
+
+private:
+    const Flight &flight_;
+};

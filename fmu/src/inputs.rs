@@ -1,0 +1,186 @@
+//! The inputs: the truth at the start of a step.
+
+use core::f64::consts::FRAC_PI_2;
+
+use nalgebra::Vector3;
+use sins::earth::Geodetic;
+use sins::math::Euler;
+use sins::truth::FlightSample;
+use sins::units::TEMPERATURE_RANGE_C;
+
+use crate::values::Value;
+use crate::variables::{Role, Variable};
+
+/// Inputs that come together. They are the first reals of the table, in this order.
+struct Group {
+    name: &'static str,
+    /// Whether there is no sample without it.
+    is_needed: bool,
+    inputs: &'static [Input],
+}
+
+struct Input {
+    name: &'static str,
+    unit: &'static str,
+    limits: (f64, f64),
+    nominal: f64,
+    doc: &'static str,
+}
+
+const fn input(
+    name: &'static str,
+    unit: &'static str,
+    limits: (f64, f64),
+    nominal: f64,
+    doc: &'static str,
+) -> Input {
+    Input { name, unit, limits, nominal, doc }
+}
+
+const fn of_size(largest: f64) -> (f64, f64) {
+    (-largest, largest)
+}
+
+// The limits of a sample.
+const LATITUDE: (f64, f64) = of_size(FRAC_PI_2);
+const LONGITUDE: (f64, f64) = of_size(FlightSample::MAX_LONGITUDE_RAD);
+const HEIGHT: (f64, f64) = FlightSample::HEIGHT_RANGE_M;
+const ANGLE: (f64, f64) = of_size(FlightSample::MAX_ANGLE_RAD);
+const VELOCITY: (f64, f64) = of_size(FlightSample::MAX_VELOCITY_M_S);
+const RATE: (f64, f64) = of_size(FlightSample::MAX_RATE_RAD_S);
+const FORCE: (f64, f64) = of_size(FlightSample::MAX_FORCE_M_S2);
+
+const GROUPS: [Group; 6] = [
+    Group {
+        name: "position",
+        is_needed: true,
+        inputs: &[
+            input("truth.latitude_rad", "rad", LATITUDE, 1.0, "geodetic latitude"),
+            input("truth.longitude_rad", "rad", LONGITUDE, 1.0, "longitude, east positive"),
+            input("truth.height_m", "m", HEIGHT, 1e4, "height above the ellipsoid"),
+        ],
+    },
+    Group {
+        name: "attitude",
+        is_needed: true,
+        inputs: &[
+            input("truth.roll_rad", "rad", ANGLE, 1.0, "roll, right wing down positive; any number of turns"),
+            input("truth.pitch_rad", "rad", ANGLE, 1.0, "pitch, nose up positive"),
+            input("truth.heading_rad", "rad", ANGLE, 1.0, "heading, clockwise from true north"),
+        ],
+    },
+    Group {
+        name: "velocity",
+        is_needed: false,
+        inputs: &[
+            input("truth.velocity_east_m_s", "m/s", VELOCITY, 100.0, "velocity against the Earth, east"),
+            input("truth.velocity_north_m_s", "m/s", VELOCITY, 100.0, "velocity against the Earth, north"),
+            input("truth.velocity_up_m_s", "m/s", VELOCITY, 10.0, "velocity against the Earth, up"),
+        ],
+    },
+    Group {
+        name: "angular rate",
+        is_needed: false,
+        inputs: &[
+            input(
+                "truth.rate_rad_s[1]",
+                "rad/s",
+                RATE,
+                1.0,
+                "angular rate against inertial space, sensor axis x",
+            ),
+            input(
+                "truth.rate_rad_s[2]",
+                "rad/s",
+                RATE,
+                1.0,
+                "angular rate against inertial space, sensor axis y",
+            ),
+            input(
+                "truth.rate_rad_s[3]",
+                "rad/s",
+                RATE,
+                1.0,
+                "angular rate against inertial space, sensor axis z",
+            ),
+        ],
+    },
+    Group {
+        name: "specific force",
+        is_needed: false,
+        inputs: &[
+            input("truth.force_m_s2[1]", "m/s2", FORCE, 10.0, "specific force, sensor axis x"),
+            input("truth.force_m_s2[2]", "m/s2", FORCE, 10.0, "specific force, sensor axis y"),
+            input("truth.force_m_s2[3]", "m/s2", FORCE, 10.0, "specific force, sensor axis z"),
+        ],
+    },
+    Group {
+        name: "temperature",
+        is_needed: false,
+        inputs: &[input(
+            "truth.temperature_c",
+            "deg C",
+            TEMPERATURE_RANGE_C,
+            20.0,
+            "temperature of the gyros and accelerometers",
+        )],
+    },
+];
+
+/// Number of inputs.
+pub const COUNT: usize = {
+    let (mut group, mut count) = (0, 0);
+    while group < GROUPS.len() {
+        count += GROUPS[group].inputs.len();
+        group += 1;
+    }
+    count
+};
+
+/// The inputs as variables.
+pub fn variables() -> impl Iterator<Item = Variable> {
+    GROUPS.iter().flat_map(|group| {
+        let rest = if group.is_needed { "" } else { "; off until the master sets it" };
+        group.inputs.iter().map(move |input| {
+            let doc = format!("{}{rest}", input.doc);
+            let variable = Variable::new(input.name, Role::Input, Value::Real(0.0), doc);
+            Variable {
+                nominal: input.nominal,
+                limits: Some(input.limits),
+                ..variable.in_unit(input.unit, 1.0)
+            }
+        })
+    })
+}
+
+/// The sample at `time_s` of the `values` of all inputs, of which `is_set` tells those that the master has set.
+pub fn sample(time_s: f64, values: &[f64], is_set: &[bool; COUNT]) -> Result<FlightSample, String> {
+    let mut from = 0;
+    let mut parts = [None; GROUPS.len()];
+    for (group, part) in GROUPS.iter().zip(&mut parts) {
+        let places = from..from + group.inputs.len();
+        from = places.end;
+        let missing = places.clone().find(|&place| !is_set[place]);
+        if let Some(missing) = missing {
+            if group.is_needed || is_set[places.clone()].contains(&true) {
+                let name = group.inputs[missing - places.start].name;
+                return Err(format!("{name} is not connected: the {} is incomplete", group.name));
+            }
+            continue;
+        }
+        let mut vector = Vector3::zeros();
+        vector.iter_mut().zip(&values[places]).for_each(|(to, value)| *to = *value);
+        *part = Some(vector);
+    }
+    let [place, euler, v_n, omega_ib_b, f_b, temperature] = parts;
+    let (place, euler) = (place.unwrap_or_default(), euler.unwrap_or_default());
+    Ok(FlightSample {
+        time_s,
+        place: Geodetic { latitude_rad: place.x, longitude_rad: place.y, height_m: place.z },
+        v_n,
+        euler: Euler { roll: euler.x, pitch: euler.y, heading: euler.z },
+        omega_ib_b,
+        f_b,
+        temperature_c: temperature.map(|vector| vector.x),
+    })
+}

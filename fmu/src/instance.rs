@@ -1,0 +1,237 @@
+//! One instance of the unit: its phase, its values, its simulator.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use sins::scene::Scene;
+use sins::sensors::SensorOutput;
+use sins::truth::Pushed;
+use sins::{Error, Simulator};
+
+use crate::inputs;
+use crate::outputs;
+use crate::parameters;
+use crate::values::{Base, Value, Values};
+use crate::variables::{Role, Table, table};
+
+/// Where an instance is in its life.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    Instantiated,
+    Initializing,
+    Stepping,
+    Terminated,
+}
+
+/// The status of a call that was refused. The instance is as before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refusal {
+    /// A sample or a value: with another one the simulation goes on.
+    Discard,
+    /// A call that has no place here.
+    Error,
+}
+
+/// A refused call, and why.
+#[derive(Debug)]
+pub struct Refused {
+    pub refusal: Refusal,
+    pub text: String,
+}
+
+impl Refused {
+    pub fn error(text: impl Into<String>) -> Self {
+        Self { refusal: Refusal::Error, text: text.into() }
+    }
+
+    pub fn discard(text: impl Into<String>) -> Self {
+        Self { refusal: Refusal::Discard, text: text.into() }
+    }
+}
+
+/// What was made of the parameters, and how far it has flown.
+#[derive(Debug, Clone)]
+pub struct Flight {
+    pub scene: Scene,
+    pub simulator: Box<Simulator>,
+    /// Time stamp of the first sample [s].
+    pub first_s: Option<f64>,
+    /// Time stamp [s] and inputs of the sample that was taken last.
+    pub taken: Option<(f64, Vec<f64>)>,
+}
+
+impl Flight {
+    /// The flight that parameters call for, before its first sample.
+    pub fn new(values: &Values, resources: Option<&PathBuf>) -> Result<Self, String> {
+        let scene = parameters::scene(values, resources.map(PathBuf::as_path))?;
+        let simulators = scene.simulator().map_err(|error| error.to_string())?;
+        let simulator = simulators.into_iter().next().ok_or("no simulator")?;
+        Ok(Self { scene, simulator: Box::new(simulator), first_s: None, taken: None })
+    }
+
+    /// Takes the sensor errors and failures of another scene.
+    fn retune(&mut self, scene: Scene) -> Result<(), Error> {
+        let mut simulator = self.simulator.clone();
+        if scene.gyro != self.scene.gyro {
+            simulator.set_gyro(&scene.gyro)?;
+        }
+        if scene.accel != self.scene.accel {
+            simulator.set_accel(&scene.accel)?;
+        }
+        if scene.altimeter != self.scene.altimeter {
+            simulator.set_altimeter(&scene.altimeter)?;
+        }
+        for output in SensorOutput::ALL {
+            let plans = |scene: &Scene| scene.failures.iter().any(|planned| planned.output == output);
+            // While a failure is planned, the scene clears it itself.
+            if plans(&self.scene) && !plans(&scene) {
+                simulator.set_failure(output, None)?;
+            }
+        }
+        (self.scene, self.simulator) = (scene, simulator);
+        Ok(())
+    }
+
+    /// The simulator behind the interval that ends at `time_s` [s] with this truth, and whether that closed a gap.
+    fn flown(
+        &self,
+        time_s: f64,
+        values: &[f64],
+        is_set: &[bool; inputs::COUNT],
+    ) -> Result<(Box<Simulator>, bool), String> {
+        let mut sample = inputs::sample(time_s, values, is_set)?;
+        let mut simulator = self.simulator.clone();
+        let mut fly = || {
+            self.scene.prepare(&mut simulator, self.first_s.unwrap_or(time_s), &mut sample)?;
+            let pushed = simulator.push_sample(&sample)?;
+            simulator.step()?;
+            Ok(pushed == Pushed::BehindGap)
+        };
+        let behind_gap = fly().map_err(|error: Error| error.to_string())?;
+        Ok((simulator, behind_gap))
+    }
+}
+
+/// An instance.
+#[derive(Debug, Clone)]
+pub struct Instance {
+    pub table: Arc<Table>,
+    /// The unit's folder of resources.
+    pub resources: Option<PathBuf>,
+    pub phase: Phase,
+    pub values: Values,
+    /// Which inputs the master has set.
+    pub is_set: [bool; inputs::COUNT],
+    pub flight: Option<Flight>,
+    /// End of the last step [s].
+    pub end_s: f64,
+}
+
+impl Instance {
+    pub fn new(resources: Option<PathBuf>) -> Self {
+        let table = table();
+        Self {
+            resources,
+            phase: Phase::Instantiated,
+            values: table.start.clone(),
+            table,
+            is_set: [false; inputs::COUNT],
+            flight: None,
+            end_s: 0.0,
+        }
+    }
+
+    /// As it was made.
+    pub fn reset(&mut self) {
+        *self = Self::new(self.resources.take());
+    }
+
+    /// Goes from one phase to the next.
+    pub fn go(&mut self, from: Phase, to: Phase) -> Result<(), Refused> {
+        self.require(&[from])?;
+        if to == Phase::Stepping {
+            self.flight = Some(Flight::new(&self.values, self.resources.as_ref()).map_err(Refused::error)?);
+        }
+        self.phase = to;
+        Ok(())
+    }
+
+    /// Refuses a call that has no place in this phase.
+    pub fn require(&self, phases: &[Phase]) -> Result<(), Refused> {
+        match phases.contains(&self.phase) {
+            true => Ok(()),
+            false => Err(Refused::error(format!("has no place in the phase {:?}", self.phase))),
+        }
+    }
+
+    /// Sets variables by their references: all of them or none.
+    pub fn set(&mut self, values: impl Iterator<Item = (usize, Value)>) -> Result<(), Refused> {
+        let mut next = self.values.clone();
+        let mut is_set = self.is_set;
+        let mut is_tuned = false;
+        for (place, value) in values {
+            let base = value.base();
+            let variable = self
+                .table
+                .variable(base, place)
+                .ok_or_else(|| Refused::error(format!("there is no {base:?} of reference {place}")))?;
+            let phases: &[Phase] = match variable.role {
+                Role::Output => &[],
+                Role::Fixed => &[Phase::Instantiated, Phase::Initializing],
+                Role::Input | Role::Tunable => &[Phase::Instantiated, Phase::Initializing, Phase::Stepping],
+            };
+            self.require(phases).map_err(|refused| {
+                Refused::error(format!("{} cannot be set: {}", variable.name, refused.text))
+            })?;
+            match variable.role {
+                Role::Input => is_set[place] = true,
+                _ => is_tuned |= next.get(base, place).as_ref() != Some(&value),
+            }
+            let _ = next.set(place, value);
+        }
+        if is_tuned && let Some(flight) = &mut self.flight {
+            let resources = self.resources.as_deref();
+            let scene = parameters::scene(&next, resources).map_err(Refused::discard)?;
+            flight.retune(scene).map_err(|error| Refused::discard(error.to_string()))?;
+        }
+        (self.values, self.is_set) = (next, is_set);
+        Ok(())
+    }
+
+    /// The value of a variable.
+    pub fn get(&self, base: Base, place: usize) -> Result<Value, Refused> {
+        let unknown = || Refused::error(format!("there is no {base:?} of reference {place}"));
+        self.values.get(base, place).ok_or_else(unknown)
+    }
+
+    /// A step from `time_s` over `length_s` [s]; whether it closed a gap in the truth.
+    pub fn step(&mut self, time_s: f64, length_s: f64) -> Result<bool, Refused> {
+        self.require(&[Phase::Stepping])?;
+        if !(length_s.is_finite() && length_s >= 0.0) {
+            return Err(Refused::error(format!("communicationStepSize = {length_s}: must not be negative")));
+        }
+        let Some(flight) = &mut self.flight else { return Err(Refused::error("there is no flight")) };
+        let inputs = &self.values.reals[..inputs::COUNT];
+        match &flight.taken {
+            Some((taken_s, taken)) if *taken_s == time_s => {
+                if taken != inputs {
+                    let text =
+                        format!("the inputs at {time_s} s have changed, and their sample has been taken");
+                    return Err(Refused::discard(text));
+                }
+                self.end_s = time_s + length_s;
+                return Ok(false);
+            }
+            _ => {}
+        }
+        let (simulator, behind_gap) = flight.flown(time_s, inputs, &self.is_set).map_err(Refused::discard)?;
+        let taken = inputs.to_vec();
+        outputs::read(&simulator, behind_gap, &mut self.values)
+            .map_err(|error| Refused::discard(error.to_string()))?;
+        flight.simulator = simulator;
+        flight.first_s = flight.first_s.or(Some(time_s));
+        flight.taken = Some((time_s, taken));
+        self.end_s = time_s + length_s;
+        Ok(behind_gap)
+    }
+}

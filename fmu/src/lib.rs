@@ -1,0 +1,40 @@
+//! The simulator as a Functional Mock-up Unit: FMI 2.0 for co-simulation.
+//!
+//! ```text
+//!  master          fmi2...        calls                         `interface`, `get_set`, `steps`, `states`
+//!    |
+//!    v
+//!  instance        phases, values, the simulator                `instance`, saved by `saved`
+//!    |        \
+//!    v         v
+//!  scene       sample             parameters, inputs            `parameters`, `inputs`
+//!    |          |
+//!    v          v
+//!  sins::Simulator  ->  outputs                                 `outputs`
+//! ```
+//!
+//! The variables of all of them are one table (`variables`), made from the keys of a scene, from which the model description
+//! (`description`) is written too.
+//!
+//! # Time
+//!
+//! The generator of the simulator needs a sample at both ends of an interval, and inputs of a co-simulation are those at the
+//! start of a step. So `doStep(t, h)` takes the inputs as the truth at `t` and flies the interval that ends there: the outputs
+//! behind it belong to `time_of_solution_s` = t. Steps may have any length that the simulator takes as a sample interval. A step
+//! from a time whose sample has been taken changes nothing, if the inputs are the same.
+#![deny(missing_docs, unsafe_op_in_unsafe_fn)]
+
+pub mod description;
+pub mod get_set;
+mod inputs;
+mod instance;
+pub mod interface;
+mod logger;
+mod outputs;
+mod parameters;
+mod saved;
+pub mod states;
+pub mod steps;
+mod uri;
+mod values;
+mod variables;

@@ -1,0 +1,85 @@
+//! The master's logger.
+
+use std::ffi::{CString, c_char, c_int, c_void};
+
+/// Categories of messages, which the master can switch one by one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Category {
+    /// What was refused, and why.
+    Error,
+    /// What a user may want to know: a gap in the truth.
+    Warning,
+}
+
+impl Category {
+    pub const ALL: [Self; 2] = [Self::Error, Self::Warning];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Error => "logStatusError",
+            Self::Warning => "logStatusWarning",
+        }
+    }
+
+    pub fn doc(self) -> &'static str {
+        match self {
+            Self::Error => "a call that was refused: which field, which value, which limit",
+            Self::Warning => "what was done in another way than usual: a gap in the truth",
+        }
+    }
+}
+
+/// The master's function.
+pub type LoggerFunction =
+    unsafe extern "C" fn(*mut c_void, *const c_char, c_int, *const c_char, *const c_char, ...);
+
+/// Where messages go.
+pub struct Logger {
+    function: Option<LoggerFunction>,
+    environment: *mut c_void,
+    name: CString,
+    is_on: [bool; Category::ALL.len()],
+}
+
+impl Logger {
+    /// # Safety
+    /// `function` takes `environment`, as long as this logger lives.
+    pub unsafe fn new(
+        function: Option<LoggerFunction>,
+        environment: *mut c_void,
+        name: CString,
+        is_on: bool,
+    ) -> Self {
+        Self { function, environment, name, is_on: [is_on; Category::ALL.len()] }
+    }
+
+    /// Switches categories; all of them if none is named. `Err`: the name is none of them.
+    pub fn switch(&mut self, names: &[&str], is_on: bool) -> Result<(), String> {
+        let is_known = |name: &&&str| Category::ALL.iter().all(|known| known.name() != **name);
+        if let Some(unknown) = names.iter().find(is_known) {
+            return Err(format!("there is no category \"{unknown}\" of messages"));
+        }
+        for (category, switch) in Category::ALL.iter().zip(&mut self.is_on) {
+            if names.is_empty() || names.contains(&category.name()) {
+                *switch = is_on;
+            }
+        }
+        Ok(())
+    }
+
+    /// Says `text` to the master, whose status it explains.
+    pub fn say(&self, category: Category, status: c_int, text: &str) {
+        let Some(function) = self.function else { return };
+        let index = Category::ALL.iter().position(|known| *known == category);
+        if !index.is_some_and(|index| self.is_on[index]) {
+            return;
+        }
+        // Itself a format, of no argument: not every master has the arguments.
+        let text = CString::new(text.replace('%', "%%").replace('\0', " "));
+        let (Ok(text), Ok(category)) = (text, CString::new(category.name())) else { return };
+        // SAFETY: by the promise of `new`.
+        unsafe {
+            function(self.environment, self.name.as_ptr(), status, category.as_ptr(), text.as_ptr());
+        }
+    }
+}

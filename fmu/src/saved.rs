@@ -1,0 +1,147 @@
+//! The state of an instance as bytes: from one machine to another too.
+
+use std::path::PathBuf;
+
+use crate::inputs;
+use crate::instance::{Flight, Instance, Phase};
+use crate::values::Values;
+use crate::variables::{Role, table};
+
+/// What a state begins with.
+const MARK: &[u8; 8] = b"SINSFMU1";
+
+const PHASES: [Phase; 4] = [Phase::Instantiated, Phase::Initializing, Phase::Stepping, Phase::Terminated];
+
+/// The state of `instance`.
+pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
+    let mut to = Vec::with_capacity(16 << 10);
+    to.extend(MARK);
+    to.push(PHASES.iter().position(|phase| *phase == instance.phase).unwrap_or(0) as u8);
+    to.extend(instance.is_set.map(u8::from));
+    to.extend(instance.end_s.to_le_bytes());
+    let Values { reals, integers, booleans, strings } = &instance.values;
+    reals.iter().for_each(|value| to.extend(value.to_le_bytes()));
+    integers.iter().for_each(|value| to.extend(value.to_le_bytes()));
+    to.extend(booleans.iter().map(|&value| u8::from(value)));
+    for text in strings {
+        to.extend((text.len() as u64).to_le_bytes());
+        to.extend(text.as_bytes());
+    }
+    let Some(flight) = &instance.flight else {
+        to.push(0);
+        return Ok(to);
+    };
+    to.push(1);
+    to.push(u8::from(flight.taken.is_some()));
+    to.extend(flight.first_s.unwrap_or(0.0).to_le_bytes());
+    if let Some((time_s, taken)) = &flight.taken {
+        to.extend(time_s.to_le_bytes());
+        taken.iter().for_each(|value| to.extend(value.to_le_bytes()));
+    }
+    let from = to.len();
+    to.resize(from + flight.simulator.snapshot_size(), 0);
+    flight.simulator.save_snapshot(&mut to[from..]).map_err(|error| error.to_string())?;
+    Ok(to)
+}
+
+/// The instance of a state; its scene is made anew where its parameters are not those of `now`.
+pub fn load(state: &[u8], now: &Instance) -> Result<Instance, String> {
+    read(state, now.resources.clone(), now).ok_or("no state of this unit, or a damaged one")?
+}
+
+/// `None`: it ends too early, or is none.
+fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Result<Instance, String>> {
+    let mut from = Reader { rest: state.strip_prefix(MARK)? };
+    let mut instance = Instance::new(resources);
+    instance.phase = *PHASES.get(usize::from(from.byte()?))?;
+    for is_set in &mut instance.is_set {
+        *is_set = from.flag()?;
+    }
+    instance.end_s = from.number()?;
+    let Values { reals, integers, booleans, strings } = &mut instance.values;
+    for value in reals {
+        *value = from.number()?;
+    }
+    for value in integers {
+        *value = i32::from_le_bytes(from.bytes()?);
+    }
+    for value in booleans {
+        *value = from.flag()?;
+    }
+    for text in strings {
+        let length = usize::try_from(u64::from_le_bytes(from.bytes()?)).ok()?;
+        let (bytes, rest) = from.rest.split_at_checked(length)?;
+        from.rest = rest;
+        *text = String::from_utf8(bytes.to_vec()).ok()?;
+    }
+    if !from.flag()? {
+        let is_flying = instance.phase == Phase::Stepping;
+        return (from.rest.is_empty() && !is_flying).then_some(Ok(instance));
+    }
+    let has_taken = from.flag()?;
+    let first_s = from.number()?;
+    let taken = match has_taken {
+        true => {
+            let time_s = from.number()?;
+            Some((time_s, (0..inputs::COUNT).map(|_| from.number()).collect::<Option<Vec<f64>>>()?))
+        }
+        false => None,
+    };
+    Some(with_flight(instance, has_taken.then_some(first_s), taken, from.rest, now))
+}
+
+/// The instance with its simulator, from a snapshot.
+fn with_flight(
+    mut instance: Instance,
+    first_s: Option<f64>,
+    taken: Option<(f64, Vec<f64>)>,
+    snapshot: &[u8],
+    now: &Instance,
+) -> Result<Instance, String> {
+    let mut flight = match &now.flight {
+        Some(flight) if have_same_parameters(&instance.values, &now.values) => flight.clone(),
+        _ => Flight::new(&instance.values, instance.resources.as_ref())?,
+    };
+    flight.simulator.load_snapshot(snapshot).map_err(|error| error.to_string())?;
+    (flight.first_s, flight.taken) = (first_s, taken);
+    instance.flight = Some(flight);
+    Ok(instance)
+}
+
+/// Whether all parameters are the same, to the bit.
+fn have_same_parameters(one: &Values, other: &Values) -> bool {
+    let table = table();
+    [Role::Fixed, Role::Tunable].into_iter().flat_map(|role| table.of_role(role)).all(|(variable, place)| {
+        let base = variable.start.base();
+        one.get(base, place) == other.get(base, place)
+    })
+}
+
+/// What is left to read.
+struct Reader<'s> {
+    rest: &'s [u8],
+}
+
+impl Reader<'_> {
+    fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
+        let (bytes, rest) = self.rest.split_first_chunk::<N>()?;
+        self.rest = rest;
+        Some(*bytes)
+    }
+
+    fn byte(&mut self) -> Option<u8> {
+        self.bytes().map(|[byte]| byte)
+    }
+
+    fn flag(&mut self) -> Option<bool> {
+        match self.byte()? {
+            0 => Some(false),
+            1 => Some(true),
+            _ => None,
+        }
+    }
+
+    fn number(&mut self) -> Option<f64> {
+        self.bytes().map(f64::from_le_bytes)
+    }
+}

@@ -1,0 +1,109 @@
+//! The functions of FMI that get, set and serialize states.
+#![allow(non_snake_case, missing_docs, reason = "the names are the standard's, which has the documentation")]
+#![allow(clippy::missing_safety_doc, reason = "the rules of pointers stand once, in `interface`")]
+
+use std::ptr;
+
+use crate::instance::Refused;
+use crate::interface::{Component, elements, elements_mut, fmi2OK, fmi2Status, on};
+use crate::saved;
+
+/// A state that was got: its bytes.
+pub type State = Vec<u8>;
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2GetFMUstate", |component| {
+            let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
+            let bytes = saved::save(&component.instance).map_err(Refused::error)?;
+            match state.as_mut() {
+                Some(earlier) => *earlier = bytes,
+                None => *state = Box::into_raw(Box::new(bytes)),
+            }
+            Ok(fmi2OK)
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetFMUstate(component: *mut Component, state: *mut State) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2SetFMUstate", |component| {
+            let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
+            component.instance = saved::load(state, &component.instance).map_err(Refused::error)?;
+            Ok(fmi2OK)
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2FreeFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2FreeFMUstate", |_| {
+            if let Some(state) = state.as_mut().filter(|state| !state.is_null()) {
+                drop(Box::from_raw(*state));
+                *state = ptr::null_mut();
+            }
+            Ok(fmi2OK)
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
+    component: *mut Component,
+    state: *mut State,
+    size: *mut usize,
+) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2SerializedFMUstateSize", |_| match (state.as_ref(), size.as_mut()) {
+            (Some(state), Some(size)) => {
+                *size = state.len();
+                Ok(fmi2OK)
+            }
+            _ => Err(Refused::error("a null pointer")),
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializeFMUstate(
+    component: *mut Component,
+    state: *mut State,
+    bytes: *mut u8,
+    size: usize,
+) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2SerializeFMUstate", |_| {
+            let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
+            let needed = state.len();
+            if size < needed {
+                return Err(Refused::error(format!("size = {size}: must be at least {needed}")));
+            }
+            elements_mut(bytes, needed)?.copy_from_slice(state);
+            Ok(fmi2OK)
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
+    component: *mut Component,
+    bytes: *const u8,
+    size: usize,
+    state: *mut *mut State,
+) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2DeSerializeFMUstate", |component| {
+            let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
+            let bytes = elements(bytes, size)?;
+            saved::load(bytes, &component.instance).map_err(Refused::error)?;
+            match state.as_mut() {
+                Some(earlier) => *earlier = bytes.to_vec(),
+                None => *state = Box::into_raw(Box::new(bytes.to_vec())),
+            }
+            Ok(fmi2OK)
+        })
+    }
+}

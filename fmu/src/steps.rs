@@ -1,0 +1,137 @@
+//! The function of FMI that flies a step, those that ask about it, and those that this unit has no use for.
+#![allow(non_snake_case, missing_docs, reason = "the names are the standard's, which has the documentation")]
+#![allow(clippy::missing_safety_doc, reason = "the rules of pointers stand once, in `interface`")]
+
+use std::ffi::{c_char, c_int};
+
+use crate::instance::Refused;
+use crate::interface::{Component, fmi2OK, fmi2Status, on};
+use crate::logger::Category;
+
+/// Kinds of `fmi2Get...Status`.
+const LAST_SUCCESSFUL_TIME: c_int = 2;
+const TERMINATED: c_int = 3;
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DoStep(
+    component: *mut Component,
+    current_communication_point: f64,
+    communication_step_size: f64,
+    _no_set_state_prior_to_current_point: c_int,
+) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2DoStep", |component| {
+            if component.instance.step(current_communication_point, communication_step_size)? {
+                let text = format!("the sample at {current_communication_point} s closes a gap in the truth");
+                component.logger.say(Category::Warning, fmi2OK, &text);
+            }
+            Ok(fmi2OK)
+        })
+    }
+}
+
+/// A call that this unit has no use for.
+unsafe fn without(component: *mut Component, function: &str, why: &str) -> fmi2Status {
+    unsafe { on(component, function, |_| Err(Refused::error(why))) }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2CancelStep(component: *mut Component) -> fmi2Status {
+    unsafe { without(component, "fmi2CancelStep", "steps are never asynchronous") }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
+    component: *mut Component,
+    _references: *const u32,
+    _count: usize,
+    _orders: *const c_int,
+    _values: *const f64,
+) -> fmi2Status {
+    unsafe { without(component, "fmi2SetRealInputDerivatives", "inputs are not interpolated") }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
+    component: *mut Component,
+    _references: *const u32,
+    _count: usize,
+    _orders: *const c_int,
+    _values: *mut f64,
+) -> fmi2Status {
+    unsafe { without(component, "fmi2GetRealOutputDerivatives", "outputs have no derivatives") }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
+    component: *mut Component,
+    _unknowns: *const u32,
+    _unknown_count: usize,
+    _knowns: *const u32,
+    _known_count: usize,
+    _seed: *const f64,
+    _values: *mut f64,
+) -> fmi2Status {
+    unsafe { without(component, "fmi2GetDirectionalDerivative", "there are no directional derivatives") }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetRealStatus(
+    component: *mut Component,
+    kind: c_int,
+    value: *mut f64,
+) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2GetRealStatus", |component| match (kind, value.as_mut()) {
+            (LAST_SUCCESSFUL_TIME, Some(value)) => {
+                *value = component.instance.end_s;
+                Ok(fmi2OK)
+            }
+            _ => Err(Refused::discard(format!("there is no real status of kind {kind}"))),
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetBooleanStatus(
+    component: *mut Component,
+    kind: c_int,
+    value: *mut c_int,
+) -> fmi2Status {
+    unsafe {
+        on(component, "fmi2GetBooleanStatus", |_| match (kind, value.as_mut()) {
+            (TERMINATED, Some(value)) => {
+                *value = 0;
+                Ok(fmi2OK)
+            }
+            _ => Err(Refused::discard(format!("there is no boolean status of kind {kind}"))),
+        })
+    }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetStatus(
+    component: *mut Component,
+    _kind: c_int,
+    _value: *mut c_int,
+) -> fmi2Status {
+    unsafe { without(component, "fmi2GetStatus", "steps are never asynchronous") }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetIntegerStatus(
+    component: *mut Component,
+    _kind: c_int,
+    _value: *mut c_int,
+) -> fmi2Status {
+    unsafe { without(component, "fmi2GetIntegerStatus", "there is no integer status") }
+}
+
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetStringStatus(
+    component: *mut Component,
+    _kind: c_int,
+    _value: *mut *const c_char,
+) -> fmi2Status {
+    unsafe { without(component, "fmi2GetStringStatus", "steps are never asynchronous") }
+}

@@ -1,0 +1,118 @@
+//! The table of all variables: inputs, parameters, outputs.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+
+use crate::values::{Base, Value, Values};
+use crate::{description, inputs, outputs, parameters};
+
+/// What a variable is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// Set by the master before each step.
+    Input,
+    /// Set before the initialization ends.
+    Fixed,
+    /// A parameter that may change in flight too.
+    Tunable,
+    /// Read after each step.
+    Output,
+}
+
+/// A variable as the model description states it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    pub name: String,
+    pub role: Role,
+    /// Its value before it is set. Of outputs: before the first step.
+    pub start: Value,
+    /// The words of an enumeration.
+    pub words: Option<&'static [&'static str]>,
+    pub unit: &'static str,
+    /// SI units in one of it.
+    pub unit_si: f64,
+    /// A usual size; 1 where there is none.
+    pub nominal: f64,
+    /// Least and largest number, in its unit.
+    pub limits: Option<(f64, f64)>,
+    pub doc: String,
+}
+
+impl Variable {
+    /// A variable without unit.
+    pub fn new(name: impl Into<String>, role: Role, start: Value, doc: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            role,
+            start,
+            words: None,
+            unit: "",
+            unit_si: 1.0,
+            nominal: 1.0,
+            limits: None,
+            doc: doc.into(),
+        }
+    }
+
+    /// The same with a unit.
+    pub fn in_unit(self, unit: &'static str, unit_si: f64) -> Self {
+        Self { unit, unit_si, ..self }
+    }
+}
+
+/// All variables, in the order of the model description, with the place of each in its row.
+#[derive(Debug)]
+pub struct Table {
+    pub variables: Vec<(Variable, usize)>,
+    pub start: Values,
+    /// The unit's identity.
+    pub guid: String,
+    by_name: BTreeMap<String, usize>,
+}
+
+/// The table of this model. It lives as long as somebody holds it, an instance above all: a static one would be left behind
+/// each time that a master unloads the unit.
+pub fn table() -> Arc<Table> {
+    static SHARED: Mutex<Weak<Table>> = Mutex::new(Weak::new());
+    let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);
+    shared.upgrade().unwrap_or_else(|| {
+        let table = Arc::new(Table::new());
+        *shared = Arc::downgrade(&table);
+        table
+    })
+}
+
+impl Table {
+    fn new() -> Self {
+        let mut start = Values::default();
+        let all = inputs::variables().chain(parameters::variables()).chain(outputs::variables());
+        let variables: Vec<(Variable, usize)> = all
+            .map(|variable| {
+                let place = start.push(variable.start.clone());
+                (variable, place)
+            })
+            .collect();
+        let names = variables.iter().enumerate();
+        let by_name = names.map(|(index, (variable, _))| (variable.name.clone(), index)).collect();
+        let guid = description::guid(&variables);
+        Self { variables, start, guid, by_name }
+    }
+
+    /// The variable of a name, and its place in its row.
+    pub fn named(&self, name: &str) -> Option<(&Variable, usize)> {
+        let (variable, place) = &self.variables[*self.by_name.get(name)?];
+        Some((variable, *place))
+    }
+
+    /// The variable at a place of a row.
+    pub fn variable(&self, base: Base, place: usize) -> Option<&Variable> {
+        let is_it = |(variable, at): &&(Variable, usize)| *at == place && variable.start.base() == base;
+        self.variables.iter().find(is_it).map(|(variable, _)| variable)
+    }
+
+    /// Variables of a role and their places in their rows.
+    pub fn of_role(&self, role: Role) -> impl Iterator<Item = (&Variable, usize)> {
+        let of_role = move |(variable, _): &&(Variable, usize)| variable.role == role;
+        self.variables.iter().filter(of_role).map(|(variable, place)| (variable, *place))
+    }
+}

@@ -1,0 +1,12 @@
+#!/bin/sh
+# UNIT_LINKER for the binaries of the Functional Mock-up Unit, which export its functions alone. rustc lists those of the library
+# too: in a version script for ELF, in a .def file for Windows.
+for argument; do
+    case $argument in
+        -Wl,--version-script=*) list=${argument#*script=} ;;
+        -Wl,*.def) list=${argument#-Wl,} ;;
+        *sins_fmu*.so | *sins_fmu*.dll) is_unit=yes ;;
+    esac
+done
+[ -z "$list" ] || [ -z "$is_unit" ] || sed -i '/^ *"*sins_/d' "$list"
+exec "$UNIT_LINKER" "$@"

@@ -1,0 +1,141 @@
+#!/usr/bin/env bash
+# SINS_Emulator under wine and Xvfb, 64 and 32 bits: what it flies equals `sins fly` on the scene that it saved; it says in one
+# sentence what it cannot use; its fields take any text. Pictures of its pages in both languages lie in target/emulator.
+# SINS_DLL_DIR: a folder with 64/sins.dll and 32/sins.dll, and SINS_PROGRAM: a program sins, to take instead of building them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+. tests/support/wine.sh
+
+font=/usr/share/fonts/truetype/wqy/wqy-microhei.ttc
+need xvfb Xvfb
+need imagemagick import
+need fonts-wqy-microhei "$font"
+sins=${SINS_PROGRAM:-}
+if [ -z "$sins" ]; then
+    cargo build --quiet --release -p sins-cli
+    sins=target/release/sins
+fi
+
+display_file=$(mktemp)
+Xvfb -displayfd 4 -screen 0 1000x740x24 4>"$display_file" 2>/dev/null &
+screen=$!
+trap 'kill $screen; rm -f "$display_file"' EXIT
+until [ -s "$display_file" ]; do sleep 0.2; done
+export DISPLAY=:$(cat "$display_file")
+
+# path FILE: as wine sees it.
+path() {
+    echo "Z:$(realpath -m "$1" | tr / '\\')"
+}
+
+fail() {
+    echo "tests/emulator.sh: $*" >&2
+    exit 1
+}
+
+# emulator OPTION...: the program of this word size.
+emulator() {
+    timeout 300 "$wine" "$folder/SINS_Emulator.exe" "$@"
+}
+
+# refuses WHAT SENTENCE OPTION...: it ends with 1 and a sentence.
+refuses() {
+    local status=0
+    emulator "${@:3}" /quit 2>"$folder/sentence" || status=$?
+    [ "$status" -eq 1 ] || fail "$1: ends with $status"
+    grep -q "$2" "$folder/sentence" || { cat "$folder/sentence"; fail "$1: says something else"; }
+    echo "$1: $(head -c 200 "$folder/sentence" | tr -d '\r' | head -1)"
+}
+
+# pictures LANGUAGE: each page and dialog.
+pictures() {
+    local line program watched
+    emulator /language "$1" /scene "$(path "$folder/flown/trainer.toml")" /run &
+    program=$!
+    coproc driver { "$wine" "$folder/driver.exe" pages; }
+    watched=$driver_PID
+    while read -r line <&"${driver[0]}"; do
+        line=${line%$'\r'}
+        [ "${line% *}" = page ] || fail "$line"
+        import -window root "$folder/$1_${line#page }.png"
+        echo >&"${driver[1]}"
+    done 2>/dev/null
+    wait "$watched" || true
+    wait "$program"
+    [ -f "$folder/$1_manoeuvre.png" ] || fail "not all pages were shown"
+}
+
+# check ARCH BITS OTHER: everything, with the DLL of the other word size to be refused.
+check() {
+    folder=$PWD/target/emulator/$2
+    rm -rf "$folder"
+    mkdir -p "$folder/flown"
+    c_examples/emulator/build.sh "$1" "$folder"
+    "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Werror -O1 -o "$folder/driver.exe" tests/emulator/driver.c -luser32 -static
+    # Wine has no font of its own for dialogs.
+    for name in "MS Shell Dlg" "MS Shell Dlg 2" Tahoma; do
+        "$wine" reg add 'HKLM\Software\Microsoft\Windows NT\CurrentVersion\FontSubstitutes' /v "$name" /d "WenQuanYi Micro Hei" /f >/dev/null
+    done
+
+    refuses "no DLL" "sins.dll: no such file"
+    echo text >"$folder/sins.dll"
+    refuses "a text as DLL" "sins.dll: not a DLL"
+    if [ -n "${SINS_DLL_DIR:-}" ]; then
+        cp "$SINS_DLL_DIR/$3/sins.dll" "$folder"
+        refuses "the DLL of the other word size" "sins.dll: not a DLL for programs of $2 bits"
+        cp "$SINS_DLL_DIR/$2/sins.dll" "$folder"
+    else
+        release/windows.sh "$1" "$folder"
+    fi
+    head -c 5000 "$folder/SINS_Emulator.exe" >"$folder/binary.toml"
+    cp "$folder/binary.toml" "$folder/binary.csv"
+    printf '[flight]\nfile = "binary.csv"\n' >"$folder/log.toml"
+    refuses "a binary file as scene" "binary.toml:" /scene "$(path "$folder/binary.toml")"
+    refuses "a binary file as log" "binary.csv:" /scene "$(path "$folder/log.toml")" /run
+
+    # Through the dialogs: an hour of the paper's simulation 2.
+    "$sins" scene write simulation2 >"$folder/flown/simulation2.toml"
+    sed -i 's/^hours = 48/hours = 2/' "$folder/flown/simulation2.toml"
+    emulator /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")" &
+    "$wine" "$folder/driver.exe" fly 1 | tr -d '\r'
+    wait $!
+    grep -q '^hours = 1 ' "$folder/flown/simulation2.toml" || fail "the scene was not saved with its hour"
+    "$sins" scene write simulation2 | sed 's/^hours = 48/hours = 1/' | cmp - "$folder/flown/simulation2.toml"
+    "$sins" fly "$folder/flown/simulation2.toml" --out "$folder/flown/expected" --quiet
+    cmp "$folder/flown/expected/simulation2.csv" "$folder/flown/records/simulation2.csv"
+
+    # A failure that is set in flight is in the scene that is saved, which flies to the same bits.
+    cp "$folder/flown/simulation2.toml" "$folder/flown/exercise.toml"
+    emulator /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")" &
+    "$wine" "$folder/driver.exe" exercise | tr -d '\r'
+    wait $!
+    grep -q '^\[\[failure\]\]' "$folder/flown/exercise.toml" || fail "the failure is not in the scene"
+    "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
+    cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
+
+    # Two at once, by the command line: failures, temperature, a log.
+    cp c_examples/scenes/{trainer,fighter}.toml "$folder/flown"
+    sed -i "s|\.\./flights|$PWD/c_examples/flights|" "$folder/flown/fighter.toml"
+    for scene in trainer fighter; do
+        emulator /scene "$(path "$folder/flown/$scene.toml")" /run /export "$(path "$folder/flown/records")" \
+            /picture "$(path "$folder/$scene.png")" /quit &
+    done
+    for scene in trainer fighter; do
+        "$sins" fly "$folder/flown/$scene.toml" --out "$folder/flown/expected" --quiet
+    done
+    for job in $(jobs -p | grep -v "^$screen$"); do wait "$job"; done
+    for scene in trainer fighter; do
+        cmp "$folder/flown/expected/$scene.csv" "$folder/flown/records/$scene.csv"
+        [ "$(identify -format %k "$folder/$scene.png")" -gt 10 ] || fail "$scene.png shows nothing"
+    done
+    pictures en
+    pictures zh
+    echo "$2 bits: flown as sins flies, to the byte; pictures in $folder"
+}
+
+if have_wine x86_64; then check x86_64 64 32; fi
+if have_wine i686; then
+    if fetch_screen32; then check i686 32 64; else could_not "SINS_Emulator in 32 bits" "no screen for 32-bit wine"; fi
+fi
+report_not_run
