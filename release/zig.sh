@@ -11,8 +11,8 @@ if ! [ -x "$tools/bin/cargo-zigbuild" ]; then
 fi
 
 # zig_cc PROCESSOR FILE: writes the compiler's command. cargo-zigbuild gives Zig's the options of gcc's that rustc writes. Zig compiles
-# its own parts of the C library when a program first needs them, and their debug symbols name folders of this machine: a second link
-# takes them without.
+# its own parts of the C library when a program first needs them: their debug symbols name folders of this machine, and their archives
+# have the order in which its threads were ready. A second link takes them without symbols, sorted.
 zig_cc() {
     cat >"$2" <<CC
 #!/bin/sh
@@ -20,6 +20,12 @@ export PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$2-cache"
 link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"; }
 link "\$@" || exit
 find "$2-cache/o" -name '*.[oa]' -exec llvm-strip --strip-debug {} + 2>/dev/null
+find "$2-cache/o" -name '*.a' 2>/dev/null | while read -r archive; do
+    parts=\${archive%.a}
+    rm -rf "\$parts"
+    mkdir "\$parts"
+    (cd "\$parts" && llvm-ar x "\$archive" && rm "\$archive" && LC_ALL=C && llvm-ar rcs "\$archive" *.o) || exit
+done || exit
 link "\$@"
 CC
     chmod +x "$2"
