@@ -12,20 +12,31 @@ fi
 
 # zig_cc PROCESSOR FILE: writes the compiler's command. cargo-zigbuild gives Zig's the options of gcc's that rustc writes. Zig compiles
 # its own parts of the C library when a program first needs them: their debug symbols name folders of this machine, and their archives
-# have the order in which its threads were ready. A second link takes them without symbols, sorted.
+# have the order in which its threads were ready. Where a link has made such parts, a second one takes them without symbols, sorted.
+# One link at a time, as all share the parts.
 zig_cc() {
+    rm -rf "$2-parts"
+    touch -d @0 "$2-sorted"
     cat >"$2" <<CC
-#!/bin/sh
-export PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$2-cache"
+#!/bin/bash
+set -euo pipefail
+export LC_ALL=C PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$2-parts"
 link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"; }
-link "\$@" || exit
-find "$2-cache/o" -name '*.[oa]' -exec llvm-strip --strip-debug {} + 2>/dev/null
-find "$2-cache/o" -name '*.a' 2>/dev/null | while read -r archive; do
-    parts=\${archive%.a}
-    rm -rf "\$parts"
-    mkdir "\$parts"
-    (cd "\$parts" && llvm-ar x "\$archive" && rm "\$archive" && LC_ALL=C && llvm-ar rcs "\$archive" *.o) || exit
-done || exit
+exec 9>"$2-lock"
+flock 9
+link "\$@"
+[ -d "$2-parts/o" ] || exit 0
+made=\$(find "$2-parts/o" -name '*.[oa]' -newer "$2-sorted")
+[ -n "\$made" ] || exit 0
+while read -r file; do
+    llvm-strip --strip-debug "\$file"
+    if [[ \$file = *.a ]]; then
+        mkdir "\${file%.a}"
+        (cd "\${file%.a}" && llvm-ar x "\$file" && rm "\$file" && llvm-ar rcs "\$file" *.o)
+        rm -r "\${file%.a}"
+    fi
+done <<<"\$made"
+touch "$2-sorted"
 link "\$@"
 CC
     chmod +x "$2"
