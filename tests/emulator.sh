@@ -71,6 +71,8 @@ check() {
     folder=$PWD/target/emulator/$2
     rm -rf "$folder"
     mkdir -p "$folder/flown"
+    # A server that other tests left has a desktop without a screen.
+    "$WINESERVER" -k 2>/dev/null || true
     c_examples/emulator/build.sh "$1" "$folder"
     "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Werror -O1 -o "$folder/driver.exe" tests/emulator/driver.c -luser32 -static
     # Wine has no font of its own for dialogs.

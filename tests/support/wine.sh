@@ -31,6 +31,8 @@ fetch_wine32() {
     rm -rf "$wine32"
     fetch_i386 wine32 libwine libz-mingw-w64 || return
     cp "$wine32/usr/i686-w64-mingw32/lib/zlib1.dll" "$wine32/usr/lib/i386-linux-gnu/wine/i386-windows"
+    # Wine takes from that folder what has its mark; without this one user32.dll does not load.
+    printf 'Wine builtin DLL\0' | dd of="$wine32/usr/lib/i386-linux-gnu/wine/i386-windows/zlib1.dll" bs=1 seek=64 conv=notrunc status=none
 }
 
 # Windows on a screen and their fonts for 32-bit wine, which finds them by LD_LIBRARY_PATH.
