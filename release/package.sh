@@ -75,7 +75,7 @@ windows() {
     cmake -S . -B "$staging/cmake-$2" -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR="$2" -DCMAKE_C_COMPILER="$gcc" \
         -DSINS_CARGO_TARGET="$2-pc-windows-gnu"
     cmake --install "$staging/cmake-$2" --component cmake --prefix "$folder"
-    texts "$folder" "$2-win7-windows-gnu" nightly
+    texts "$folder" "$2-win7-windows-gnu" "$nightly"
     # The C library's start-up code, and winpthreads.
     command install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
     "$gcc" -std=c99 -O2 -municode -static -s -Wl,--no-insert-timestamp -I include -o "$bin/loadlibrary.exe" \

@@ -6,7 +6,7 @@
 #     release/windows.sh x86_64|i686 OUT [program|unit]
 #
 # Nightly Rust, as only its -Zbuild-std makes the standard library for Windows 7; that of *-pc-windows-gnu imports
-# bcryptprimitives.dll and functions of Windows 10. Tried with nightly 2026-05-19 (1.97.0).
+# bcryptprimitives.dll and functions of Windows 10.
 set -euo pipefail
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
@@ -22,8 +22,7 @@ case $arch in
 esac
 need "gcc-mingw-w64-$(echo "$arch" | tr _ -)" "$mingw-gcc"
 need llvm llvm-dlltool
-rustup run nightly rustc --version >/dev/null 2>&1 || rustup toolchain install nightly --profile minimal
-rustup component add rust-src --toolchain nightly 2>/dev/null
+has_nightly
 
 built=target/$target/release
 work=target/release-windows/$arch
@@ -69,8 +68,8 @@ RC
 build() {
     local object=$PWD/$work/$1.o
     shift
-    CARGO_ENCODED_RUSTFLAGS=$(flags nightly -Clink-arg=-Wl,--no-insert-timestamp -Cstrip=symbols) \
-        cargo +nightly rustc --quiet --locked --release -Zbuild-std=std,panic_unwind --target "$target" "$@" -- \
+    CARGO_ENCODED_RUSTFLAGS=$(flags "$nightly" -Clink-arg=-Wl,--no-insert-timestamp -Cstrip=symbols) \
+        cargo "+$nightly" rustc --quiet --locked --release -Zbuild-std=std,panic_unwind --target "$target" "$@" -- \
         -Clink-arg="$object"
 }
 

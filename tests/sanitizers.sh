@@ -44,7 +44,7 @@ finds() {
 # library SANITIZER CRATE_TYPE OPTIONS...: the library, instrumented, with the panic to be injected; false if that takes too long.
 library() {
     local status=0
-    RUSTFLAGS="-Zsanitizer=$1" timeout "$longest_build_s" cargo +nightly rustc --quiet --lib --crate-type "$2" \
+    RUSTFLAGS="-Zsanitizer=$1" timeout "$longest_build_s" cargo "+$nightly" rustc --quiet --lib --crate-type "$2" \
         --target "$target" --target-dir target/sanitizers --features fault-injection --config profile.dev.opt-level=1 \
         "${@:3}" || status=$?
     if [ "$status" -eq 124 ]; then
@@ -73,7 +73,7 @@ address_sanitizer() {
 thread_sanitizer() {
     library thread staticlib -Zbuild-std || return 0
     local runtime
-    runtime=$(rustc +nightly --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
+    runtime=$(rustc "+$nightly" --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
     for name in planted threads destroyed; do
         compile "$name" -DSINS_STATIC -fsanitize=thread -c
         mv "$folder/$name" "$folder/$name.o"
@@ -100,14 +100,10 @@ memcheck() {
 }
 
 memcheck
-if ! rustup run nightly rustc --version >/dev/null 2>&1 && ! rustup toolchain install nightly --profile minimal; then
+if ! has_nightly; then
     could_not "AddressSanitizer, ThreadSanitizer" "no nightly Rust to be had"
 else
     address_sanitizer
-    if rustup component add rust-src --toolchain nightly; then
-        thread_sanitizer
-    else
-        could_not ThreadSanitizer "no sources of the standard library to be had"
-    fi
+    thread_sanitizer
 fi
 report_not_run

@@ -47,25 +47,21 @@ fuzz_rust() {
         -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table
         -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 --cfg fuzzing"
     if [ "${SANITIZER:-address}" = none ]; then
-        build nightly "$coverage" fuzz-coverage --bin "$1"
+        build "$nightly" "$coverage" fuzz-coverage --bin "$1"
     else
-        build nightly "-Zsanitizer=address $coverage" sanitizers --bin "$1"
+        build "$nightly" "-Zsanitizer=address $coverage" sanitizers --bin "$1"
     fi
     fuzz "$1" "$program/$1"
 }
 
 random_calls() {
     if [ "${SANITIZER:-none}" = address ]; then
-        build nightly -Zsanitizer=address fuzz-address --no-default-features --bin random_calls
+        build "$nightly" -Zsanitizer=address fuzz-address --no-default-features --bin random_calls
     else
         build stable "" fuzz-plain --no-default-features --bin random_calls
     fi
     echo "== random calls, $seconds s"
     "$program/random_calls" --seconds "$seconds" --first "${FIRST:-0}" --folder "$findings"
-}
-
-has_nightly() {
-    rustup run nightly rustc --version >/dev/null 2>&1 || rustup toolchain install nightly --profile minimal
 }
 
 for target in $targets; do

@@ -3,6 +3,16 @@
 # What is built lies in target, wherever the caller builds his own.
 unset CARGO_TARGET_DIR
 
+# The nightly Rust of all scripts, for sanitizers, fuzzing and the standard library for Windows 7. By its date: another one may have
+# other flags, and packages have the same bytes only if it is the same.
+nightly=nightly-2026-05-20
+
+# has_nightly: whether there is that nightly Rust, with the sources of its standard library.
+has_nightly() {
+    rustup component list --installed --toolchain "$nightly" 2>/dev/null | grep -qx rust-src ||
+        rustup toolchain install "$nightly" --profile minimal --component rust-src
+}
+
 # need PACKAGE PROGRAM: installs the Debian package if the program, or the file where a path is given, is not there. Recommended
 # packages do not come along: g++ brings the headers of the C library, gcc alone does not.
 need() {
