@@ -42,7 +42,8 @@
  *     takes a simulator, except sins_destroy() and sins_snapshot_load(), which use the allocator.
  *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
  *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
- *     ever; on Windows they get SINS_ERROR_BAD_STATE if the thread was terminated. The floating-point state is not put back.
+ *     ever; on Windows, if the thread was terminated, they get SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The
+ *     floating-point state is not put back.
  *   fork(): a handle that another thread of the parent was inside is SINS_ERROR_BAD_STATE in the child. All others work there.
  *     A process made in another way, as by vfork() or clone(), makes no call.
  * Unloading. Every handle is destroyed and every call has returned before. A library that was built for windows-gnu stays in
