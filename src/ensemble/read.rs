@@ -1,9 +1,10 @@
 //! What is read of an ensemble.
 
-use super::Ensemble;
+use super::{Ensemble, is_of_truth};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
 use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
+use crate::statistics::Statistics;
 
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.
@@ -36,6 +37,38 @@ impl Ensemble {
     /// The runs that have diverged, in the order of their numbers.
     pub fn diverged(&self) -> impl Iterator<Item = u64> + '_ {
         (self.first_run..=u64::MAX).zip(&self.diverged).filter(|(_, diverged)| **diverged).map(|(run, _)| run)
+    }
+
+    /// Statistics of the errors of all runs at this moment; runs that have diverged are counted. Before the first step a run that
+    /// cannot start is one of them.
+    ///
+    /// [`ErrorKind::BadState`]: no sample yet, or the error model is off.
+    pub fn statistics(&self, source: ErrorSource) -> Result<Statistics, Error> {
+        let mut statistics = Statistics::EMPTY;
+        self.add_to(&mut statistics, source)?;
+        Ok(statistics)
+    }
+
+    /// The same, added to `statistics`, which may be empty. On an error they are of no use.
+    pub(crate) fn add_to(&self, statistics: &mut Statistics, source: ErrorSource) -> Result<(), Error> {
+        for (run, diverged) in self.runs.iter().zip(&self.diverged) {
+            if *diverged {
+                statistics.add_diverged()?;
+                continue;
+            }
+            match run.errors(source) {
+                Ok(Some((_, errors))) => statistics.add(&errors)?,
+                Ok(None) => return Err(Error::bad_state("no sample yet")),
+                Err(error)
+                    if matches!(error.kind, ErrorKind::Diverged | ErrorKind::Singular)
+                        && !is_of_truth(&error) =>
+                {
+                    statistics.add_diverged()?;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
     }
 
     /// A run by its number, unless it has diverged.
