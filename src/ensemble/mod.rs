@@ -3,6 +3,7 @@
 //! Run k of an ensemble is, to the bit, the [`Simulator`] with `options.key.run = first_run + k`.
 
 mod read;
+mod snapshot;
 
 use crate::error::{Error, Rule, check_integer};
 use crate::sensors::{Failure, SensorOutput};

@@ -3,6 +3,7 @@
 use super::{Ensemble, is_of_truth};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
+use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
 use crate::statistics::Statistics;
 
@@ -26,6 +27,15 @@ impl Ensemble {
     /// has diverged.
     pub fn errors(&self, run: u64, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
         self.run(run)?.errors(source)
+    }
+
+    /// The same, with whether the truth is near a pole.
+    pub(crate) fn errors_and_pole(
+        &self,
+        run: u64,
+        source: ErrorSource,
+    ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
+        self.run(run)?.errors_and_pole(source)
     }
 
     /// Ideal and measured signals of the last interval of a run; `None` before the first. [`ErrorKind::Diverged`]: the run has
@@ -69,6 +79,16 @@ impl Ensemble {
             }
         }
         Ok(())
+    }
+
+    /// The failure of an output, which all runs share; `None`: it is sound.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        self.runs.first().and_then(|run| run.failure(output))
+    }
+
+    /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
+    pub fn last_sample_time_s(&self) -> Option<f64> {
+        self.intake.newest().map(|point| point.sample.time_s)
     }
 
     /// A run by its number, unless it has diverged.
