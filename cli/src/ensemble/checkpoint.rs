@@ -20,7 +20,7 @@ use crate::output::Outputs;
 /// The first line. Its number is that of the layout.
 const MARK: &str = "sins ensemble checkpoint 1";
 
-/// It is written again after this time, or after so many times as long as writing takes.
+/// It is written with the first block, and again after this time, or after so many times as long as writing takes.
 const RENEWED: Duration = Duration::from_secs(10);
 const WRITING: u32 = 20;
 
@@ -37,7 +37,7 @@ pub struct Checkpoint {
 impl Checkpoint {
     pub fn new(path: PathBuf, given: &Given, plan: &Plan, force: bool) -> Result<Self, Failure> {
         let head = head(given, plan)?;
-        Ok(Self { path, head, inputs: given.inputs.clone(), force, next: Instant::now() + RENEWED })
+        Ok(Self { path, head, inputs: given.inputs.clone(), force, next: Instant::now() })
     }
 
     pub fn path(&self) -> &Path {

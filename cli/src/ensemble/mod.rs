@@ -12,7 +12,6 @@ mod flight;
 mod plan;
 mod print;
 mod results;
-mod stub;
 mod study;
 mod table;
 

@@ -13,7 +13,7 @@ pub fn text(study: &Study, flown: &Flown, threads: usize, page: &Path) -> String
     let given = study.given;
     let mut text =
         format!("{}: {}\n  {}; {}\n\n", study.name, given.title, study.runs(), time_text(given.duration_s));
-    text += &format!("  {:<24}{:>12}{:>12}{:>12}\n", "at the end", "east", "north", "up");
+    text += &format!("  {:<30}{:>12}{:>12}{:>12}\n", "at the end", "east", "north", "up");
     if let Some(row) = study.end(ErrorSource::Navigation) {
         let figures = &row.figures;
         for quantity in &QUANTITIES {
@@ -27,7 +27,7 @@ pub fn text(study: &Study, flown: &Flown, threads: usize, page: &Path) -> String
                     .iter()
                     .map(|value| format!("{:>12}", crate::units::significant(value / unit.si)))
                     .collect();
-                text += &format!("  {head:<24}{numbers}\n");
+                text += &format!("  {head:<30}{numbers}\n");
             }
         }
         let [cep50, r95, largest] =
