@@ -44,7 +44,10 @@ END
 mv "$out/scene_ensemble.csv" "$out/expected.csv"
 
 fly() { # RANKS OUT.csv
-    timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" 2>"$2.words"
+    timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" 2>"$2.words" || {
+        cat "$2.words"
+        return 1
+    }
 }
 
 same() { # OUT.csv WHAT
