@@ -146,6 +146,8 @@ pub mod budget;
 #[forbid(unsafe_code)]
 pub mod earth;
 #[forbid(unsafe_code)]
+pub mod ensemble;
+#[forbid(unsafe_code)]
 mod error;
 #[forbid(unsafe_code)]
 pub mod errors;
@@ -176,6 +178,8 @@ mod simulator;
 pub mod snapshot;
 #[forbid(unsafe_code)]
 pub mod state;
+#[forbid(unsafe_code)]
+pub mod statistics;
 #[forbid(unsafe_code)]
 pub mod truth;
 #[forbid(unsafe_code)]

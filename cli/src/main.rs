@@ -8,6 +8,7 @@ mod budget;
 mod completions;
 mod curve;
 mod drawing;
+mod ensemble;
 mod failure;
 mod fly;
 mod given;
@@ -15,6 +16,7 @@ mod interrupt;
 mod lines;
 mod output;
 mod parallel;
+mod places;
 mod progress;
 mod recommend;
 mod record;
@@ -43,6 +45,7 @@ struct CommandLine {
 #[derive(Debug, clap::Subcommand)]
 enum Command {
     Fly(fly::Order),
+    Ensemble(ensemble::Order),
     Report(report::Order),
     Allan(allan::Order),
     Budget(budget::Order),
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Fly(order) => fly::run(order),
+        Command::Ensemble(order) => ensemble::run(order),
         Command::Report(order) => report::run(order),
         Command::Allan(order) => allan::run(order),
         Command::Budget(order) => budget::run(order),

@@ -229,9 +229,9 @@ impl OutputFile {
         temporary.persist(&self.path).map_err(|error| Failure::of_output(&self.path, &error.error))
     }
 
-    /// Writes `text` and puts the file in place.
-    pub fn finish(mut self, text: &str) -> Result<(), Failure> {
-        self.write_all(text.as_bytes()).map_err(|error| Failure::of_output(&self.path, &error))?;
+    /// Writes `content` and puts the file in place.
+    pub fn finish(mut self, content: impl AsRef<[u8]>) -> Result<(), Failure> {
+        self.write_all(content.as_ref()).map_err(|error| Failure::of_output(&self.path, &error))?;
         self.commit()
     }
 }

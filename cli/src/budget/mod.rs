@@ -10,7 +10,7 @@ mod scene;
 mod survey;
 mod table;
 
-pub use command::Order;
+pub use command::{FOR_LOGS, Order};
 
 use std::path::PathBuf;
 

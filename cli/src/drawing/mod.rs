@@ -6,4 +6,5 @@ pub mod figure;
 pub mod file;
 pub mod pen;
 pub mod plot;
+pub mod scales;
 pub mod series;

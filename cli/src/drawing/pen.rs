@@ -48,6 +48,8 @@ pub enum Pen {
     Floor,
     /// An area where the truth may be.
     Band,
+    /// A wider one around it.
+    OuterBand,
     /// What one term alone would make.
     Asymptote,
     /// Bars: of a random effect, of a deterministic one, of the mechanization, of all together.
@@ -57,10 +59,13 @@ pub enum Pen {
     Together,
     /// What may be left out.
     Limit,
+    /// Where one run of an ensemble ends, and how many of them end so.
+    Run,
+    Count,
 }
 
 impl Pen {
-    pub const ALL: [Self; 36] = [
+    pub const ALL: [Self; 39] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -91,12 +96,15 @@ impl Pen {
         Self::Tactical,
         Self::Floor,
         Self::Band,
+        Self::OuterBand,
         Self::Asymptote,
         Self::Random,
         Self::Deterministic,
         Self::Own,
         Self::Together,
         Self::Limit,
+        Self::Run,
+        Self::Count,
     ];
 
     /// Its class in the style sheet.
@@ -132,12 +140,15 @@ impl Pen {
             Self::Tactical => "tactical",
             Self::Floor => "floor",
             Self::Band => "band",
+            Self::OuterBand => "outer-band",
             Self::Asymptote => "asymptote",
             Self::Random => "random",
             Self::Deterministic => "deterministic",
             Self::Own => "own",
             Self::Together => "together",
             Self::Limit => "limit",
+            Self::Run => "run",
+            Self::Count => "count",
         }
     }
 
@@ -155,6 +166,7 @@ impl Pen {
                 | PolynomialHollow
                 | DefaultRing
                 | PaperRing
+                | Run
         )
     }
 

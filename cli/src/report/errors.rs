@@ -4,9 +4,10 @@ use crate::drawing::axis::Axis;
 use crate::drawing::figure::{Figure, Legend};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Panel, Trace, WIDTH};
+use crate::drawing::scales::{TIME_TICKS, panel, time_label};
 use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
-use crate::report::figures::{TIME_TICKS, over_time, panel, time_label};
+use crate::report::figures::over_time;
 use crate::report::run::{EAST_NORTH_UP, Errors, Run};
 use crate::units::{self, Family, Unit, fitting, in_unit, usual, with_unit};
 

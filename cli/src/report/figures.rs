@@ -3,17 +3,15 @@
 use crate::drawing::axis::{Axis, TimeAxis};
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Drawing, Panel, Trace, WIDTH};
-use crate::drawing::series::{Points, block_means, bounds, magnitude, mean, straight_line, thinned};
+use crate::drawing::plot::{Drawing, Trace, WIDTH};
+use crate::drawing::scales::{TIME_TICKS, panel, time_label};
+use crate::drawing::series::{Points, block_means, magnitude, mean, straight_line, thinned};
 use crate::failure::Failure;
 use crate::report::errors::{self, ATTITUDE, POSITION, VELOCITY};
 use crate::report::run::{Run, SENSOR_AXES};
 use crate::report::spectrum;
 use crate::report::trajectory;
 use crate::units::{self, Unit, fitting, significant, time_text, with_unit};
-
-/// Most ticks of a time axis.
-pub const TIME_TICKS: usize = 8;
 
 /// The radial error is fitted from here on [s], as the library's accuracy figures are.
 const FIT_FROM_S: f64 = 300.0;
@@ -44,16 +42,6 @@ pub fn over_time(run: &Run, time: &TimeAxis, values: &[f64], unit: Unit) -> Poin
 
 fn scaled(points: Points, time: &TimeAxis, unit: Unit) -> Points {
     points.into_iter().map(|(t, y)| (t / time.seconds, y / unit.si)).collect()
-}
-
-/// A panel whose y axis covers its traces and zero.
-pub fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> Panel {
-    let (low, high) = bounds(traces.iter().map(|trace| &trace.points));
-    Panel::new(caption, Axis::around(low.min(0.0), high.max(0.0), 0.0, ticks), height, traces)
-}
-
-pub fn time_label(time: &TimeAxis) -> String {
-    format!("time since the start [{}]", time.unit)
 }
 
 /// The straight line through the radial error [m], [m/s].

@@ -7,10 +7,11 @@ use sins::earth::{Earth, Ellipsoid, Geodetic, GravityModel};
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Dot, Drawing, PANEL_WIDTH, Panel, Trace, WIDTH};
+use crate::drawing::plot::{Dot, Drawing, Panel, Trace, WIDTH};
+use crate::drawing::scales::{TIME_TICKS, equal_scale, time_label};
 use crate::drawing::series::{Points, bounds, magnitude, outline};
 use crate::failure::Failure;
-use crate::report::figures::{TIME_TICKS, over_time, time_label};
+use crate::report::figures::over_time;
 use crate::report::run::{Places, Run};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, time_text, with_unit};
 
@@ -171,13 +172,6 @@ fn span((low, high): (f64, f64)) -> f64 {
     high - low
 }
 
-/// Width and height of the panel and the drawing units for one plotted unit, the same on both axes.
-fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
-    let margin = 1.12;
-    let height = (PANEL_WIDTH * north / east).clamp(0.35 * PANEL_WIDTH, 0.75 * PANEL_WIDTH);
-    (PANEL_WIDTH, height, (PANEL_WIDTH / (east * margin)).min(height / (north * margin)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -225,13 +219,5 @@ mod tests {
         let pens: Vec<Pen> = drawn.iter().map(|(pen, _)| *pen).collect();
         assert_eq!(pens, [Pen::Reference, Pen::Reference, Pen::Computed, Pen::Late]);
         assert!(drawn.iter().all(|(_, points)| points.len() > 70), "at least a lap of 79 records");
-    }
-
-    #[test]
-    fn axes_are_equal_and_hold_the_track() {
-        for (east, north) in [(10.0, 1.0), (1.0, 10.0), (3.0, 3.0)] {
-            let (width, height, scale) = equal_scale(east, north);
-            assert!(width / scale >= east && height / scale >= north);
-        }
     }
 }

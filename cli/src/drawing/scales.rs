@@ -1,0 +1,38 @@
+//! Scales that drawings of different reports share: time along, zero in sight, east and north equal.
+
+use super::axis::{Axis, TimeAxis};
+use super::plot::{PANEL_WIDTH, Panel, Trace};
+use super::series::bounds;
+
+/// Most ticks of a time axis.
+pub const TIME_TICKS: usize = 8;
+
+pub fn time_label(time: &TimeAxis) -> String {
+    format!("time since the start [{}]", time.unit)
+}
+
+/// A panel whose y axis covers its traces and zero.
+pub fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> Panel {
+    let (low, high) = bounds(traces.iter().map(|trace| &trace.points));
+    Panel::new(caption, Axis::around(low.min(0.0), high.max(0.0), 0.0, ticks), height, traces)
+}
+
+/// Width and height of the panel and the drawing units for one plotted unit, the same on both axes.
+pub fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
+    let margin = 1.12;
+    let height = (PANEL_WIDTH * north / east).clamp(0.35 * PANEL_WIDTH, 0.75 * PANEL_WIDTH);
+    (PANEL_WIDTH, height, (PANEL_WIDTH / (east * margin)).min(height / (north * margin)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_are_equal_and_hold_the_track() {
+        for (east, north) in [(10.0, 1.0), (1.0, 10.0), (3.0, 3.0)] {
+            let (width, height, scale) = equal_scale(east, north);
+            assert!(width / scale >= east && height / scale >= north);
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! The checkpoint: what is flown so far, in one file, from which the same order goes on.
+//!
+//! Lines of text, which say what was ordered, an empty line, the results as little-endian numbers, and a checksum of all that.
+//! The file is replaced as a whole. It is taken if every line is the one of this order and the checksum fits.
+
+use std::fmt::Write;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use sins::scene::{Output, Scene};
+use sins::statistics::Statistics;
+
+use super::plan::{BLOCK, Plan};
+use super::results::{Results, State};
+use crate::failure::Failure;
+use crate::given::Given;
+use crate::output::Outputs;
+
+/// The first line. Its number is that of the layout.
+const MARK: &str = "sins ensemble checkpoint 1";
+
+/// It is written with the first block, and again after this time, or after so many times as long as writing takes.
+const RENEWED: Duration = Duration::from_secs(10);
+const WRITING: u32 = 20;
+
+/// Where it is and what has to stand in it.
+pub struct Checkpoint {
+    path: PathBuf,
+    head: String,
+    inputs: Vec<PathBuf>,
+    force: bool,
+    /// When it is written next.
+    next: Instant,
+}
+
+impl Checkpoint {
+    pub fn new(path: PathBuf, given: &Given, plan: &Plan, force: bool) -> Result<Self, Failure> {
+        let head = head(given, plan)?;
+        Ok(Self { path, head, inputs: given.inputs.clone(), force, next: Instant::now() })
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What was flown before; nothing if there is no such file. Whether the file can be written is known then as well.
+    pub fn read(&self, plan: &Plan) -> Result<Results, Failure> {
+        // The rules of outputs: a file that an input is, or of somebody else's making, is none.
+        drop(Outputs::new(&self.inputs, self.force).file(&self.path, MARK)?);
+        let bytes = match std::fs::read(&self.path) {
+            Ok(bytes) if bytes.starts_with(MARK.as_bytes()) => bytes,
+            // Another's file, which --force replaces.
+            Ok(_) => return Ok(Results::new(plan)),
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Results::new(plan)),
+            Err(error) => return Err(Failure::of_file(&self.path, &format!("cannot be read: {error}"))),
+        };
+        self.parse(&bytes, plan).map_err(|why| {
+            Failure::of_file(
+                &self.path,
+                &format!("{why}; --name takes another place, or remove the file to begin anew"),
+            )
+        })
+    }
+
+    fn parse(&self, bytes: &[u8], plan: &Plan) -> Result<Results, String> {
+        let damaged = || "the checkpoint is damaged".to_owned();
+        let (content, sum) = bytes.split_last_chunk().ok_or_else(damaged)?;
+        if checksum(content) != u64::from_le_bytes(*sum) {
+            return Err(damaged());
+        }
+        let end = content.windows(2).position(|pair| pair == b"\n\n").ok_or_else(damaged)?;
+        let head = String::from_utf8_lossy(&content[..end + 2]);
+        if let Some((found, expected)) = head.lines().zip(self.head.lines()).find(|(a, b)| a != b) {
+            return Err(format!(
+                "the checkpoint is of another order: \"{found}\", where this one has \"{expected}\""
+            ));
+        }
+        let mut reader = Reader { rest: &content[end + 2..] };
+        let results = reader.results(plan).filter(|_| reader.rest.is_empty());
+        results.ok_or_else(damaged)
+    }
+
+    /// Writes it if that is due.
+    pub fn write_in_time(&mut self, plan: &Plan, results: &Results) -> Result<(), Failure> {
+        if Instant::now() < self.next { Ok(()) } else { self.write(plan, results) }
+    }
+
+    pub fn write(&mut self, plan: &Plan, results: &Results) -> Result<(), Failure> {
+        let began = Instant::now();
+        let mut bytes = self.head.clone().into_bytes();
+        put_results(&mut bytes, results);
+        debug_assert_eq!(results.statistics.len(), plan.count());
+        bytes.extend(checksum(&bytes).to_le_bytes());
+        Outputs::new(&self.inputs, self.force).file(&self.path, MARK)?.finish(bytes)?;
+        self.next = Instant::now() + RENEWED.max(WRITING * began.elapsed());
+        Ok(())
+    }
+
+    /// Takes it away: the results are written.
+    pub fn remove(&self) -> Result<(), Failure> {
+        match std::fs::remove_file(&self.path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::of_output(&self.path, &error)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What was ordered, line by line.
+fn head(given: &Given, plan: &Plan) -> Result<String, Failure> {
+    let Plan { first_run, runs, every, .. } = plan;
+    let scene = Scene { output: Output::default(), ..given.scene.clone() };
+    let mut hash = Hash::default();
+    // Debug has every field, and of a number all digits.
+    let _ = write!(hash, "{scene:?} {}", given.count);
+    if given.flight().is_none() {
+        for index in 0..given.count {
+            let _ = write!(hash, "{:?}", given.sample(index)?);
+        }
+    }
+    Ok(format!(
+        "{MARK}\nversion {}\nscene {:016x}\nseed {}\nfirst run {first_run}\nruns {runs}\nblock {BLOCK}\n\
+         intervals between rows {every}\nbytes of statistics {}\n\n",
+        env!("CARGO_PKG_VERSION"),
+        hash.0,
+        given.scene.options.key.seed,
+        size_of::<Statistics>(),
+    ))
+}
+
+/// FNV-1a of 64 bits.
+struct Hash(u64);
+
+impl Default for Hash {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Hash {
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    }
+}
+
+impl Write for Hash {
+    fn write_str(&mut self, text: &str) -> std::fmt::Result {
+        self.add(text.as_bytes());
+        Ok(())
+    }
+}
+
+fn checksum(bytes: &[u8]) -> u64 {
+    let mut hash = Hash::default();
+    hash.add(bytes);
+    hash.0
+}
+
+/// What the end of a run that has none is written as.
+const NO_STATE: State = [f64::NAN; 9];
+
+fn put_results(to: &mut Vec<u8>, results: &Results) {
+    let Results { done, statistics, ends, drawn, diverged } = results;
+    to.extend(done.iter().map(|done| u8::from(*done)));
+    statistics.iter().for_each(|statistics| put_statistics(to, statistics));
+    let put_state =
+        |to: &mut Vec<u8>, state: &State| to.extend(state.iter().flat_map(|value| value.to_le_bytes()));
+    ends.iter().for_each(|end| put_state(to, end.as_ref().unwrap_or(&NO_STATE)));
+    put_count(to, diverged.len());
+    to.extend(diverged.iter().flat_map(|run| run.to_le_bytes()));
+    put_count(to, drawn.len());
+    for path in drawn {
+        put_count(to, path.len());
+        path.iter().for_each(|state| put_state(to, state));
+    }
+}
+
+fn put_statistics(to: &mut Vec<u8>, statistics: &Statistics) {
+    let mut copy = *statistics;
+    visit(&mut copy, &mut |number| match number {
+        Number::Short(short) => to.extend(short.to_le_bytes()),
+        Number::Long(long) => to.extend(long.to_le_bytes()),
+    });
+}
+
+/// A number of statistics.
+enum Number<'a> {
+    Short(&'a mut u32),
+    Long(&'a mut u64),
+}
+
+/// Every number of statistics, in their order in memory.
+fn visit(statistics: &mut Statistics, number: &mut dyn FnMut(Number<'_>)) {
+    let Statistics {
+        struct_size,
+        layout,
+        runs,
+        diverged,
+        out_of_range,
+        outside_validity,
+        largest_radial,
+        sums,
+        products,
+        histogram,
+        reserved,
+    } = statistics;
+    number(Number::Short(struct_size));
+    number(Number::Short(layout));
+    let counts = [runs, diverged, out_of_range, outside_validity, largest_radial];
+    counts.into_iter().chain(sums).chain(products).for_each(|long| number(Number::Long(long)));
+    histogram.iter_mut().for_each(|short| number(Number::Short(short)));
+    number(Number::Short(reserved));
+}
+
+fn put_count(to: &mut Vec<u8>, count: usize) {
+    to.extend((count as u64).to_le_bytes());
+}
+
+/// The results, read back; `None` where the bytes do not hold them.
+struct Reader<'a> {
+    rest: &'a [u8],
+}
+
+impl Reader<'_> {
+    fn results(&mut self, plan: &Plan) -> Option<Results> {
+        let done = self.take(plan.blocks())?.iter().map(|done| *done != 0).collect();
+        let statistics = (0..plan.count()).map(|_| self.statistics()).collect::<Option<_>>()?;
+        let ends = (0..plan.runs).map(|_| self.state()).collect::<Option<Vec<State>>>()?;
+        let ends = ends.into_iter().map(|end| Some(end).filter(|end| !end[0].is_nan())).collect();
+        let diverged = (0..self.count(plan.runs)?).map(|_| self.number()).collect::<Option<_>>()?;
+        let path = |reader: &mut Self| {
+            let count = reader.count(plan.instants.len() as u64)?;
+            (0..count).map(|_| reader.state()).collect()
+        };
+        let drawn = (0..self.count(plan.drawn())?).map(|_| path(self)).collect::<Option<_>>()?;
+        Some(Results { done, statistics, ends, drawn, diverged })
+    }
+
+    fn take(&mut self, size: usize) -> Option<&[u8]> {
+        let (taken, rest) = self.rest.split_at_checked(size)?;
+        self.rest = rest;
+        Some(taken)
+    }
+
+    fn number(&mut self) -> Option<u64> {
+        Some(u64::from_le_bytes(self.take(8)?.try_into().ok()?))
+    }
+
+    /// A count up to `most`.
+    fn count(&mut self, most: u64) -> Option<u64> {
+        self.number().filter(|count| *count <= most)
+    }
+
+    fn state(&mut self) -> Option<State> {
+        let mut state = [0.0; 9];
+        for value in &mut state {
+            *value = f64::from_bits(self.number()?);
+        }
+        Some(state)
+    }
+
+    /// Statistics that runs can have.
+    fn statistics(&mut self) -> Option<Statistics> {
+        let mut bytes = self.take(size_of::<Statistics>())?;
+        let mut statistics = Statistics::EMPTY;
+        visit(&mut statistics, &mut |number| match number {
+            Number::Short(short) => *short = u32::from_le_bytes(next(&mut bytes)),
+            Number::Long(long) => *long = u64::from_le_bytes(next(&mut bytes)),
+        });
+        statistics.check().ok().map(|()| statistics)
+    }
+}
+
+/// The next bytes; zeros where there are no more.
+fn next<const N: usize>(bytes: &mut &[u8]) -> [u8; N] {
+    let Some((first, rest)) = bytes.split_first_chunk() else { return [0; N] };
+    *bytes = rest;
+    *first
+}

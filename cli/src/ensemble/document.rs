@@ -1,0 +1,140 @@
+//! The page.
+
+use maud::{Markup, html};
+use sins::ErrorSource;
+
+use super::study::{QUANTITIES, Study};
+use super::table::Row;
+use super::{bands, ends};
+use crate::drawing::document::{document, figure};
+use crate::failure::Failure;
+use crate::units::{LENGTH, time_text, with_unit};
+
+const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
+
+/// The whole page.
+pub fn page(study: &Study) -> Result<String, Failure> {
+    let mut figures =
+        QUANTITIES.iter().map(|quantity| bands::figure(study, quantity)).collect::<Result<Vec<_>, _>>()?;
+    figures.push(bands::radial(study)?);
+    figures.extend(ends::scatter(study)?);
+    figures.extend(ends::histogram(study)?);
+    let title = format!("Ensemble: {}", study.name);
+    let body = html! {
+        header {
+            h1 { (title) }
+            p {
+                "How large the errors of a simulated strapdown inertial navigation system get, and how often: the same flight "
+                "many times, each run with its own random errors."
+            }
+        }
+        main {
+            section.run {
+                div.intro {
+                    p { (study.given.title) "." }
+                    p.source {
+                        (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
+                        (time_text(study.plan.every as f64 * study.given.period_s)) "."
+                    }
+                    @if !study.results.diverged.is_empty() {
+                        p.remark { "Runs that diverged are left out of the statistics from that moment on." }
+                    }
+                }
+                div.figures { @for drawn in &figures { (figure(drawn)) } }
+                h2 { "At the end" }
+                div.table { (numbers(study)) }
+                div.table { (radii(study)) }
+                p.source {
+                    "Data 2: navigation minus truth. Data 1: error differential equations. CEP50 and R95: the radii about the "
+                    "truth within which 50 % and 95 % of the runs are."
+                }
+                details {
+                    summary { "What the scene sets" }
+                    (settings(study))
+                }
+            }
+        }
+    };
+    Ok(document(&title, &body))
+}
+
+/// The last row of each of the error data that is on.
+fn ends_by_data<'a>(study: &'a Study) -> Vec<(&'static str, &'a Row)> {
+    let sources = [(ErrorSource::Navigation, "data 2"), (ErrorSource::Model, "data 1")];
+    sources.into_iter().filter_map(|(source, name)| Some((name, study.end(source)?))).collect()
+}
+
+/// Mean, sigma and root mean square of each error at the end, by each of the error data that is on.
+fn numbers(study: &Study) -> Markup {
+    let ends = ends_by_data(study);
+    let values = |place: usize, family| {
+        let of = move |values: [f64; 9]| with_unit(values[place], family);
+        ends.iter().map(move |(_, row)| [row.mean(), row.sigma(), row.rms()].map(of))
+    };
+    html! {
+        table {
+            thead {
+                tr {
+                    th scope="col" { "error" }
+                    @for (name, _) in &ends {
+                        @for what in ["mean", "1σ", "RMS"] { th scope="col" { (what) ", " (name) } }
+                    }
+                }
+            }
+            tbody {
+                @for quantity in &QUANTITIES {
+                    @for axis in 0..study.axes(quantity) {
+                        tr {
+                            th scope="row" { (quantity.name) " " (EAST_NORTH_UP[axis]) }
+                            @for triple in values(quantity.first + axis, quantity.family) {
+                                @for value in triple { td.number { (value) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Radii at the end.
+fn radii(study: &Study) -> Markup {
+    let ends = ends_by_data(study);
+    html! {
+        table {
+            thead {
+                tr {
+                    th scope="col" { "horizontal position error" }
+                    @for what in ["CEP50", "R95", "largest", "runs"] { th scope="col" { (what) } }
+                }
+            }
+            tbody {
+                @for (name, row) in &ends {
+                    tr {
+                        th scope="row" { (name) }
+                        @for size in [row.figures.cep50_m, row.figures.r95_m, row.figures.largest_radial_m] {
+                            td.number { (with_unit(size, LENGTH)) }
+                        }
+                        td.number { (row.figures.runs) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The keys of the scene that are not at their defaults.
+fn settings(study: &Study) -> Markup {
+    html! {
+        table.list {
+            tbody {
+                @for key in study.given.scene.changed_keys() {
+                    tr {
+                        th scope="row" { code { (key.section) "." (key.name) } }
+                        td { (key.value) " " (key.unit) }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! The flights: blocks of runs on threads, each into the results as a whole or not at all.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+use sins::ensemble::Ensemble;
+use sins::errors::NavigationErrors;
+use sins::truth::FlightSample;
+use sins::{Error, ErrorKind, ErrorSource};
+
+use super::checkpoint::Checkpoint;
+use super::plan::Plan;
+use super::results::{Block, Results, State};
+use crate::failure::{Failure, Kind};
+use crate::given::Given;
+use crate::interrupt;
+use crate::parallel::on_threads;
+use crate::progress::Progress;
+
+/// Intervals between two looks at the signals and at what other threads do.
+const CHUNK: usize = 64;
+
+/// What was flown in this session, for the speed.
+pub struct Flown {
+    /// Steps of single runs.
+    pub steps: u64,
+    pub seconds: f64,
+}
+
+/// What all threads share.
+struct Work<'a> {
+    given: &'a Given,
+    plan: &'a Plan,
+    progress: Progress,
+    results: Mutex<(&'a mut Results, &'a mut Checkpoint)>,
+    /// A thread has failed, or the user has asked for the end.
+    is_over: AtomicBool,
+}
+
+/// Flies the blocks that `results` lacks on `threads`. When it is interrupted, or a block fails, the checkpoint has what is done.
+pub fn fly(
+    given: &Given,
+    plan: &Plan,
+    threads: usize,
+    results: &mut Results,
+    checkpoint: &mut Checkpoint,
+    quiet: bool,
+) -> Result<Flown, Failure> {
+    let blocks = results.missing();
+    let runs: u64 = blocks.iter().map(|block| plan.block(*block).1).sum();
+    let steps = runs * (given.count as u64 - 1);
+    let progress = Progress::flying(format!("flying {runs} runs"), steps as usize, quiet);
+    let results = Mutex::new((results, checkpoint));
+    let work = Work { given, plan, progress, results, is_over: AtomicBool::new(false) };
+    let began = Instant::now();
+    let ended = on_threads(threads, &blocks, |block| work.block(*block));
+    let seconds = began.elapsed().as_secs_f64();
+    // A thread that failed has stopped the others, which say that they were interrupted.
+    let (interrupted, failed): (Vec<Failure>, Vec<Failure>) =
+        ended.into_iter().filter_map(Result::err).partition(|failure| failure.kind() == Kind::Interrupted);
+    match failed.into_iter().chain(interrupted).next() {
+        None => Ok(Flown { steps, seconds }),
+        Some(failure) => {
+            let (results, checkpoint) = &mut *work.results();
+            if results.done.contains(&true) {
+                checkpoint.write(plan, results)?;
+            }
+            Err(failure)
+        }
+    }
+}
+
+impl<'a> Work<'a> {
+    fn results(&self) -> MutexGuard<'_, (&'a mut Results, &'a mut Checkpoint)> {
+        self.results.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn block(&self, index: usize) -> Result<(), Failure> {
+        let done = self.fly(index).and_then(|block| {
+            let (results, checkpoint) = &mut *self.results();
+            results.add(self.plan, index, block)?;
+            checkpoint.write_in_time(self.plan, results)
+        });
+        if done.is_err() {
+            self.is_over.store(true, Ordering::Relaxed);
+        }
+        done
+    }
+
+    fn fly(&self, index: usize) -> Result<Block, Failure> {
+        let Self { given, plan, .. } = self;
+        let (first_run, runs) = plan.block(index);
+        if self.must_stop() {
+            return Err(interrupted());
+        }
+        let simulators = given.scene.simulator()?;
+        let template = simulators.first().ok_or_else(|| Failure::of_kind(Kind::Failed, "no simulator"))?;
+        let mut ensemble = Ensemble::new(template, first_run, runs as usize)?;
+        let mut block = Block::new(plan, index);
+        let mut instants = plan.instants.iter().copied().peekable();
+        for index in 0..given.count {
+            self.push(&mut ensemble, index, given.sample(index)?)?;
+            if index > 0 {
+                ensemble.step().map_err(|error| stopped(given, index, &error))?;
+            }
+            if instants.next_if_eq(&index).is_some() {
+                self.read(&ensemble, &mut block).map_err(|error| stopped(given, index, &error))?;
+            }
+            if index % CHUNK == 0 && index > 0 {
+                self.progress.fly(CHUNK * runs as usize, given.period_s);
+                if self.must_stop() {
+                    return Err(interrupted());
+                }
+            }
+        }
+        self.progress.fly((given.count - 1) % CHUNK * runs as usize, given.period_s);
+        for run in first_run..first_run + runs {
+            block.ends.push(state(&ensemble, run)?);
+        }
+        block.diverged = ensemble.diverged().collect();
+        Ok(block)
+    }
+
+    /// Pushes the sample `index`, with the failures and the temperature that are due.
+    fn push(&self, ensemble: &mut Ensemble, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
+        let scene = &self.given.scene;
+        let prepared = scene.prepare(ensemble, self.given.start_s(), &mut sample);
+        let pushed = prepared.and_then(|()| ensemble.push_sample(&sample));
+        pushed.map(|_| ()).map_err(|error| stopped(self.given, index, &error))
+    }
+
+    /// Takes the statistics of this instant, and the errors of the runs that are drawn.
+    fn read(&self, ensemble: &Ensemble, block: &mut Block) -> Result<(), Error> {
+        for source in &self.plan.sources {
+            block.statistics.push(ensemble.statistics(*source)?);
+        }
+        for (path, run) in block.drawn.iter_mut().zip(ensemble.first_run()..) {
+            path.extend(state(ensemble, run)?);
+        }
+        Ok(())
+    }
+
+    fn must_stop(&self) -> bool {
+        self.is_over.load(Ordering::Relaxed) || interrupt::is_asked()
+    }
+}
+
+/// Errors of a run at this moment; none of a diverged one.
+fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
+    let of = |errors: &NavigationErrors| {
+        let parts = [errors.position_n, errors.velocity_n, errors.misalignment_n];
+        std::array::from_fn(|k| parts[k / 3][k % 3])
+    };
+    match ensemble.errors(run, ErrorSource::Navigation) {
+        Ok(errors) => Ok(errors.map(|(_, errors)| of(&errors))),
+        Err(error) if error.kind == ErrorKind::Diverged => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+/// Other threads hear of it by the flag; what the user reads is the first of all failures.
+fn interrupted() -> Failure {
+    Failure::of_kind(Kind::Interrupted, "")
+}
+
+/// Why the flight ends at a sample: it is a bad one, or the truth left its range.
+fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
+    let refusal = given.refusal(index, error);
+    match error.kind {
+        ErrorKind::InvalidArgument | ErrorKind::TimeOrder | ErrorKind::Discontinuity => refusal,
+        _ => Failure::of_kind(Kind::Failed, refusal.to_string()),
+    }
+}

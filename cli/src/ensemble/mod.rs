@@ -1,0 +1,80 @@
+//! `sins ensemble`: a scene flown many times, each run with its own random errors, and how large the errors get.
+//!
+//! The data flow is `command` → `plan` → `flight` → `results`, `checkpoint` → `table` → `study` → `bands`, `ends` → `document`
+//! (page), `print` (terminal).
+
+mod bands;
+mod checkpoint;
+mod command;
+mod document;
+mod ends;
+mod flight;
+mod plan;
+mod print;
+mod results;
+mod study;
+mod table;
+
+pub use command::Order;
+
+use crate::drawing::document::PAGE_MARK;
+use crate::failure::{Failure, Kind};
+use crate::given::Given;
+use crate::interrupt;
+use crate::output::Outputs;
+use crate::parallel::cores;
+use crate::places::places;
+use crate::terminal;
+use checkpoint::Checkpoint;
+use plan::Plan;
+use study::Study;
+
+pub fn run(order: &Order) -> Result<(), Failure> {
+    let given =
+        Given::load(order.scene.as_deref(), order.log.as_deref(), &order.settings, command::FOR_LOGS)?;
+    let plan = Plan::new(order, &given)?;
+    let (folder, name) = places(order.out.as_deref(), order.name.as_deref(), &given)?;
+    let mut outputs = Outputs::new(&given.inputs, order.force);
+    // Before anything is flown: what cannot be written is known at once.
+    outputs.folder(&folder)?;
+    let file = |ending: &str| folder.join(format!("{name}_ensemble{ending}"));
+    let mut checkpoint = Checkpoint::new(file(".checkpoint"), &given, &plan, order.force)?;
+    let mut results = checkpoint.read(&plan)?;
+    let statistics_file = outputs.file(&file(".csv"), table::MARK)?;
+    let mut runs_file = outputs.file(&file("_runs.csv"), table::RUNS_MARK)?;
+    let page_file = outputs.file(&file(".html"), PAGE_MARK)?;
+
+    let quiet = order.quiet || given.scene.output.quiet;
+    let threads = order.threads.map_or_else(cores, usize::from);
+    let before = results.runs(&plan);
+    if before > 0 && !quiet {
+        terminal::say(&format!("{}: {before} of {} runs are flown", checkpoint.path().display(), plan.runs));
+    }
+    interrupt::graceful(true);
+    let flown = flight::fly(&given, &plan, threads, &mut results, &mut checkpoint, quiet);
+    let flown = flown.map_err(|failure| match failure.kind() {
+        Kind::Interrupted => {
+            Failure::of_kind(Kind::Interrupted, interrupted(&plan, results.runs(&plan), &checkpoint))
+        }
+        _ => failure,
+    })?;
+    interrupt::graceful(false);
+
+    let rows = table::rows(&given, &plan, &results)?;
+    statistics_file.finish(table::statistics(&rows))?;
+    table::write_runs(&plan, &results, &mut runs_file)
+        .map_err(|error| Failure::of_output(runs_file.path(), &error))?;
+    runs_file.commit()?;
+    let study = Study { given: &given, name: &name, plan: &plan, results: &results, rows };
+    page_file.finish(document::page(&study)?)?;
+    checkpoint.remove()?;
+    if quiet { Ok(()) } else { terminal::print(&print::text(&study, &flown, threads, &file(".html"))) }
+}
+
+fn interrupted(plan: &Plan, runs: u64, checkpoint: &Checkpoint) -> String {
+    if runs == 0 {
+        return "interrupted before the first runs were flown".to_owned();
+    }
+    let path = checkpoint.path().display();
+    format!("interrupted; {runs} of {} runs are in {path}: the same order goes on from there", plan.runs)
+}

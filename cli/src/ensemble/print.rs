@@ -1,0 +1,46 @@
+//! What the terminal shows.
+
+use std::path::Path;
+
+use sins::ErrorSource;
+
+use super::flight::Flown;
+use super::study::{QUANTITIES, Study};
+use crate::units::{LENGTH, brief, time_text, usual};
+
+/// The statistics at the end, and how fast the runs were flown; the page is at `page`.
+pub fn text(study: &Study, flown: &Flown, threads: usize, page: &Path) -> String {
+    let given = study.given;
+    let mut text =
+        format!("{}: {}\n  {}; {}\n\n", study.name, given.title, study.runs(), time_text(given.duration_s));
+    text += &format!("  {:<30}{:>12}{:>12}{:>12}\n", "at the end", "east", "north", "up");
+    if let Some(row) = study.end(ErrorSource::Navigation) {
+        let figures = &row.figures;
+        for quantity in &QUANTITIES {
+            let part = quantity.first..quantity.first + study.axes(quantity);
+            let largest = row.rms()[part.clone()].iter().copied().fold(0.0, f64::max);
+            let unit = usual(largest, quantity.family);
+            for (what, values) in [("mean", row.mean()), ("1 sigma", row.sigma()), ("RMS", row.rms())] {
+                let values = &values[part.clone()];
+                let head = format!("{} {what} [{}]", quantity.name, unit.name);
+                let numbers: String = values
+                    .iter()
+                    .map(|value| format!("{:>12}", crate::units::significant(value / unit.si)))
+                    .collect();
+                text += &format!("  {head:<30}{numbers}\n");
+            }
+        }
+        let [cep50, r95, largest] =
+            [figures.cep50_m, figures.r95_m, figures.largest_radial_m].map(|size| brief(size, LENGTH));
+        text += &format!("  horizontal position error: CEP50 {cep50}, R95 {r95}, largest {largest}\n");
+    }
+    if flown.steps > 0 {
+        text += &format!(
+            "  {:.3e} steps of a run in {}: {:.1} ns each, on {threads} threads\n",
+            flown.steps as f64,
+            time_text(flown.seconds),
+            1e9 * flown.seconds / flown.steps as f64
+        );
+    }
+    text + &format!("  {}\n", page.display())
+}

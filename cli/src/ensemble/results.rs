@@ -1,0 +1,90 @@
+//! What comes out of the runs: statistics over time, the errors of each run at the end, and the way of a few of them.
+
+use sins::statistics::Statistics;
+
+use super::plan::Plan;
+use crate::failure::{Failure, Kind};
+
+/// Errors of a run, east, north, up: position [m], velocity [m/s], misalignment [rad].
+pub type State = [f64; 9];
+
+/// Results of the runs of a block.
+pub struct Block {
+    /// Of each source at each instant, the sources of an instant side by side.
+    pub statistics: Vec<Statistics>,
+    /// Of each run, at the end; none of those that diverged.
+    pub ends: Vec<Option<State>>,
+    /// Of the runs that are drawn, at each instant; a run that diverged has fewer.
+    pub drawn: Vec<Vec<State>>,
+    /// Numbers of runs.
+    pub diverged: Vec<u64>,
+}
+
+/// Results of all blocks that were flown so far.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Results {
+    /// Whether each block is in them.
+    pub done: Vec<bool>,
+    /// As [`Block`] has them.
+    pub statistics: Vec<Statistics>,
+    /// Of each run; none of those that diverged or were not flown yet.
+    pub ends: Vec<Option<State>>,
+    pub drawn: Vec<Vec<State>>,
+    /// In order.
+    pub diverged: Vec<u64>,
+}
+
+impl Block {
+    pub fn new(plan: &Plan, index: usize) -> Self {
+        // The runs that are drawn are of the first block.
+        let drawn = if index == 0 { plan.drawn() } else { 0 };
+        Self {
+            statistics: Vec::with_capacity(plan.count()),
+            ends: Vec::new(),
+            drawn: vec![Vec::new(); drawn as usize],
+            diverged: Vec::new(),
+        }
+    }
+}
+
+impl Results {
+    /// Nothing flown yet.
+    pub fn new(plan: &Plan) -> Self {
+        Self {
+            done: vec![false; plan.blocks()],
+            statistics: vec![Statistics::default(); plan.count()],
+            ends: vec![None; plan.runs as usize],
+            drawn: Vec::new(),
+            diverged: Vec::new(),
+        }
+    }
+
+    /// The blocks that are not in them.
+    pub fn missing(&self) -> Vec<usize> {
+        (0..self.done.len()).filter(|block| !self.done[*block]).collect()
+    }
+
+    /// How many runs are in them.
+    pub fn runs(&self, plan: &Plan) -> u64 {
+        (0..self.done.len()).filter(|block| self.done[*block]).map(|block| plan.block(block).1).sum()
+    }
+
+    /// Takes in the block `index`. The order of the blocks does not matter: sums of statistics are exact.
+    pub fn add(&mut self, plan: &Plan, index: usize, block: Block) -> Result<(), Failure> {
+        for (sum, part) in self.statistics.iter_mut().zip(&block.statistics) {
+            sum.merge(part).map_err(|error| Failure::of_kind(Kind::Failed, error.to_string()))?;
+        }
+        let (first, _) = plan.block(index);
+        let first = (first - plan.first_run) as usize;
+        for (place, end) in self.ends[first..].iter_mut().zip(block.ends) {
+            *place = end;
+        }
+        if index == 0 {
+            self.drawn = block.drawn;
+        }
+        self.diverged.extend(block.diverged);
+        self.diverged.sort_unstable();
+        self.done[index] = true;
+        Ok(())
+    }
+}

@@ -1,0 +1,142 @@
+//! Statistics over time and errors at the end as CSV files.
+
+use std::io::Write;
+
+use sins::ErrorSource;
+use sins::statistics::Figures;
+
+use super::plan::Plan;
+use super::results::{Results, State};
+use crate::failure::Failure;
+use crate::given::Given;
+use crate::rows::number;
+
+/// The three errors, with their units as columns have them.
+const QUANTITIES: [(&str, &str); 3] = [("position", "m"), ("velocity", "m_s"), ("misalignment", "rad")];
+const AXES: [&str; 3] = ["east", "north", "up"];
+
+/// How the statistics' file begins: by it the program knows its own.
+pub const MARK: &str = "time_s,error_data,runs,diverged,out_of_range,";
+pub const RUNS_MARK: &str = "run,diverged,";
+
+/// Figures of the runs at an instant, by one of the two error data.
+#[derive(Debug, Clone)]
+pub struct Row {
+    pub time_s: f64,
+    pub source: ErrorSource,
+    pub figures: Figures,
+}
+
+impl Row {
+    pub fn mean(&self) -> State {
+        self.figures.mean.into()
+    }
+
+    pub fn sigma(&self) -> State {
+        std::array::from_fn(|k| self.figures.covariance[(k, k)].sqrt())
+    }
+
+    pub fn rms(&self) -> State {
+        self.figures.rms.into()
+    }
+
+    /// Covariance of the position east and north [m²].
+    pub fn east_north(&self) -> f64 {
+        self.figures.covariance[(0, 1)]
+    }
+}
+
+/// The rows of `results`, in the order of time, the sources of an instant one below the other.
+pub fn rows(given: &Given, plan: &Plan, results: &Results) -> Result<Vec<Row>, Failure> {
+    let mut rows = Vec::with_capacity(plan.count());
+    for (index, at) in plan.instants.iter().zip(results.statistics.chunks(plan.sources.len())) {
+        let time_s = given.sample(*index)?.time_s;
+        for (source, statistics) in plan.sources.iter().zip(at) {
+            rows.push(Row { time_s, source: *source, figures: statistics.figures()? });
+        }
+    }
+    Ok(rows)
+}
+
+/// The file of statistics. Numbers are as C's `%.9e` has them, so that a host in C writes the same bytes.
+pub fn statistics(rows: &[Row]) -> String {
+    let names = |what: &str| states(what).join(",");
+    let mut text = format!(
+        "{MARK}{},{},{},position_covariance_east_north_m2,cep50_m,r95_m,largest_m\n",
+        names("mean_"),
+        names("sigma_"),
+        names("rms_")
+    );
+    for row in rows {
+        let figures = &row.figures;
+        let data = match row.source {
+            ErrorSource::Navigation => 2,
+            ErrorSource::Model => 1,
+        };
+        let counts = [figures.runs, figures.diverged, figures.out_of_range].map(|count| count.to_string());
+        text += &format!("{:.6},{data},{}", row.time_s, counts.join(","));
+        let radial = [figures.cep50_m, figures.r95_m, figures.largest_radial_m];
+        let numbers = [row.mean(), row.sigma(), row.rms()].into_iter().flatten();
+        for value in numbers.chain([row.east_north()]).chain(radial) {
+            text += ",";
+            text += &scientific(value);
+        }
+        text += "\n";
+    }
+    text
+}
+
+/// Writes the errors of each run at the end; none of a run that diverged.
+pub fn write_runs(plan: &Plan, results: &Results, to: &mut impl Write) -> std::io::Result<()> {
+    writeln!(to, "{RUNS_MARK}{},radial_m", states("").join(","))?;
+    for (run, end) in (plan.first_run..).zip(&results.ends) {
+        write!(to, "{run},{}", u8::from(end.is_none()))?;
+        match end {
+            Some(state) => state.iter().try_for_each(|value| write!(to, ",{}", number(*value)))?,
+            None => write!(to, ",,,,,,,,,")?,
+        }
+        writeln!(to, ",{}", end.map_or(String::new(), |state| number(radial(&state))))?;
+    }
+    Ok(())
+}
+
+/// Horizontal position error [m].
+pub fn radial(state: &State) -> f64 {
+    state[0].hypot(state[1])
+}
+
+/// The names of the nine errors.
+fn states(begin: &str) -> Vec<String> {
+    let of = |(what, unit): (&str, &str)| AXES.map(|axis| format!("{begin}{what}_{axis}_{unit}"));
+    QUANTITIES.into_iter().flat_map(of).collect()
+}
+
+/// As C's `%.9e`: at least two digits of the exponent, and its sign.
+fn scientific(value: f64) -> String {
+    let text = format!("{value:.9e}");
+    match text.split_once('e') {
+        Some((digits, exponent)) => match exponent.strip_prefix('-') {
+            Some(exponent) => format!("{digits}e-{exponent:0>2}"),
+            None => format!("{digits}e+{exponent:0>2}"),
+        },
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_those_of_c() {
+        for (value, text) in [
+            (0.0, "0.000000000e+00"),
+            (-1234.5, "-1.234500000e+03"),
+            (1.25e-7, "1.250000000e-07"),
+            (9.999_999_999_9e-101, "1.000000000e-100"),
+            (3e300, "3.000000000e+300"),
+        ] {
+            assert_eq!(scientific(value), text);
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! `sins ensemble`: the same files by any number of threads and over any interruption; statistics against the runs themselves.
+
+#[path = "support/program.rs"]
+mod program;
+
+use std::path::Path;
+
+use program::{done, folder, names, numbers, read, refused, run, sins, told};
+
+/// Three minutes of sensors of navigation grade, with both error data: three blocks of 64 runs, the last one short.
+const SCENE: [&str; 9] = [
+    "simulation2",
+    "--preset",
+    "navigation",
+    "--set",
+    "flight.hours=0.05",
+    "--set",
+    "flight.rate_hz=10",
+    "--set",
+    "options.error_model=rk4",
+];
+
+const FILES: [&str; 3] =
+    ["simulation2_ensemble.csv", "simulation2_ensemble.html", "simulation2_ensemble_runs.csv"];
+
+fn order<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["ensemble"], &SCENE[..], &["--runs", "150"], more].concat()
+}
+
+fn bytes(out: &Path) -> [Vec<u8>; 3] {
+    FILES.map(|name| std::fs::read(out.join(name)).unwrap())
+}
+
+/// Rows of a file by the names of its columns; what is empty is none.
+fn table(path: &Path) -> Vec<std::collections::HashMap<String, f64>> {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let row = |record: csv::StringRecord| {
+        let fields = names.iter().cloned().zip(record.iter().map(str::to_owned).collect::<Vec<_>>());
+        fields.filter(|(_, text)| !text.is_empty()).map(|(name, text)| (name, text.parse().unwrap())).collect()
+    };
+    reader.records().map(|record| row(record.unwrap())).collect()
+}
+
+#[test]
+fn any_number_of_threads_writes_the_same_files() {
+    let folder = folder("threads");
+    for threads in ["1", "2", "3"] {
+        done(&folder, &order(&["-q", "--threads", threads, "--out", threads]));
+        assert_eq!(names(&folder.join(threads)), FILES, "{threads}");
+        assert!(bytes(&folder.join(threads)) == bytes(&folder.join("1")), "{threads}");
+    }
+    // Other runs are other errors.
+    done(&folder, &order(&["-q", "--first-run", "1", "--out", "first"]));
+    assert!(bytes(&folder.join("first"))[0] != bytes(&folder.join("1"))[0]);
+}
+
+/// Waits for the checkpoint, which comes with the first block.
+#[cfg(unix)]
+fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
+    use std::process::Stdio;
+    use std::time::{Duration, Instant};
+
+    let order = order(&["--set", "flight.rate_hz=100", "--threads", "1", "--out", out]);
+    let child = sins(folder, &order).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let checkpoint = folder.join(out).join("simulation2_ensemble.checkpoint");
+    let deadline = Instant::now() + Duration::from_secs(120);
+    while !checkpoint.exists() {
+        assert!(Instant::now() < deadline, "no checkpoint came");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let kill = format!("kill -{signal} {}", child.id());
+    assert!(std::process::Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+    let (code, said, errors) = told(&child.wait_with_output().unwrap());
+    assert_eq!(said, "");
+    (code, errors)
+}
+
+#[test]
+#[cfg(unix)]
+fn an_interrupted_ensemble_goes_on_to_the_same_files() {
+    let folder = folder("interrupted");
+    let whole = order(&["--set", "flight.rate_hz=100", "-q", "--out", "whole"]);
+    done(&folder, &whole);
+    let (code, errors) = interrupted(&folder, "asked", "INT");
+    assert_eq!(code, 130, "{errors}");
+    assert!(errors.contains(" of 150 runs are in asked/simulation2_ensemble.checkpoint"), "{errors}");
+    assert_eq!(names(&folder.join("asked")), ["simulation2_ensemble.checkpoint"]);
+    assert_eq!(interrupted(&folder, "killed", "KILL").0, -1);
+    for out in ["asked", "killed"] {
+        let (code, _, errors) =
+            run(&folder, &order(&["--set", "flight.rate_hz=100", "--threads", "2", "--out", out]));
+        assert!(code == 0 && errors.contains(" of 150 runs are flown"), "{errors}");
+        assert!(bytes(&folder.join(out)) == bytes(&folder.join("whole")), "{out}");
+        assert!(!folder.join(out).join("simulation2_ensemble.checkpoint").exists());
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_checkpoint_that_is_damaged_or_foreign_is_refused() {
+    let folder = folder("foreign");
+    assert_eq!(interrupted(&folder, "out", "INT").0, 130);
+    let path = folder.join("out/simulation2_ensemble.checkpoint");
+    let good = std::fs::read(&path).unwrap();
+    let again = order(&["--set", "flight.rate_hz=100", "--out", "out"]);
+    for (more, words) in [
+        (&["--set", "options.seed=7"][..], "is of another order: \"scene "),
+        (&["--set", "gyro.bias_sigma_deg_h=0.02"], "is of another order: \"scene "),
+        (&["--first-run", "3"], "\"first run 0\", where this one has \"first run 3\""),
+        (&["--every", "9"], "\"intervals between rows "),
+    ] {
+        let errors = refused(&folder, &[&again[..], more].concat());
+        assert!(errors.contains(words), "{more:?}: {errors}");
+        assert!(std::fs::read(&path).unwrap() == good, "{more:?}");
+    }
+    // Every part of the file: its text, the blocks, statistics, ends, the checksum; and cut.
+    for at in [30, 200, 300, 5000, good.len() / 2, good.len() - 9, good.len() - 1] {
+        let mut damaged = good.clone();
+        damaged[at] ^= 0x10;
+        std::fs::write(&path, &damaged).unwrap();
+        assert!(refused(&folder, &again).contains("is damaged"), "{at}");
+        std::fs::write(&path, &good[..at]).unwrap();
+        assert!(refused(&folder, &again).contains("is damaged"), "cut at {at}");
+        assert!(std::fs::read(&path).unwrap() == good[..at]);
+    }
+    std::fs::write(&path, "somebody's own").unwrap();
+    assert!(refused(&folder, &again).contains("--force"));
+    assert_eq!(read(&path), "somebody's own");
+}
+
+#[test]
+fn no_output_is_an_input() {
+    let folder = folder("inputs");
+    let header = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
+    let rows: String = (0..=10).map(|t| format!("{t},0.7,2.0,50,0,0,1\n")).collect();
+    for ending in [".csv", "_runs.csv"] {
+        let name = format!("a_ensemble{ending}");
+        std::fs::write(folder.join(&name), format!("{header}\n{rows}")).unwrap();
+        let errors = refused(&folder, &["ensemble", &name, "--name", "a", "--out", ".", "--force"]);
+        assert!(errors.contains("is the input"), "{errors}");
+        assert_eq!(names(&folder), [name.as_str()]);
+        std::fs::remove_file(folder.join(&name)).unwrap();
+    }
+    for (more, words) in [
+        (&["--runs", "0"][..], "--runs 0: expected 1 to"),
+        (&["--threads", "0"], "--threads"),
+        (&["--every", "1e-9"], "--every"),
+        (&["--every", "nan"], "--every"),
+        (&["--name", "a/b"], "without a folder"),
+        (&["--first-run", "18446744073709551615"], "--first-run"),
+    ] {
+        let errors = refused(&folder, &[&["ensemble", "rest"], more].concat());
+        assert!(errors.contains(words), "{errors}");
+    }
+}
+
+/// Mean, sigma, root mean square and radii of the last row, from the errors of the runs; these, from the runs flown alone.
+#[test]
+fn statistics_are_those_of_the_runs() {
+    let folder = folder("statistics");
+    done(&folder, &order(&["-q", "--first-run", "40"]));
+    let out = folder.join("sins_out");
+    let runs = table(&out.join("simulation2_ensemble_runs.csv"));
+    let rows = table(&out.join("simulation2_ensemble.csv"));
+    let end = rows.iter().rfind(|row| row["error_data"] == 2.0).unwrap();
+    let count = runs.len() as f64;
+    assert_eq!((end["runs"], end["diverged"], runs[0]["run"]), (count, 0.0, 40.0));
+    // The statistics count in these, so a sum is right to half of one for each run.
+    for (quantity, unit, resolution) in
+        [("position", "m", 22), ("velocity", "m_s", 29), ("misalignment", "rad", 45)]
+    {
+        let step = 0.5f64.powi(resolution);
+        for axis in ["east", "north", "up"] {
+            let name = format!("{quantity}_{axis}_{unit}");
+            let values: Vec<f64> = runs.iter().map(|run| run[&name]).collect();
+            let mean = values.iter().sum::<f64>() / count;
+            let square = values.iter().map(|value| value * value).sum::<f64>() / count;
+            let sigma =
+                (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0)).sqrt();
+            for (what, expected) in [("mean", mean), ("sigma", sigma), ("rms", square.sqrt())] {
+                let found = end[&format!("{what}_{name}")];
+                // Ten digits are written.
+                assert!((found - expected).abs() <= step + 1e-9 * expected.abs(), "{what}_{name}: {found} {expected}");
+            }
+        }
+    }
+    let mut radii: Vec<f64> = runs.iter().map(|run| run["radial_m"]).collect();
+    radii.sort_by(f64::total_cmp);
+    assert!((end["largest_m"] - radii[radii.len() - 1]).abs() < 1e-6);
+    for (name, share) in [("cep50_m", 0.5), ("r95_m", 0.95)] {
+        let exact = radii[(share * count).ceil() as usize - 1];
+        assert!((end[name] / exact - 1.0).abs() <= 0.005 + 1e-9, "{name}: {} {exact}", end[name]);
+    }
+    // A run flown alone.
+    for run in [40, 40 + runs.len() as u64 - 1] {
+        let alone = format!("options.run={run}");
+        let more = ["--set", &alone, "--set", "output.every_s=1", "-q", "--name", "alone"];
+        done(&folder, &[&["fly"], &SCENE[..], &more].concat());
+        let (columns, records) = numbers(&out.join("alone.csv"));
+        let last = &records[records.len() - 1];
+        let of_ensemble = &runs[(run - 40) as usize];
+        for (column, value) in columns.iter().zip(last) {
+            if let Some(name) = column.strip_prefix("navigation_error_")
+                && let Some(expected) = of_ensemble.get(name)
+            {
+                assert_eq!(value.to_bits(), expected.to_bits(), "run {run}: {name}");
+            }
+        }
+    }
+    let page = read(out.join("simulation2_ensemble.html"));
+    for outside in ["http", "<script", "NaN", "inf,", "\"inf"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    for drawn in ["class=\"band\"", "class=\"outer-band\"", "class=\"run\"", "class=\"count\"", "CEP50"] {
+        assert!(page.contains(drawn), "{drawn}");
+    }
+}
+
+/// Accelerometers of 0.3 g and a free vertical channel: some runs fall out of the Earth within five minutes, others do not.
+#[test]
+fn diverged_runs_are_told_by_number_and_left_out() {
+    let folder = folder("diverged");
+    let settings = [
+        "flight.hours=0.1",
+        "flight.rate_hz=1",
+        "options.vertical=free",
+        "accelerometer.bias_sigma_micro_g=1000000",
+    ];
+    let set = settings.iter().flat_map(|setting| ["--set", setting]);
+    let order: Vec<&str> = ["ensemble", "rest", "--runs", "70"].into_iter().chain(set).collect();
+    let said = done(&folder, &order);
+    let out = folder.join("sins_out");
+    let runs = table(&out.join("rest_ensemble_runs.csv"));
+    let diverged: Vec<u64> =
+        runs.iter().filter(|run| run["diverged"] == 1.0).map(|run| run["run"] as u64).collect();
+    assert!(diverged.len() > 2 && diverged.len() < 68, "{diverged:?}");
+    assert!(runs.iter().all(|run| (run["diverged"] == 1.0) == !run.contains_key("radial_m")));
+    let told: Vec<String> = diverged.iter().take(20).map(u64::to_string).collect();
+    assert!(said.contains(&format!("{} diverged: {}", diverged.len(), told.join(", "))), "{said}");
+    let rows = table(&out.join("rest_ensemble.csv"));
+    let end = &rows[rows.len() - 1];
+    assert_eq!((end["runs"], end["diverged"]), (70.0, diverged.len() as f64));
+    assert_eq!(rows[0]["diverged"], 0.0);
+    assert!(read(out.join("rest_ensemble.html")).contains("left out of the statistics"));
+}

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# An ensemble over the ranks of MPI (c_examples/ensemble_mpi.c), with MPICH and with Open MPI: by 1, 2, 3 and 4 ranks, and killed in
+# the middle and started again with another number of them, it writes the bytes of `sins ensemble`; a damaged checkpoint is flown
+# again, a foreign one is refused.
+#
+#     tests/mpi.sh [mpich] [openmpi]
+#
+# SINS_LIB_DIR: a folder with libsins.so and the program sins to take instead of building them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/support/need.sh
+
+[ $# -gt 0 ] || set -- mpich openmpi
+need g++ c++
+if [ -n "${SINS_LIB_DIR:-}" ]; then
+    lib=$(cd "$SINS_LIB_DIR" && pwd)
+else
+    cargo build --release --quiet -p sins-cli
+    cargo rustc --release --quiet --lib --crate-type cdylib
+    lib=$PWD/target/release
+fi
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+# Open MPI: as root, and with more ranks than cores. Both: on one machine, with no look for another.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+runs=420
+machine=$(c++ -dumpmachine)
+
+# A scene with both error data and a sensor that fails on the way, and a log with a clock of its own.
+"$lib/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.05 --set flight.rate_hz=20 \
+    --set options.error_model=rk4 --set options.run=5
+cat >>"$out/scene.toml" <<'END'
+
+[[failure]]
+sensor = "gyro"
+axis = "x"
+kind = "bias_step"
+size_deg_h = 3
+from_s = 60
+until_s = 120
+END
+"$lib/sins" ensemble "$out/scene.toml" --runs $runs --quiet --out "$out"
+mv "$out/scene_ensemble.csv" "$out/expected.csv"
+
+fly() { # RANKS OUT.csv
+    timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" 2>"$2.words" || {
+        cat "$2.words"
+        return 1
+    }
+}
+
+same() { # OUT.csv WHAT
+    cmp "$out/expected.csv" "$1"
+    # Nothing but the table and what was said.
+    [ "$(ls "$out/$mpi" | grep -c "^$(basename "$1")\.[0-9]")" -eq 0 ]
+    echo "$mpi: $2: the bytes of sins ensemble"
+}
+
+# Processes below one, however deep.
+below() {
+    local child
+    for child in $(pgrep -P "$1"); do
+        echo "$child"
+        below "$child"
+    done
+}
+
+# The checkpoints that have blocks.
+filled() { # OUT.csv
+    find "$out/$mpi" -name "$(basename "$1").[0-9]*" -not -name '*.part' -size +1k
+}
+
+# Starts with so many ranks and kills one of them when the first block is in a new file.
+kill_a_rank() { # RANKS OUT.csv
+    local before
+    before=$(filled "$2" | wc -l)
+    "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" >"$2.words" 2>&1 &
+    local job=$! deadline=$((SECONDS + 120)) process victim=
+    until [ "$(filled "$2" | wc -l)" -gt "$before" ]; do
+        [ $SECONDS -lt $deadline ]
+        sleep 0.02
+    done
+    for process in $(below $job); do
+        if [ "$(cat "/proc/$process/comm" 2>/dev/null)" = ensemble_mpi ]; then
+            victim=$process
+        fi
+    done
+    kill -9 "$victim" # none: the job was over, the scene too short
+    if wait $job; then
+        echo "$mpi: the job outlived its rank"
+        exit 1
+    fi
+    [ ! -e "$2" ]
+}
+
+for mpi; do
+    case $mpi in
+        mpich) need libmpich-dev "/usr/include/$machine/mpich/mpi.h" && need mpich /usr/bin/mpirun.mpich ;;
+        openmpi) need libopenmpi-dev "/usr/lib/$machine/openmpi/include/mpi.h" && need openmpi-bin /usr/bin/mpirun.openmpi ;;
+    esac || {
+        could_not "$mpi" "its packages cannot be had"
+        continue
+    }
+    mpirun=mpirun.$mpi
+    MPICC=mpicc.$mpi SINS_LIB_DIR=$lib c_examples/ensemble_mpi.sh "$out/$mpi" >/dev/null
+    for ranks in 1 2 3 4; do
+        fly $ranks "$out/$mpi/by_$ranks.csv"
+        same "$out/$mpi/by_$ranks.csv" "$ranks ranks"
+    done
+
+    killed=$out/$mpi/killed.csv
+    kill_a_rank 3 "$killed"
+    kill_a_rank 2 "$killed"
+    fly 4 "$killed"
+    grep -E '[1-9][0-9]* of 7 blocks were flown before' "$killed.words"
+    same "$killed" "3 ranks, killed; 2 ranks, killed; 4 ranks"
+
+    damaged=$out/$mpi/damaged.csv
+    kill_a_rank 2 "$damaged"
+    file=$(filled "$damaged" | head -n 1)
+    printf '\x5a' | dd of="$file" bs=1 seek=5000 conv=notrunc status=none
+    fly 3 "$damaged"
+    grep -F 'is damaged: its blocks are flown again' "$damaged.words"
+    same "$damaged" "a damaged file"
+
+    foreign=$out/$mpi/foreign.csv
+    kill_a_rank 2 "$foreign"
+    file=$(filled "$foreign" | head -n 1)
+    cp "$file" "$out/$mpi/kept"
+    if runs=419 fly 2 "$foreign"; then
+        echo "$mpi: the file of another order was taken"
+        exit 1
+    fi
+    grep -F 'is of another scene, log, number of runs or version: remove it' "$foreign.words"
+    cmp "$file" "$out/$mpi/kept"
+    [ ! -e "$foreign" ]
+done
+report_not_run
