@@ -877,9 +877,9 @@ typedef struct sins_accel_params {
     double vibration_rectification_s2_m[3];
     /*
      * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
-     * motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
-     * sins_push_imu() the angular acceleration follows from the increments before.
+     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
+     * in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
+     * With sins_push_imu() the angular acceleration follows from the previous increments.
      */
     double lever_arm_m[9];
     /*

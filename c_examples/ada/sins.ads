@@ -679,9 +679,9 @@ package Sins is
       --  Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
       vibration_rectification_s2_m : sins_double_3 := (others => 0.0);
       --  Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-      --  -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
-      --  motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
-      --  sins_push_imu() the angular acceleration follows from the increments before.
+      --  -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
+      --  in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
+      --  With sins_push_imu() the angular acceleration follows from the previous increments.
       lever_arm_m : sins_double_3_3 := (others => (others => 0.0));
       --  Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
       --  sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a

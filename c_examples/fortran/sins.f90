@@ -656,9 +656,9 @@ module sins
     !> Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
     real(c_double) :: vibration_rectification_s2_m(3) = 0.0_c_double
     !> Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-    !> -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
-    !> motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
-    !> sins_push_imu() the angular acceleration follows from the increments before.
+    !> -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
+    !> in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
+    !> With sins_push_imu() the angular acceleration follows from the previous increments.
     real(c_double) :: lever_arm_m(3, 3) = 0.0_c_double
     !> Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
     !> sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a

@@ -889,9 +889,9 @@ class accel_params(_Struct):
     vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r
         makes a bias of this times r2.
     lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size
-        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At the start of
-        a flight in motion see sins.mounting; the velocity lacks the change of rate in the first interval for good.
-        With sins.push_imu() the angular acceleration follows from the increments before.
+        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. For the start of
+        a flight in motion see sins.mounting; the measured velocity never recovers the change of rate in the first
+        interval. With sins.push_imu() the angular acceleration follows from the previous increments.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
         -273.15 to 1000. T is sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0,
         every sample needs a temperature, and sins.push_imu() is not available.

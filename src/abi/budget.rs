@@ -119,7 +119,7 @@ pub unsafe extern "C" fn sins_error_budget(
         for index in 0..count {
             sample(index).map_err(|failure| failure.of_sample(index))?;
         }
-        let changed = |_| Error::bad_state("samples: changed while they were flown");
+        let changed = |_| Error::bad_state("samples: they changed during the call");
         let scene = Scene { count, sample: &|index| sample(index).map_err(changed) };
         let answer = error_budget(&options, &scene, &parameters, &request)?;
         let costs = step_costs_ns(&options, &scene, &parameters, answer.rows.iter().map(|row| row.effect))?;

@@ -78,7 +78,7 @@ impl Failure {
     }
 
     pub fn bad_handle(name: &'static str) -> Self {
-        Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of the other kind")
+        Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of another kind")
     }
 
     /// A handle, an argument under `name`, was refused with `status`.
@@ -89,20 +89,20 @@ impl Failure {
             _ => Self::words(
                 status,
                 name,
-                "is inside a call of this thread, or held for ever by one that never returns",
+                "is in use in a call of this thread, or held for ever by a call that never returns",
             ),
         }
     }
 
     pub fn no_handle() -> Self {
-        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: 4096 of a kind can live at once")
+        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: at most 4096 of a kind can exist")
     }
 
     pub fn no_thread_locals() -> Self {
         Self::words(
             SINS_ERROR_OUT_OF_MEMORY,
             "",
-            "no memory, or too few TLS indexes, for what the library keeps for a thread",
+            "no memory, or too few TLS indexes, for the data that the library keeps for a thread",
         )
     }
 

@@ -89,7 +89,7 @@ pub unsafe extern "C" fn sins_log_parse(
                 if let Some(output) = output {
                     output.write(&sins_fault::new(&found, 1));
                 }
-                let rule = Rule::Words("the text is no flight log; sins_fault tells why");
+                let rule = Rule::Words("the text is not a flight log; sins_fault gives the reason");
                 remember(Error::invalid("line", found.line, rule).into());
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
@@ -130,7 +130,7 @@ pub unsafe extern "C" fn sins_log_get_sample(
         let output = unsafe { Output::new(sample, "sample")? };
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
             let rule =
-                Rule::WordsAnd("must be less than the samples of the log:", log.samples().len() as f64);
+                Rule::WordsAnd("must be less than the number of samples of the log:", log.samples().len() as f64);
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_flight_sample::from_sample(found));

@@ -88,7 +88,7 @@ pub struct sins_manoeuvre {
 
 interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 
-const NOT_USED: Rule = Rule::Zero(": it is not used here");
+const NOT_USED: Rule = Rule::Zero(": this manoeuvre does not use it");
 
 // A kind is its place in the table.
 const _: () =

@@ -140,7 +140,7 @@ pub unsafe extern "C" fn sins_scene_get_fault(
             Content::Faults(faults) => faults.as_slice(),
         };
         let Some(found) = faults.get(index) else {
-            let rule = Rule::WordsAnd("must be less than the faults of the scene:", faults.len() as f64);
+            let rule = Rule::WordsAnd("must be less than the number of faults of the scene:", faults.len() as f64);
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_fault::new(found, faults.len()));

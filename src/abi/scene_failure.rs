@@ -71,7 +71,7 @@ pub unsafe extern "C" fn sins_scene_get_failure(
         let output = unsafe { Output::new(failure, "failure")? };
         let Some(planned) = scene.failures.get(index) else {
             let rule =
-                Rule::WordsAnd("must be less than the failures of the scene:", scene.failures.len() as f64);
+                Rule::WordsAnd("must be less than the number of failures of the scene:", scene.failures.len() as f64);
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_planned_failure::new(planned));

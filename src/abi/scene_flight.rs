@@ -273,7 +273,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
         }
         let flight = |source: FlightSource| {
             if text.is_empty() {
-                Err(refused("must not be empty: it is the scene's flight"))
+                Err(refused("must not be empty: it selects the scene's flight"))
             } else {
                 Ok(source)
             }

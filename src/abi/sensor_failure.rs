@@ -144,7 +144,7 @@ impl sins_failure {
         ];
         match fields.iter().find(|(_, value, is_used)| !is_used && *value != 0.0) {
             Some(&(field, value, _)) => {
-                let rule = Rule::Zero(": not of this kind of failure");
+                let rule = Rule::Zero(": this kind of failure does not use it");
                 Err(Error::invalid(field, value, rule).into())
             }
             None => Ok(()),

@@ -86,7 +86,7 @@ impl Block {
         }
     }
 
-    /// The same block of a vehicle that turns at `rate_b` [rad/s] by now.
+    /// This block in a vehicle whose present angular rate is `rate_b` [rad/s].
     pub fn turning_at(&self, rate_b: Vector3<f64>) -> Self {
         Self { rate_b, ..*self }
     }

@@ -24,12 +24,13 @@ impl Setup {
         Self { options: *simulator.options(), mounting: simulator.mounting() }
     }
 
-    /// The same with another algorithm.
+    /// This setup with another algorithm.
     pub fn with(&self, rung: &Rung) -> Self {
         Self { options: rung.applied_to(&self.options), ..*self }
     }
 
-    /// The same without what holds the navigation to the truth, or does not take part in it.
+    /// This setup without the closed loop, which keeps the navigation at the truth, and without the error model, which does
+    /// not act on it.
     pub(super) fn physical(&self) -> Self {
         Self { options: Options { closed_loop_time_s: None, error_model: false, ..self.options }, ..*self }
     }

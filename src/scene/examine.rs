@@ -18,7 +18,7 @@ impl Reader<'_> {
         match sources.iter().filter(|is_there| **is_there).count() {
             0 => self.faults.add(head, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
             1 => {}
-            _ => self.faults.add(head, "[flight]: expected one alone of file, builtin and [[manoeuvre]]s"),
+            _ => self.faults.add(head, "[flight]: expected only one of file, builtin and [[manoeuvre]]s"),
         }
         if let Some(span) = flight.key("builtin")
             && !BUILTIN_SCENES.iter().any(|(name, _)| *name == self.draft.builtin)
@@ -45,7 +45,7 @@ impl Reader<'_> {
             && let Some(span) = flight.key("temperature_change_c_h")
         {
             self.faults
-                .add(span, "flight.temperature_change_c_h: only with temperature_c, from which it goes on");
+                .add(span, "flight.temperature_change_c_h: only together with temperature_c");
         }
         if let Some(span) = self.section(Section::Options).key("closed_loop_time_s").cloned()
             && !self.draft.closed_loop

@@ -235,7 +235,7 @@ impl Scene {
                 None => return Err(Error::bad_state("the scene names no built-in flight")),
             },
             FlightSource::Log(_) => {
-                return Err(Error::bad_state("the flight of the scene is a log; read that"));
+                return Err(Error::bad_state("the flight of the scene is a log; read the log"));
             }
         };
         path.start.ellipsoid = self.options.ellipsoid;

@@ -30,14 +30,14 @@ pub fn seal(snapshot: &mut [u8]) {
 pub(super) fn open(snapshot: &[u8]) -> Result<&[u8], Error> {
     let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value, rule));
     let Some(header) = snapshot.get(..HEADER_BYTES) else {
-        let rule = Rule::AtLeast("is cut off; the header alone has bytes:", HEADER_BYTES as f64);
+        let rule = Rule::AtLeast("is cut off; bytes that the header alone needs:", HEADER_BYTES as f64);
         return damaged("snapshot size", snapshot.len(), rule);
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
     if header[..8] != MAGIC {
         return Err(Error {
             kind: ErrorKind::Snapshot,
-            ..Error::bad_state("snapshot: these bytes are something else")
+            ..Error::bad_state("snapshot: these bytes are not a snapshot")
         });
     }
     let version = number(8) as usize;
@@ -101,7 +101,7 @@ mod tests {
             bytes[at] ^= change;
             open(&bytes).unwrap_err().to_string()
         };
-        assert_eq!(altered(0, 1), "snapshot: these bytes are something else");
+        assert_eq!(altered(0, 1), "snapshot: these bytes are not a snapshot");
         assert_eq!(
             altered(8, 3),
             "snapshot format version = 2: is of another release; this one reads version 1"
@@ -112,6 +112,6 @@ mod tests {
         }
         let cut = |length: usize| open(&good[..length]).unwrap_err().to_string();
         assert_eq!(cut(39), "snapshot size = 39: is not the size that was saved: 40");
-        assert_eq!(cut(23), "snapshot size = 23: is cut off; the header alone has bytes: 24");
+        assert_eq!(cut(23), "snapshot size = 23: is cut off; bytes that the header alone needs: 24");
     }
 }
