@@ -1790,12 +1790,15 @@ SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
  * SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
- * by more than 0.4 of the period. SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5
- * times as long as each of the two before. sins_step() flies the gap as motion, velocity times its length. After a pause
- * of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
+ * by more than 0.4 of the period.
+ * SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
+ * before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
+ * on, call sins_move_time() before this push; a push cannot be undone.
  * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
  * samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
- * (for a jump). SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+ * (for a jump).
+ * SINS_ERROR_QUEUE_FULL: step first.
+ * SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -1804,11 +1807,15 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  * later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
  * like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
  *
- * SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_DIVERGED: after the interval the solution would be below
- * -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solutions of the block and of the
- * reference point, and for the closed loop's error-free navigator. SINS_ERROR_SINGULAR: too close to a pole, in geographic
- * axes. In both cases the step is not made and the solution before it stays readable; sins_reposition() or sins_reset()
- * start anew. SINS_ERROR_BAD_STATE: navigating on increments.
+ * SINS_NEED_SAMPLE: no complete interval is waiting.
+ * SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
+ * 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
+ * navigator.
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+ * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+ * sins_reposition() or sins_reset() start anew.
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
@@ -1821,8 +1828,8 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
  * samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
  * flight_start_s of sins_scene_prepare() by the same time.
  *
- * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating
- * on increments, which have no time stamps.
+ * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+ * SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
  */
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
 
@@ -1857,8 +1864,11 @@ SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_
  * next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
  * run: the sample is then the first one, and the next push completes an interval.
  *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. If no INS can start
- * there (a pole, in geographic axes), the reads and the next step return the error.
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+ * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * If no INS can start there (a pole, in geographic axes), the reads and
+ * the next step return the error.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -1891,8 +1901,9 @@ SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct 
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
  * effects do not change. Processes that were active continue.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
- * a temperature wait, or while navigating on increments.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+ * increments.
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
@@ -1950,7 +1961,8 @@ SINS_API sins_status SINS_CALL sins_get_failure(
 /*
  * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
 
@@ -1964,7 +1976,8 @@ SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sin
  * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
  * mounting does not affect a navigator on increments: its solution is that of the block.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sins_mounting *mounting);
 
@@ -1976,7 +1989,8 @@ SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, struct sins_moun
  * reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
  * disturbance does not affect a navigator on increments, because these contain their own gravity.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const struct sins_gravity_params *params);
 
@@ -1993,11 +2007,14 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * of records, also on an error.
  *
  * SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
- * sins_get_truth_summary() counts them. SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call
- * would make; nothing is flown. SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or
- * sins_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it were
- * flown, this one and the rest were not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed
- * but not flown waits in the queue, as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+ * sins_get_truth_summary() counts them.
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+ * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * Any error of sins_push_sample() or sins_step() stops the run at the
+ * sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
+ * not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
+ * as after sins_step(); sins_reposition() and sins_reset() empty the queue.
  */
 SINS_API sins_status SINS_CALL sins_run(
     sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
@@ -2007,15 +2024,17 @@ SINS_API sins_status SINS_CALL sins_run(
  * Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
  * velocity, the velocity at the first one is 0 until the second one is pushed.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, struct sins_navigation *truth);
 
 /*
  * Reads the navigated solution for the same instant as sins_get_truth().
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
- * first sample with these options and initial errors.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+ * and initial errors.
  */
 SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, struct sins_navigation *navigation);
 
@@ -2029,16 +2048,19 @@ SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu)
 /*
  * Reads the errors of the navigated solution; source is of enum sins_errors_source.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
- * the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
- * increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_INVALID_ARGUMENT: no such source.
+ * SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+ * sins_options.error_model), or navigating on increments.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, struct sins_errors *errors);
 
 /*
  * Reads the running accuracy figures.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
@@ -2046,15 +2068,16 @@ SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accu
 /*
  * Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
  *
- * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
- * there is no truth.
+ * SINS_NEED_SAMPLE: no interval yet.
+ * SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, there is no truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
 
 /*
  * Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
@@ -2066,8 +2089,9 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record
  * truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
  * until sins_reset().
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was
- * started before (call sins_reset() first); or temperature coefficients are set, but increments have no temperature.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
+ * coefficients are set, but increments have no temperature.
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  */
 SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
@@ -2077,9 +2101,10 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
  * updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
- * SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
- * turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
- * solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+ * SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+ * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
+ * readable, and sins_reset() and sins_start_navigation() start anew.
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
@@ -2111,7 +2136,8 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
  *
  * SINS_ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has changed,
  * and sins_last_error() says which it is. Later releases read the snapshots of earlier ones; the run continues to the same
- * bits unless CHANGELOG says that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+ * bits unless CHANGELOG says that the algorithms changed.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
@@ -2199,7 +2225,8 @@ SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, siz
  * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
  * "over_the_pole", "coning", "commuter".
  *
- * SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ * SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
 
@@ -2231,7 +2258,8 @@ SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capaci
  * sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
  * rate.
  *
- * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse().
  * SINS_ERROR_OUT_OF_MEMORY: as sins_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *scene, sins_sim **sim);
@@ -2240,8 +2268,8 @@ SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *sce
  * Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
  * up to sins_scene_setup.flown_s.
  *
- * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
- * sins_flight_create().
+ * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
+ * Else as sins_flight_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
 
@@ -2251,8 +2279,9 @@ SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene,
  * after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
  * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
  *
- * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
- * from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_BAD_HANDLE: of scene or sim.
+ * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare(
     const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
@@ -2429,7 +2458,8 @@ SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
  * 184 bytes a sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
- * and *log is unchanged. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
+ * and *log is unchanged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
  */
 SINS_API sins_status SINS_CALL sins_log_parse(
     const char *text, size_t size, sins_log **log, struct sins_fault *fault);
@@ -2476,10 +2506,14 @@ SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
  * nothing meets the requirement.
  *
  * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
- * closest. SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
- * sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes too close to a pole. SINS_ERROR_DIVERGED: the solution of every
- * algorithm diverged. SINS_ERROR_OUT_OF_MEMORY: no memory. sins_last_error(NULL, ...) on this thread gives the reason and
- * the sample.
+ * closest.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+ * SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+ * SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory.
+ *
+ * sins_last_error(NULL, ...) on this thread gives the reason and the sample.
  */
 SINS_API sins_status SINS_CALL sins_recommend(
     const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
@@ -2520,9 +2554,13 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * more, and again more if effects do not add up.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
- * (To ask for the number, give NULL for rows and a capacity of 0.) SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or
- * gyrocompassing, too close to a pole. SINS_ERROR_DIVERGED: a solution diverged. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ * (To ask for the number, give NULL for rows and a capacity of 0.)
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+ * SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+ * SINS_ERROR_DIVERGED: a solution diverged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory.
+ *
  * sins_last_error(NULL, ...) on this thread gives the reason and the sample.
  */
 SINS_API sins_status SINS_CALL sins_error_budget(

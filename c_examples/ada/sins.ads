@@ -1504,12 +1504,15 @@ package Sins is
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
    --  SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
-   --  by more than 0.4 of the period. SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5
-   --  times as long as each of the two before. sins_step() flies the gap as motion, velocity times its length. After a pause
-   --  of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
+   --  by more than 0.4 of the period.
+   --  SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
+   --  before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
+   --  on, call sins_move_time() before this push; a push cannot be undone.
    --  SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
    --  samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
-   --  (for a jump). SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+   --  (for a jump).
+   --  SINS_ERROR_QUEUE_FULL: step first.
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
    function sins_push_sample (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_push_sample";
 
@@ -1517,11 +1520,15 @@ package Sins is
    --  later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
    --  like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
    --
-   --  SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_DIVERGED: after the interval the solution would be below
-   --  -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solutions of the block and of the
-   --  reference point, and for the closed loop's error-free navigator. SINS_ERROR_SINGULAR: too close to a pole, in geographic
-   --  axes. In both cases the step is not made and the solution before it stays readable; sins_reposition() or sins_reset()
-   --  start anew. SINS_ERROR_BAD_STATE: navigating on increments.
+   --  SINS_NEED_SAMPLE: no complete interval is waiting.
+   --  SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
+   --  100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
+   --  navigator.
+   --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
+   --
+   --  After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+   --  sins_reposition() or sins_reset() start anew.
    function sins_step (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_step";
 
@@ -1533,8 +1540,8 @@ package Sins is
    --  samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
    --  flight_start_s of sins_scene_prepare() by the same time.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating
-   --  on increments, which have no time stamps.
+   --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+   --  SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
    function sins_move_time (sim : sins_sim; time_s : double) return sins_status
      with Import, Convention => C, External_Name => "sins_move_time";
 
@@ -1567,8 +1574,11 @@ package Sins is
    --  next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
    --  run: the sample is then the first one, and the next push completes an interval.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. If no INS can start
-   --  there (a pole, in geographic axes), the reads and the next step return the error.
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
+   --
+   --  If no INS can start there (a pole, in geographic axes), the reads and
+   --  the next step return the error.
    function sins_reposition (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_reposition";
 
@@ -1598,8 +1608,9 @@ package Sins is
    --  Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
    --  effects do not change. Processes that were active continue.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
-   --  a temperature wait, or while navigating on increments.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+   --  increments.
    function sins_set_gyro (sim : sins_sim; params : sins_gyro_params) return sins_status
      with Import, Convention => C, External_Name => "sins_set_gyro";
 
@@ -1654,7 +1665,8 @@ package Sins is
 
    --  Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: steps have been made.
    function sins_set_initial_errors (sim : sins_sim; errors : sins_initial_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_set_initial_errors";
 
@@ -1666,7 +1678,8 @@ package Sins is
    --  Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
    --  mounting does not affect a navigator on increments: its solution is that of the block.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: steps have been made.
    function sins_set_mounting (sim : sins_sim; mounting : sins_mounting) return sins_status
      with Import, Convention => C, External_Name => "sins_set_mounting";
 
@@ -1678,7 +1691,8 @@ package Sins is
    --  reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
    --  disturbance does not affect a navigator on increments, because these contain their own gravity.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: steps have been made.
    function sins_set_gravity_disturbance (sim : sins_sim; params : sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_set_gravity_disturbance";
 
@@ -1695,11 +1709,14 @@ package Sins is
    --  of records, also on an error.
    --
    --  SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-   --  sins_get_truth_summary() counts them. SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call
-   --  would make; nothing is flown. SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or
-   --  sins_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it were
-   --  flown, this one and the rest were not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed
-   --  but not flown waits in the queue, as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+   --  sins_get_truth_summary() counts them.
+   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
+   --
+   --  Any error of sins_push_sample() or sins_step() stops the run at the
+   --  sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
+   --  not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
+   --  as after sins_step(); sins_reposition() and sins_reset() empty the queue.
    function sins_run (sim : sins_sim; samples : sins_flight_sample_array; count : size_t; every : size_t;
        records : in out sins_record_array; capacity : size_t; written : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_run";
@@ -1707,14 +1724,16 @@ package Sins is
    --  Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
    --  velocity, the velocity at the first one is 0 until the second one is pushed.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
    function sins_get_truth (sim : sins_sim; truth : in out sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth";
 
    --  Reads the navigated solution for the same instant as sins_get_truth().
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
-   --  first sample with these options and initial errors.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+   --  and initial errors.
    function sins_get_navigation (sim : sins_sim; navigation : in out sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_get_navigation";
 
@@ -1726,29 +1745,33 @@ package Sins is
 
    --  Reads the errors of the navigated solution; source is of enum sins_errors_source.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
-   --  the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
-   --  increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_INVALID_ARGUMENT: no such source.
+   --  SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+   --  sins_options.error_model), or navigating on increments.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_errors (sim : sins_sim; source : Integer_32; errors : in out sins_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_get_errors";
 
    --  Reads the running accuracy figures.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_accuracy (sim : sins_sim; accuracy : in out sins_accuracy) return sins_status
      with Import, Convention => C, External_Name => "sins_get_accuracy";
 
    --  Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
    --
-   --  SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
-   --  there is no truth.
+   --  SINS_NEED_SAMPLE: no interval yet.
+   --  SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, there is no truth.
    function sins_get_truth_summary (sim : sins_sim; summary : in out sins_truth_summary) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth_summary";
 
    --  Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_record (sim : sins_sim; the_record : in out sins_record) return sins_status
      with Import, Convention => C, External_Name => "sins_get_record";
@@ -1759,8 +1782,9 @@ package Sins is
    --  truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
    --  until sins_reset().
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was
-   --  started before (call sins_reset() first); or temperature coefficients are set, but increments have no temperature.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
+   --  coefficients are set, but increments have no temperature.
    --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
    function sins_start_navigation (sim : sins_sim; navigation : sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_start_navigation";
@@ -1769,9 +1793,10 @@ package Sins is
    --  advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
    --  updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
    --
-   --  SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
-   --  turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
-   --  solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+   --  SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+   --  SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
+   --  readable, and sins_reset() and sins_start_navigation() start anew.
    function sins_push_imu (sim : sins_sim; increment : sins_imu_increment) return sins_status
      with Import, Convention => C, External_Name => "sins_push_imu";
 
@@ -1801,7 +1826,8 @@ package Sins is
    --
    --  SINS_ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has changed,
    --  and sins_last_error() says which it is. Later releases read the snapshots of earlier ones; the run continues to the same
-   --  bits unless CHANGELOG says that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+   --  bits unless CHANGELOG says that the algorithms changed.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
    function sins_snapshot_load (sim : sins_sim; snapshot : System.Address; size : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_snapshot_load";
 
@@ -1879,7 +1905,8 @@ package Sins is
    --  Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
    --  "over_the_pole", "coning", "commuter".
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   --  SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
    function sins_scene_create_builtin (name : char_array; scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_builtin";
 
@@ -1908,7 +1935,8 @@ package Sins is
    --  sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
    --  rate.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   --  SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+   --  SINS_ERROR_BAD_STATE: as sins_scene_parse().
    --  SINS_ERROR_OUT_OF_MEMORY: as sins_create().
    function sins_scene_create_simulator (scene : sins_scene; sim : in out sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_simulator";
@@ -1916,8 +1944,8 @@ package Sins is
    --  Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
    --  up to sins_scene_setup.flown_s.
    --
-   --  SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
-   --  sins_flight_create().
+   --  SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
+   --  Else as sins_flight_create().
    function sins_scene_create_flight (scene : sins_scene; flight : in out sins_flight) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_flight";
 
@@ -1926,8 +1954,9 @@ package Sins is
    --  after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
    --  flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
    --
-   --  SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
-   --  from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   --  SINS_ERROR_BAD_HANDLE: of scene or sim.
+   --  SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+   --  SINS_ERROR_BAD_STATE: as sins_scene_parse().
    function sins_scene_prepare (scene : sins_scene; sim : sins_sim; flight_start_s : double;
        sample : in out sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_prepare";
@@ -2088,7 +2117,8 @@ package Sins is
    --  184 bytes a sample.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
-   --  and *log is unchanged. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
+   --  and *log is unchanged.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
    function sins_log_parse (text : char_array; size : size_t; log : in out sins_log; fault : in out sins_fault) return sins_status
      with Import, Convention => C, External_Name => "sins_log_parse";
 
@@ -2132,10 +2162,14 @@ package Sins is
    --  nothing meets the requirement.
    --
    --  SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
-   --  closest. SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
-   --  sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes too close to a pole. SINS_ERROR_DIVERGED: the solution of every
-   --  algorithm diverged. SINS_ERROR_OUT_OF_MEMORY: no memory. sins_last_error(NULL, ...) on this thread gives the reason and
-   --  the sample.
+   --  closest.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+   --  SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+   --  SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory.
+   --
+   --  sins_last_error(NULL, ...) on this thread gives the reason and the sample.
    function sins_recommend (configured : sins_sim; samples : sins_flight_sample_array; count : size_t;
        requirement : sins_requirement; options : in out sins_options; cost : in out sins_cost) return sins_status
      with Import, Convention => C, External_Name => "sins_recommend";
@@ -2174,9 +2208,13 @@ package Sins is
    --  more, and again more if effects do not add up.
    --
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
-   --  (To ask for the number, give NULL for rows and a capacity of 0.) SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
-   --  SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or
-   --  gyrocompassing, too close to a pole. SINS_ERROR_DIVERGED: a solution diverged. SINS_ERROR_OUT_OF_MEMORY: no memory.
+   --  (To ask for the number, give NULL for rows and a capacity of 0.)
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+   --  SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+   --  SINS_ERROR_DIVERGED: a solution diverged.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory.
+   --
    --  sins_last_error(NULL, ...) on this thread gives the reason and the sample.
    function sins_error_budget (configured : sins_sim; samples : sins_flight_sample_array; count : size_t;
        request : sins_budget_request; rows : in out sins_budget_row_array; capacity : size_t; written : in out size_t;

@@ -1973,8 +1973,10 @@ def step(sim):
     sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_DIVERGED: after the interval the solution would be
     below -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solutions of the block and
     of the reference point, and for the closed loop's error-free navigator. sins.ERROR_SINGULAR: too close to a pole,
-    in geographic axes. In both cases the step is not made and the solution before it stays readable;
-    sins.reposition() or sins.reset() start anew. sins.ERROR_BAD_STATE: navigating on increments.
+    in geographic axes. sins.ERROR_BAD_STATE: navigating on increments.
+
+    After sins.ERROR_DIVERGED and sins.ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+    sins.reposition() or sins.reset() start anew.
     """
 
 
@@ -1988,8 +1990,8 @@ def move_time(sim, time_s):
     velocities the differences over three samples count too. Durations in sins.accuracy are rounded as the time stamps
     are.) The host must also move its flight_start_s of sins.scene_prepare() by the same time.
 
-    sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. sins.ERROR_BAD_STATE: no sample yet, or
-    navigating on increments, which have no time stamps.
+    sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+    sins.ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
     """
 
 
@@ -2028,8 +2030,11 @@ def reposition(sim, sample):
     read. The call may be the first of a run: the sample is then the first one, and the next push completes an
     interval.
 
-    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample(). sins.ERROR_BAD_STATE: navigating on increments. If no INS can
-    start there (a pole, in geographic axes), the reads and the next step return the error.
+    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
+    sins.ERROR_BAD_STATE: navigating on increments.
+
+    If no INS can start there (a pole, in geographic axes), the reads and
+    the next step return the error.
     """
 
 
@@ -2066,8 +2071,9 @@ def set_gyro(sim, params):
     """Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
     effects do not change. Processes that were active continue.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: temperature coefficients while
-    samples without a temperature wait, or while navigating on increments.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+    increments.
     """
 
 
@@ -2135,7 +2141,8 @@ def get_failure(sim, sensor, axis, failure):
 def set_initial_errors(sim, errors):
     """Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: steps have been made.
     """
 
 
@@ -2151,7 +2158,8 @@ def set_mounting(sim, mounting):
     """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it.
     The mounting does not affect a navigator on increments: its solution is that of the block.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: steps have been made.
     """
 
 
@@ -2166,7 +2174,8 @@ def set_gravity_disturbance(sim, params):
     reposition. A reset brings the same field back; after a reposition the field continues from its current values.
     The disturbance does not affect a navigator on increments, because these contain their own gravity.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: steps have been made.
     """
 
 
@@ -2188,12 +2197,14 @@ def run(sim, samples, every, records, written):
     the number of records, also on an error.
 
     sins.GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-    sins.get_truth_summary() counts them. sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the
-    call would make; nothing is flown. sins.ERROR_BAD_STATE: navigating on increments. Any error of sins.push_sample()
-    or sins.step() stops the run at the sample that it concerns, which sins.last_error() names: the samples before it
-    were flown, this one and the rest were not; sins.accuracy.intervals counts the flown intervals. A sample that
-    could be pushed but not flown waits in the queue, as after sins.step(); sins.reposition() and sins.reset() empty
-    the queue.
+    sins.get_truth_summary() counts them.
+    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+    sins.ERROR_BAD_STATE: navigating on increments.
+
+    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns, which
+    sins.last_error() names: the samples before it were flown, this one and the rest were not; sins.accuracy.intervals
+    counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
+    sins.reposition() and sins.reset() empty the queue.
     """
 
 
@@ -2202,7 +2213,8 @@ def get_truth(sim, truth):
     """Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples
     have no velocity, the velocity at the first one is 0 until the second one is pushed.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
     """
 
 
@@ -2238,7 +2250,8 @@ def get_errors(sim, source, errors):
 def get_accuracy(sim, accuracy):
     """Reads the running accuracy figures.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
     """
 
@@ -2247,8 +2260,8 @@ def get_accuracy(sim, accuracy):
 def get_truth_summary(sim, summary):
     """Reads the extreme values of the true motion. sins.reposition() and sins.move_truth() do not restart them.
 
-    sins.NEED_SAMPLE: no interval yet. sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on
-    increments, there is no truth.
+    sins.NEED_SAMPLE: no interval yet.
+    sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on increments, there is no truth.
     """
 
 
@@ -2257,7 +2270,8 @@ def get_record(sim, record):
     """Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first
     sample.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
     """
 
@@ -2283,9 +2297,10 @@ def push_imu(sim, increment):
     sins.options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one
     update.
 
-    sins.ERROR_BAD_STATE: sins.start_navigation() first. sins.ERROR_INVALID_ARGUMENT: a value out of its range, or
-    half a turn in a part or in the interval. sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval
-    is not flown, the solution before it stays readable, and sins.reset() and sins.start_navigation() start anew.
+    sins.ERROR_BAD_STATE: sins.start_navigation() first.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+    sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the solution before it stays
+    readable, and sins.reset() and sins.start_navigation() start anew.
     """
 
 
@@ -2420,7 +2435,8 @@ def scene_create_builtin(name, scene):
     """Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
     "over_the_pole", "coning", "commuter".
 
-    sins.ERROR_INVALID_ARGUMENT: no scene has that name. sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
+    sins.ERROR_INVALID_ARGUMENT: no scene has that name.
+    sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
     """
 
 
@@ -2456,7 +2472,8 @@ def scene_create_simulator(scene, sim):
     sins.scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1
     / rate.
 
-    sins.ERROR_INVALID_ARGUMENT: settings that do not go together. sins.ERROR_BAD_STATE: as sins.scene_parse().
+    sins.ERROR_INVALID_ARGUMENT: settings that do not go together.
+    sins.ERROR_BAD_STATE: as sins.scene_parse().
     sins.ERROR_OUT_OF_MEMORY: as sins.create().
     """
 
@@ -2479,8 +2496,9 @@ def scene_prepare(scene, sim, flight_start_s, sample):
     failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
     call.
 
-    sins.ERROR_BAD_HANDLE: of scene or sim. sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s
-    not from -2e10 to 2e10. sins.ERROR_BAD_STATE: as sins.scene_parse().
+    sins.ERROR_BAD_HANDLE: of scene or sim.
+    sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+    sins.ERROR_BAD_STATE: as sins.scene_parse().
     """
 
 
@@ -2732,6 +2750,7 @@ def recommend(configured, samples, requirement, options, cost):
     comes closest. sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER,
     sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes too close to a pole.
     sins.ERROR_DIVERGED: the solution of every algorithm diverged. sins.ERROR_OUT_OF_MEMORY: no memory.
+
     sins.last_error(NULL, ...) on this thread gives the reason and the sample.
     """
 
@@ -2775,7 +2794,9 @@ def error_budget(configured, samples, request, rows, written, budget):
     flown. (To ask for the number, give NULL for rows and a capacity of 0.) sins.ERROR_INVALID_ARGUMENT: a value out
     of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR:
     geographic axes, or gyrocompassing, too close to a pole. sins.ERROR_DIVERGED: a solution diverged.
-    sins.ERROR_OUT_OF_MEMORY: no memory. sins.last_error(NULL, ...) on this thread gives the reason and the sample.
+    sins.ERROR_OUT_OF_MEMORY: no memory.
+
+    sins.last_error(NULL, ...) on this thread gives the reason and the sample.
     """
 
 

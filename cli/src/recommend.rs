@@ -80,8 +80,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if answer.met {
         return Ok(());
     }
-    let what =
-        format!("no options meet the requirement; with the margin, the error of these is {} times the limit", two_digits(answer.share));
+    let what = format!(
+        "no options meet the requirement; with the margin, the error of these is {} times the limit",
+        two_digits(answer.share)
+    );
     Err(Failure::of_kind(Kind::NotMet, what))
 }
 

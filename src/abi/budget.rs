@@ -69,9 +69,13 @@ interface_struct!(sins_budget_request, "request", 40);
 /// more, and again more if effects do not add up.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
-/// (To ask for the number, give NULL for rows and a capacity of 0.) SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
-/// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or
-/// gyrocompassing, too close to a pole. SINS_ERROR_DIVERGED: a solution diverged. SINS_ERROR_OUT_OF_MEMORY: no memory.
+/// (To ask for the number, give NULL for rows and a capacity of 0.)
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+/// SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+/// SINS_ERROR_DIVERGED: a solution diverged.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory.
+///
 /// sins_last_error(NULL, ...) on this thread gives the reason and the sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_error_budget(

@@ -50,7 +50,8 @@ interface_struct!(sins_gravity_params, "gravity", 80);
 /// reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
 /// disturbance does not affect a navigator on increments, because these contain their own gravity.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gravity_disturbance(
     sim: *mut sins_sim,

@@ -8,8 +8,9 @@ use super::simulator::{sins_sim, with_simulator};
 /// Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
 /// effects do not change. Processes that were active continue.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
-/// a temperature wait, or while navigating on increments.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+/// increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_gyro_params) -> sins_status {
     with_simulator(sim, |simulator| {

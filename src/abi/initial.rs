@@ -96,7 +96,8 @@ impl sins_initial_errors {
 
 /// Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_initial_errors(
     sim: *mut sins_sim,

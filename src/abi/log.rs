@@ -60,7 +60,8 @@ fn with_log(
 /// 184 bytes a sample.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
-/// and *log is unchanged. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
+/// and *log is unchanged.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_parse(
     text: *const c_char,
@@ -129,8 +130,10 @@ pub unsafe extern "C" fn sins_log_get_sample(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
-            let rule =
-                Rule::WordsAnd("must be less than the number of samples of the log:", log.samples().len() as f64);
+            let rule = Rule::WordsAnd(
+                "must be less than the number of samples of the log:",
+                log.samples().len() as f64,
+            );
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_flight_sample::from_sample(found));

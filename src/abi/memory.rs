@@ -76,8 +76,9 @@ unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Fai
     for offset in known..size {
         // SAFETY: within the struct's stated size.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
-            let rule =
-                Rule::Words("the struct is of a newer release and uses fields that this release does not know");
+            let rule = Rule::Words(
+                "the struct is of a newer release and uses fields that this release does not know",
+            );
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
     }

@@ -49,7 +49,8 @@ interface_struct!(sins_mounting, "mounting", 104);
 /// Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
 /// mounting does not affect a navigator on increments: its solution is that of the block.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_mounting(
     sim: *mut sins_sim,

@@ -44,8 +44,9 @@ interface_struct!(sins_imu_increment, "imu", 264);
 /// truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
 /// until sins_reset().
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was
-/// started before (call sins_reset() first); or temperature coefficients are set, but increments have no temperature.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
+/// coefficients are set, but increments have no temperature.
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_start_navigation(
@@ -88,9 +89,10 @@ pub unsafe extern "C" fn sins_start_navigation(
 /// advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
 /// updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
 ///
-/// SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
-/// turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
-/// solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+/// SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+/// SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
+/// readable, and sins_reset() and sins_start_navigation() start anew.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_push_imu(
     sim: *mut sins_sim,

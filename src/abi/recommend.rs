@@ -120,10 +120,14 @@ impl From<Refusal> for Failure {
 /// nothing meets the requirement.
 ///
 /// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
-/// closest. SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
-/// sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes too close to a pole. SINS_ERROR_DIVERGED: the solution of every
-/// algorithm diverged. SINS_ERROR_OUT_OF_MEMORY: no memory. sins_last_error(NULL, ...) on this thread gives the reason and
-/// the sample.
+/// closest.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+/// SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+/// SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory.
+///
+/// sins_last_error(NULL, ...) on this thread gives the reason and the sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_recommend(
     configured: *const sins_sim,

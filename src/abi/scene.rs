@@ -140,7 +140,8 @@ pub unsafe extern "C" fn sins_scene_get_fault(
             Content::Faults(faults) => faults.as_slice(),
         };
         let Some(found) = faults.get(index) else {
-            let rule = Rule::WordsAnd("must be less than the number of faults of the scene:", faults.len() as f64);
+            let rule =
+                Rule::WordsAnd("must be less than the number of faults of the scene:", faults.len() as f64);
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_fault::new(found, faults.len()));
@@ -151,7 +152,8 @@ pub unsafe extern "C" fn sins_scene_get_fault(
 /// Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
 /// "over_the_pole", "coning", "commuter".
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+/// SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create_builtin(
     name: *const c_char,
@@ -240,7 +242,8 @@ pub unsafe extern "C" fn sins_scene_write_keys(
 /// sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
 /// rate.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+/// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create_simulator(
@@ -260,8 +263,8 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
 /// Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
 /// up to sins_scene_setup.flown_s.
 ///
-/// SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
-/// sins_flight_create().
+/// SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
+/// Else as sins_flight_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create_flight(
     scene: *const sins_scene,
@@ -281,8 +284,9 @@ pub unsafe extern "C" fn sins_scene_create_flight(
 /// after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
 /// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
-/// from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_BAD_HANDLE: of scene or sim.
+/// SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+/// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_prepare(
     scene: *const sins_scene,

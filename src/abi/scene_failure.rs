@@ -70,8 +70,10 @@ pub unsafe extern "C" fn sins_scene_get_failure(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(failure, "failure")? };
         let Some(planned) = scene.failures.get(index) else {
-            let rule =
-                Rule::WordsAnd("must be less than the number of failures of the scene:", scene.failures.len() as f64);
+            let rule = Rule::WordsAnd(
+                "must be less than the number of failures of the scene:",
+                scene.failures.len() as f64,
+            );
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_planned_failure::new(planned));

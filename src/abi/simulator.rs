@@ -107,12 +107,15 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
 /// SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
-/// by more than 0.4 of the period. SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5
-/// times as long as each of the two before. sins_step() flies the gap as motion, velocity times its length. After a pause
-/// of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
+/// by more than 0.4 of the period.
+/// SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
+/// before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
+/// on, call sins_move_time() before this push; a push cannot be undone.
 /// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
 /// samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
-/// (for a jump). SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+/// (for a jump).
+/// SINS_ERROR_QUEUE_FULL: step first.
+/// SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_push_sample(
     sim: *mut sins_sim,
@@ -129,11 +132,15 @@ pub unsafe extern "C" fn sins_push_sample(
 /// later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
 /// like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
 ///
-/// SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_DIVERGED: after the interval the solution would be below
-/// -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solutions of the block and of the
-/// reference point, and for the closed loop's error-free navigator. SINS_ERROR_SINGULAR: too close to a pole, in geographic
-/// axes. In both cases the step is not made and the solution before it stays readable; sins_reposition() or sins_reset()
-/// start anew. SINS_ERROR_BAD_STATE: navigating on increments.
+/// SINS_NEED_SAMPLE: no complete interval is waiting.
+/// SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
+/// 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
+/// navigator.
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+/// SINS_ERROR_BAD_STATE: navigating on increments.
+///
+/// After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+/// sins_reposition() or sins_reset() start anew.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))
@@ -165,8 +172,8 @@ pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::erro
 /// samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
 /// flight_start_s of sins_scene_prepare() by the same time.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating
-/// on increments, which have no time stamps.
+/// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+/// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -214,8 +221,11 @@ pub unsafe extern "C" fn sins_move_truth(
 /// next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
 /// run: the sample is then the first one, and the next push completes an interval.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. If no INS can start
-/// there (a pole, in geographic axes), the reads and the next step return the error.
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+/// SINS_ERROR_BAD_STATE: navigating on increments.
+///
+/// If no INS can start there (a pole, in geographic axes), the reads and
+/// the next step return the error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,

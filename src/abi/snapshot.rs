@@ -61,7 +61,8 @@ pub unsafe extern "C" fn sins_snapshot_save(
 ///
 /// SINS_ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has changed,
 /// and sins_last_error() says which it is. Later releases read the snapshots of earlier ones; the run continues to the same
-/// bits unless CHANGELOG says that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+/// bits unless CHANGELOG says that the algorithms changed.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_load(
     sim: *mut sins_sim,

@@ -274,7 +274,8 @@ pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value:
 /// Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
 /// velocity, the velocity at the first one is 0 until the second one is pushed.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_navigation) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -287,8 +288,9 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
 
 /// Reads the navigated solution for the same instant as sins_get_truth().
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
-/// first sample with these options and initial errors.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+/// and initial errors.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_navigation(
     sim: *mut sins_sim,
@@ -316,9 +318,11 @@ pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) ->
 
 /// Reads the errors of the navigated solution; source is of enum sins_errors_source.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
-/// the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
-/// increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_INVALID_ARGUMENT: no such source.
+/// SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+/// sins_options.error_model), or navigating on increments.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_errors(
     sim: *mut sins_sim,

@@ -1,4 +1,4 @@
-//! Every effect flown alone, all together, and without those that can be left out.
+//! Flies every effect alone, all effects together, and all without those that can be left out.
 
 use core::cmp::Ordering;
 

@@ -10,7 +10,7 @@ use crate::error::{Error, Rule};
 use crate::sensors::Sensor;
 
 impl Reader<'_> {
-    /// What single keys cannot tell: whether they go together.
+    /// Checks that concern several keys: whether they go together.
     pub(super) fn check_together(&mut self) {
         let flight = self.section(Section::Flight).clone();
         let sources = [flight.key("file").is_some(), flight.key("builtin").is_some(), !self.items.is_empty()];
@@ -44,8 +44,7 @@ impl Reader<'_> {
         if flight.key("temperature_c").is_none()
             && let Some(span) = flight.key("temperature_change_c_h")
         {
-            self.faults
-                .add(span, "flight.temperature_change_c_h: only together with temperature_c");
+            self.faults.add(span, "flight.temperature_change_c_h: only together with temperature_c");
         }
         if let Some(span) = self.section(Section::Options).key("closed_loop_time_s").cloned()
             && !self.draft.closed_loop

@@ -7,7 +7,7 @@ use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
 use super::read::too_deep;
 
-/// What stands behind a key.
+/// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     Text(String),

@@ -172,7 +172,9 @@ impl Simulator {
     /// Starts as a navigator alone from `navigation` at `time_s` [s], to be fed by [`Self::push_imu`].
     pub fn start_navigation(&mut self, time_s: f64, navigation: &Navigation) -> Result<(), Error> {
         if !matches!(self.mode, Mode::Waiting) || self.intake.waiting() > 0 {
-            return Err(Error::bad_state("navigation on increments can start only before the first sample or after a reset"));
+            return Err(Error::bad_state(
+                "navigation on increments can start only before the first sample or after a reset",
+            ));
         }
         if self.sensors.depend_on_temperature() {
             return Err(Error::bad_state(settings::INCREMENTS_HAVE_NO_TEMPERATURE));

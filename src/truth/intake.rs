@@ -89,7 +89,8 @@ impl Intake {
         (self.first_time_s, self.ticks) = (0.0, 0.0);
     }
 
-    /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first, it is checked by itself alone.
+    /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first sample, it is checked
+    /// only by itself.
     pub fn restart(&mut self, sample: &FlightSample) -> Result<(), Error> {
         let first = self.first_point(sample)?;
         self.begin(first);
@@ -198,8 +199,10 @@ impl Intake {
     pub fn push(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         sample.validate()?;
         if self.waiting() == QUEUE_CAPACITY {
-            let rule =
-                Rule::WordsAnd("the queue is full, step first; samples that can wait:", QUEUE_CAPACITY as f64);
+            let rule = Rule::WordsAnd(
+                "the queue is full, step first; samples that can wait:",
+                QUEUE_CAPACITY as f64,
+            );
             return Err(Error::of(ErrorKind::QueueFull, "queued samples", QUEUE_CAPACITY, rule));
         }
         let Some(last) = self.ring.pushed(0) else {
