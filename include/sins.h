@@ -1773,8 +1773,10 @@ SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_optio
 /*
  * Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
  *
- * On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. SINS_ERROR_OUT_OF_MEMORY:
- * no memory, or 4096 simulators exist. Not for a real-time frame: it allocates.
+ * On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+ * frame: it allocates.
+ *
+ * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
  */
 SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, sins_sim **sim);
 
@@ -1849,8 +1851,10 @@ SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
  * solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
  * the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
  *
- * Before the first step there are no errors to keep, and the call acts as sins_reposition(). SINS_ERROR_INVALID_ARGUMENT,
- * SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+ * Before the first step there are no errors to keep, and the call acts as sins_reposition().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  * SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
  * that no place has it.
  */
@@ -2025,7 +2029,7 @@ SINS_API sins_status SINS_CALL sins_run(
  * velocity, the velocity at the first one is 0 until the second one is pushed.
  *
  * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, struct sins_navigation *truth);
 
@@ -2060,7 +2064,7 @@ SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, st
  * Reads the running accuracy figures.
  *
  * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
@@ -2069,7 +2073,7 @@ SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accu
  * Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
  *
  * SINS_NEED_SAMPLE: no interval yet.
- * SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, there is no truth.
+ * SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
 
@@ -2077,7 +2081,7 @@ SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins
  * Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
  *
  * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
@@ -2161,13 +2165,15 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
  * manoeuvres[0].struct_size is the distance between the manoeuvres.
  *
- * Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
- * of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+ * Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+ * to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+ * and heading need no pieces.
  *
  * On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+ *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
- * sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre). SINS_ERROR_OUT_OF_MEMORY: no memory,
- * more than 200000 pieces (which take 3 s), or 4096 flights exist.
+ * sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+ * SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(
     const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
@@ -2450,7 +2456,7 @@ SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
  * order; columns of other names are ignored, and a row with more fields than columns is a fault:
  *
  * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
- * or _deg; optional are velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+ * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
  * force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
  *
  * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
@@ -2484,8 +2490,8 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(
 SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
- * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. All
- * cheaper algorithms do not meet it. samples[0].struct_size is the distance between the samples.
+ * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+ * cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
  *
  * configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
  * the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference

@@ -1489,8 +1489,10 @@ package Sins is
 
    --  Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
    --
-   --  On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. SINS_ERROR_OUT_OF_MEMORY:
-   --  no memory, or 4096 simulators exist. Not for a real-time frame: it allocates.
+   --  On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+   --  frame: it allocates.
+   --
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
    function sins_create (options : sins_options; sim : in out sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_create";
 
@@ -1560,8 +1562,10 @@ package Sins is
    --  solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
    --  the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
    --
-   --  Before the first step there are no errors to keep, and the call acts as sins_reposition(). SINS_ERROR_INVALID_ARGUMENT,
-   --  SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+   --  Before the first step there are no errors to keep, and the call acts as sins_reposition().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+   --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
    --  SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
    --  that no place has it.
    function sins_move_truth (sim : sins_sim; sample : sins_flight_sample) return sins_status
@@ -1725,7 +1729,7 @@ package Sins is
    --  velocity, the velocity at the first one is 0 until the second one is pushed.
    --
    --  SINS_NEED_SAMPLE: no sample yet.
-   --  SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
    function sins_get_truth (sim : sins_sim; truth : in out sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth";
 
@@ -1756,7 +1760,7 @@ package Sins is
    --  Reads the running accuracy figures.
    --
    --  SINS_NEED_SAMPLE: no sample yet.
-   --  SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_accuracy (sim : sins_sim; accuracy : in out sins_accuracy) return sins_status
      with Import, Convention => C, External_Name => "sins_get_accuracy";
@@ -1764,14 +1768,14 @@ package Sins is
    --  Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
    --
    --  SINS_NEED_SAMPLE: no interval yet.
-   --  SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, there is no truth.
+   --  SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
    function sins_get_truth_summary (sim : sins_sim; summary : in out sins_truth_summary) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth_summary";
 
    --  Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
    --
    --  SINS_NEED_SAMPLE: no sample yet.
-   --  SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_record (sim : sins_sim; the_record : in out sins_record) return sins_status
      with Import, Convention => C, External_Name => "sins_get_record";
@@ -1848,13 +1852,15 @@ package Sins is
    --  forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
    --  manoeuvres[0].struct_size is the distance between the manoeuvres.
    --
-   --  Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600
-   --  s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+   --  Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+   --  to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+   --  and heading need no pieces.
    --
    --  On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+   --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-   --  sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre). SINS_ERROR_OUT_OF_MEMORY: no memory,
-   --  more than 200000 pieces (which take 3 s), or 4096 flights exist.
+   --  sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
    function sins_flight_create (start : sins_flight_start; manoeuvres : sins_manoeuvre_array; count : size_t;
        flight : in out sins_flight) return sins_status
      with Import, Convention => C, External_Name => "sins_flight_create";
@@ -2109,7 +2115,7 @@ package Sins is
    --  order; columns of other names are ignored, and a row with more fields than columns is a fault:
    --
    --  time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
-   --  or _deg; optional are velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+   --  or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
    --  force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
    --
    --  Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
@@ -2140,8 +2146,8 @@ package Sins is
    function sins_log_destroy (log : sins_log) return sins_status
      with Import, Convention => C, External_Name => "sins_log_destroy";
 
-   --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. All
-   --  cheaper algorithms do not meet it. samples[0].struct_size is the distance between the samples.
+   --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+   --  cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
    --
    --  configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
    --  the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference

@@ -1453,8 +1453,10 @@ module sins
 
     !> Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
     !>
-    !> On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. SINS_ERROR_OUT_OF_MEMORY:
-    !> no memory, or 4096 simulators exist. Not for a real-time frame: it allocates.
+    !> On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+    !> frame: it allocates.
+    !>
+    !> SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
     function sins_create(options, sim) bind(C, name="sins_create")
       import
       type(sins_options), intent(in) :: options
@@ -1542,8 +1544,10 @@ module sins
     !> solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
     !> the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
     !>
-    !> Before the first step there are no errors to keep, and the call acts as sins_reposition(). SINS_ERROR_INVALID_ARGUMENT,
-    !> SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+    !> Before the first step there are no errors to keep, and the call acts as sins_reposition().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+    !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
     !> SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
     !> that no place has it.
     function sins_move_truth(sim, sample) bind(C, name="sins_move_truth")
@@ -1794,7 +1798,7 @@ module sins
     !> velocity, the velocity at the first one is 0 until the second one is pushed.
     !>
     !> SINS_NEED_SAMPLE: no sample yet.
-    !> SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+    !> SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
     function sins_get_truth(sim, truth) bind(C, name="sins_get_truth")
       import
       type(c_ptr), value :: sim
@@ -1842,7 +1846,7 @@ module sins
     !> Reads the running accuracy figures.
     !>
     !> SINS_NEED_SAMPLE: no sample yet.
-    !> SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+    !> SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
     !> SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
     function sins_get_accuracy(sim, accuracy) bind(C, name="sins_get_accuracy")
       import
@@ -1854,7 +1858,7 @@ module sins
     !> Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
     !>
     !> SINS_NEED_SAMPLE: no interval yet.
-    !> SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, there is no truth.
+    !> SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
     function sins_get_truth_summary(sim, summary) bind(C, name="sins_get_truth_summary")
       import
       type(c_ptr), value :: sim
@@ -1865,7 +1869,7 @@ module sins
     !> Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
     !>
     !> SINS_NEED_SAMPLE: no sample yet.
-    !> SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+    !> SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
     !> SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
     function sins_get_record(sim, record) bind(C, name="sins_get_record")
       import
@@ -1976,13 +1980,15 @@ module sins
     !> forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
     !> manoeuvres[0].struct_size is the distance between the manoeuvres.
     !>
-    !> Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600
-    !> s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+    !> Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+    !> to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+    !> and heading need no pieces.
     !>
     !> On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+    !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-    !> sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre). SINS_ERROR_OUT_OF_MEMORY: no memory,
-    !> more than 200000 pieces (which take 3 s), or 4096 flights exist.
+    !> sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+    !> SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
     function sins_flight_create(start, manoeuvres, count, flight) bind(C, name="sins_flight_create")
       import
       type(sins_flight_start), intent(in) :: start
@@ -2406,7 +2412,7 @@ module sins
     !> order; columns of other names are ignored, and a row with more fields than columns is a fault:
     !>
     !> time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
-    !> or _deg; optional are velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+    !> or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
     !> force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
     !>
     !> Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
@@ -2455,8 +2461,8 @@ module sins
       integer(sins_status) :: sins_log_destroy
     end function sins_log_destroy
 
-    !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. All
-    !> cheaper algorithms do not meet it. samples[0].struct_size is the distance between the samples.
+    !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+    !> cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
     !>
     !> configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
     !> the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference

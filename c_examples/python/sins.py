@@ -1934,8 +1934,10 @@ def get_options(sim, options):
 def create(options, sim):
     """Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
 
-    On an error *sim is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
-    sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist. Not for a real-time frame: it allocates.
+    On an error *sim is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+    frame: it allocates.
+
+    sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
     """
 
 
@@ -2014,6 +2016,7 @@ def move_truth(sim, sample):
     the new attitude.
 
     Before the first step there are no errors to keep, and the call acts as sins.reposition().
+
     sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.reposition(). sins.ERROR_SINGULAR: too close to a pole,
     in geographic axes. sins.ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a
     quarter of the Earth) that no place has it.
@@ -2214,7 +2217,7 @@ def get_truth(sim, truth):
     have no velocity, the velocity at the first one is 0 until the second one is pushed.
 
     sins.NEED_SAMPLE: no sample yet.
-    sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     """
 
 
@@ -2251,7 +2254,7 @@ def get_accuracy(sim, accuracy):
     """Reads the running accuracy figures.
 
     sins.NEED_SAMPLE: no sample yet.
-    sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
     """
 
@@ -2261,7 +2264,7 @@ def get_truth_summary(sim, summary):
     """Reads the extreme values of the true motion. sins.reposition() and sins.move_truth() do not restart them.
 
     sins.NEED_SAMPLE: no interval yet.
-    sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on increments, there is no truth.
+    sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on increments, without a truth.
     """
 
 
@@ -2271,7 +2274,7 @@ def get_record(sim, record):
     sample.
 
     sins.NEED_SAMPLE: no sample yet.
-    sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
     """
 
@@ -2365,14 +2368,15 @@ def flight_create(start, manoeuvres, flight):
     closed forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
     manoeuvres[0].struct_size is the distance between the manoeuvres.
 
-    Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is
-    up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and
-    heading need none.
+    Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece
+    is up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of
+    roll, pitch and heading need no pieces.
 
     On an error *flight is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
+
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-    sins.flight_sample.height_m (the index in the sentence is that of the manoeuvre). sins.ERROR_OUT_OF_MEMORY: no
-    memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
+    sins.flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+    sins.ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
     """
 
 
@@ -2689,8 +2693,8 @@ def log_parse(text, log, fault):
     in any order; columns of other names are ignored, and a row with more fields than columns is a fault:
 
     time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
-    heading_rad or _deg; optional are velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s,
-    rate_y_rad_s, rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+    heading_rad or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+    rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 
     Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before.
     Their ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it
@@ -2726,7 +2730,7 @@ def log_destroy(log):
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(requirement), POINTER(options), POINTER(cost))
 def recommend(configured, samples, requirement, options, cost):
     """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
-    All cheaper algorithms do not meet it. samples[0].struct_size is the distance between the samples.
+    No cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 
     configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads
     it at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the

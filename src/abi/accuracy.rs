@@ -101,7 +101,7 @@ impl sins_accuracy {
 /// Reads the running accuracy figures.
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
-/// SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut sins_accuracy) -> sins_status {

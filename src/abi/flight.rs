@@ -96,13 +96,15 @@ fn with_flight(
 /// forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
 /// manoeuvres[0].struct_size is the distance between the manoeuvres.
 ///
-/// Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
-/// of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+/// to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+/// and heading need no pieces.
 ///
 /// On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-/// sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre). SINS_ERROR_OUT_OF_MEMORY: no memory,
-/// more than 200000 pieces (which take 3 s), or 4096 flights exist.
+/// sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_create(
     start: *const sins_flight_start,

@@ -52,7 +52,7 @@ fn with_log(
 /// order; columns of other names are ignored, and a row with more fields than columns is a fault:
 ///
 /// time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
-/// or _deg; optional are velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+/// or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
 /// force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 ///
 /// Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their

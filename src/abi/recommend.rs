@@ -98,8 +98,8 @@ impl From<Refusal> for Failure {
     }
 }
 
-/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. All
-/// cheaper algorithms do not meet it. samples[0].struct_size is the distance between the samples.
+/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+/// cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 ///
 /// configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
 /// the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference

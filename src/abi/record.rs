@@ -146,7 +146,7 @@ impl sins_record {
 /// Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
-/// SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_record) -> sins_status {

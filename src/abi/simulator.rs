@@ -76,8 +76,10 @@ pub(super) fn look_at<T>(
 
 /// Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
 ///
-/// On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. SINS_ERROR_OUT_OF_MEMORY:
-/// no memory, or 4096 simulators exist. Not for a real-time frame: it allocates.
+/// On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+/// frame: it allocates.
+///
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
     enter_without_simulator(|| {
@@ -197,8 +199,10 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
 /// solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
 /// the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
 ///
-/// Before the first step there are no errors to keep, and the call acts as sins_reposition(). SINS_ERROR_INVALID_ARGUMENT,
-/// SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+/// Before the first step there are no errors to keep, and the call acts as sins_reposition().
+///
+/// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 /// SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
 /// that no place has it.
 #[unsafe(no_mangle)]

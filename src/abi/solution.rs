@@ -275,7 +275,7 @@ pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value:
 /// velocity, the velocity at the first one is 0 until the second one is pushed.
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
-/// SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_navigation) -> sins_status {
     with_simulator(sim, |simulator| {

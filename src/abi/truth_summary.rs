@@ -153,7 +153,7 @@ impl sins_truth_summary {
 /// Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
 ///
 /// SINS_NEED_SAMPLE: no interval yet.
-/// SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, there is no truth.
+/// SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_truth_summary(
     sim: *mut sins_sim,
