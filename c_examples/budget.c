@@ -60,7 +60,7 @@ static sins_status ask(const sins_flight_sample *samples)
     SINS_INIT(request);
     request.position_m = 10.0;
     SINS_INIT(budget);
-    SINS_INIT(rows[0]); /* tells how large all of them are */
+    SINS_INIT(rows[0]); /* gives the size of all rows */
     status = sins_create(&options, &sim);
     if (status != SINS_OK) {
         return status;

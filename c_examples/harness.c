@@ -60,7 +60,7 @@ static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
     long length = file != NULL && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    char *text = length >= 0 ? (char *)malloc((size_t)length + 1) : NULL; /* C++ wants the cast */
+    char *text = length >= 0 ? (char *)malloc((size_t)length + 1) : NULL; /* C++ needs the cast */
 
     *size = (size_t)length;
     if (text == NULL || fseek(file, 0, SEEK_SET) != 0 || fread(text, 1, *size, file) != *size) {
@@ -286,7 +286,7 @@ int main(int count, char **arguments)
         return 2;
     }
     if (sins_abi_version() != SINS_HEADER_ABI) {
-        fprintf(stderr, "harness: the library has interface version %u, this program wants %u\n",
+        fprintf(stderr, "harness: the library has interface version %u, this program needs %u\n",
                 (unsigned)sins_abi_version(), (unsigned)SINS_HEADER_ABI);
         return 1;
     }

@@ -1,5 +1,5 @@
 /*
- * sins.hpp - the C interface of sins.h for C++11 and later: handles that close themselves, errors that are exceptions.
+ * sins.hpp - the C interface of sins.h for C++11 and later: RAII handles; failures throw.
  *
  *   sins::Simulator sim;                                      recommended options
  *   auto gyro = sins::make<sins_gyro_params>();               all zero, struct_size set
@@ -11,11 +11,11 @@
  *           sim.get_navigation(navigation);
  *   }
  *
- * Every function of sins.h has its namesake here, without handle and status; sins.h tells what it does. A negative
- * status is thrown as sins::Error with the library's sentence. SINS_NEED_SAMPLE is no error: functions that can answer
- * it return false, and leave their output as it was; so are SINS_REQUIREMENT_NOT_MET, whose output is
- * written, SINS_SCENE_HAS_FAULTS, and SINS_GAP, where all was done. Structs and constants are those of sins.h. Header only; each
- * function is the call and a look at its status.
+ * Every function of sins.h has a function of the same name here, without handle and status; sins.h documents it. A negative
+ * status is thrown as sins::Error with the library's sentence. A positive status is not an error: the function returns false.
+ * With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is written, and with SINS_GAP everything was
+ * done; SINS_SCENE_HAS_FAULTS is such a status too. Structs and constants are those of sins.h. The wrapper is this header only:
+ * each function makes the call and checks its status.
  */
 
 #ifndef SINS_HPP
@@ -31,7 +31,7 @@
 
 namespace sins {
 
-/* A call that failed: its status, in what() the sentence of sins_last_error(), in info() what that is made of. */
+/* A call that failed: its status; in what() the sentence of sins_last_error(), in info() its data (sins_last_error_info()). */
 class Error : public std::runtime_error {
 public:
     Error(sins_status status, const std::string &sentence, const sins_error_info &info)
@@ -135,7 +135,7 @@ inline bool recommend(const sins_flight_sample *samples, std::size_t count, cons
     return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
 }
 
-/* An embedded flight. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+/* An embedded flight. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Flight {
 public:
     Flight(const sins_flight_start &start, const sins_manoeuvre *manoeuvres, std::size_t count)
@@ -192,7 +192,7 @@ private:
     sins_flight *flight_ = nullptr;
 };
 
-/* A simulator. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+/* A simulator. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Simulator {
 public:
     Simulator() { detail::done(sins_create(nullptr, &sim_), nullptr); }
@@ -237,7 +237,7 @@ public:
         return detail::done(sins_recommend(sim_, samples, count, &requirement, &options, &cost), nullptr);
     }
 
-    /* Of all that errs in this simulator: the budget, its rows in rows, the first and one for each effect. */
+    /* Error budget of all errors of this simulator. rows gets the first row and one row for each effect. */
     sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
                              std::vector<sins_budget_row> &rows) const
     {
@@ -275,7 +275,7 @@ public:
     }
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
 
-    /* False: taken, behind a gap (SINS_GAP). */
+    /* False: the sample was accepted, after a gap (SINS_GAP). */
     bool push_sample(const sins_flight_sample &sample) { return done(sins_push_sample(sim_, &sample)); }
 
     /* False: no complete interval yet. */
@@ -384,7 +384,7 @@ inline sins_figures statistics_figures(const sins_statistics &statistics)
     return figures;
 }
 
-/* An ensemble of runs. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+/* An ensemble of runs. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Ensemble {
 public:
     /* The runs first_run to first_run + runs - 1 of a simulator that was set up and has taken no sample. */
@@ -498,13 +498,13 @@ private:
     sins_ensemble *ensemble_ = nullptr;
 };
 
-/* A scene. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+/* A scene. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Scene {
 public:
     /* The default scene. */
     Scene() { detail::done(sins_scene_create(&scene_), nullptr); }
 
-    /* The scene of a text; with faults it is good for faults() alone. */
+    /* The scene of a text. If the text has faults, only faults() can be used. */
     explicit Scene(const std::string &text) { detail::done(sins_scene_parse(text.data(), text.size(), &scene_), nullptr); }
 
     /* A built-in scene by its name. */
@@ -676,7 +676,7 @@ private:
     sins_scene *scene_ = nullptr;
 };
 
-/* A flight log in memory. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+/* A flight log in memory. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Log {
 public:
     /* The log of a text; what() of the error has the first fault and its place. */

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::units::TEMPERATURE_RANGE_C;
 
-/// What kind of refusal.
+/// The kind of the error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorKind {
     /// A value out of its range.
@@ -36,7 +36,7 @@ pub enum Rule {
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
-    /// 0, which is none, or `low` ≤ value ≤ `high`.
+    /// 0, which means none, or `low` ≤ value ≤ `high`.
     OffOr(f64, f64),
     /// `low` ≤ value ≤ `high`, because the named field is not 0.
     NeededBy(f64, f64, &'static str),
@@ -121,10 +121,10 @@ value_from!(
     usize as Unsigned
 );
 
-/// A refused call. Nothing was changed by it.
+/// Error of a rejected call. The call changed nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Error {
-    /// What kind of refusal.
+    /// The kind of the error.
     pub kind: ErrorKind,
     /// The field at fault, as it is spelled in the interface; empty if it is the call itself.
     pub field: &'static str,

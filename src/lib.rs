@@ -1,9 +1,9 @@
-//! A strapdown inertial navigation system (SINS) in simulation: true motion in, the navigation of an INS with the sensor
-//! errors that were set out, and its errors in two ways: navigation minus truth, and by the error differential equations
-//! ([`Options::error_model`], off by default).
+//! A simulator of a strapdown inertial navigation system (SINS). Its input is true motion. Its outputs are the navigation of an
+//! INS with the sensor errors that were set, and the errors of that navigation in two ways: navigation minus truth, and the
+//! solution of the error differential equations ([`Options::error_model`], off by default).
 //!
-//! C and C++ hosts link the shared library and read `include/sins.h`; what they call is in [`abi`]. Rust hosts use
-//! [`Simulator`].
+//! C and C++ hosts link the shared library and read `include/sins.h`; the functions that they call are in [`abi`]. Rust hosts
+//! use [`Simulator`].
 //!
 //! # Data flow
 //!
@@ -16,10 +16,10 @@
 //!     truth                    TruthPoint     checked, on the time base, Earth-fixed
 //!        |
 //!        v
-//!     signal                   Increment      what perfect sensors give            [inverse navigation]
+//!     signal                   Increment      what perfect sensors measure         [inverse navigation]
 //!        |
 //!        v
-//!     mounting                 Increment      of a block off the reference point
+//!     mounting                 Increment      for a block away from the reference point
 //!        |
 //!        v
 //!     sensors                  Increment      with their errors                    [IMU model, (1)-(3)]
@@ -32,22 +32,21 @@
 //!     [error data 2]       [error data 1, (4)-(6)]
 //! ```
 //!
-//! With the feature `scenes`, `scene` reads and writes a whole scene as a text, and `log` reads flight logs.
-//!
-//! Each block is a module, each arrow a type; [`earth`] (ellipsoid, gravity) and [`math`] serve them all, [`flight`] makes
-//! samples from manoeuvres, `simulator` puts the blocks together, [`snapshot`] keeps the state of all of them.
+//! Each block is a module, and each arrow is a type. All blocks use [`earth`] (ellipsoid, gravity) and [`math`]. [`flight`] makes
+//! samples from manoeuvres, `simulator` connects the blocks, and [`snapshot`] saves the state of all of them. With the feature
+//! `scenes`, `scene` reads and writes a whole scene as text, and `log` reads flight logs.
 //!
 //! # Notation
 //!
 //! | symbol | meaning |
 //! |---|---|
 //! | `_n` | navigation axes: east, north, up |
-//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`state::BodyAxes`]). With a mounting, those of the vehicle |
+//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`state::BodyAxes`]). With a mounting, the axes of the vehicle |
 //! | `_s` | with a mounting, the axes of the sensor block |
 //! | `_e` | Earth-fixed axes: x to latitude 0, longitude 0; y to longitude 90° east; z to the north pole |
 //! | `_i` | inertial axes |
 //! | `q_nb` | quaternion that turns a vector from body to navigation axes; C in the paper is its matrix |
-//! | `omega_ib_b` | angular rate of b against i, components along b \[rad/s\] |
+//! | `omega_ib_b` | angular rate of b relative to i, components along b \[rad/s\] |
 //! | `f_b` | specific force: acceleration less gravitation, +g up at rest \[m/s²\] |
 //! | φ | misalignment: computed C = (I - \[φ×\]) C \[rad\] |
 //! | ψ | misalignment against the true, not the computed place: φ = ψ + δθ \[rad\] |
@@ -64,36 +63,36 @@
 //! | claim | test |
 //! |---|---|
 //! | increments are the integrals of rate and force | `tests/reference_signals.rs` |
-//! | the damped vertical channel answers as its three poles do, to second order in the interval | `tests/vertical_loop.rs` |
+//! | the response of the damped vertical channel is that of its three poles, to second order in the interval | `tests/vertical_loop.rs` |
 //! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/logged_flights.rs` |
-//! | error data 1 and 2 agree to second order, and with the closed form | `tests/simulation2.rs` |
-//! | every term of the error equations is that of the mechanization | `tests/error_equations.rs` |
-//! | each scheme has its order | `tests/convergence.rs` |
-//! | what physics and the conventions demand of any run holds | `tests/invariants.rs` |
-//! | poles, the date line, vertical flight and irregular samples are nothing special | `tests/hard_poles.rs`, `tests/hard_places.rs`, `tests/hard_attitude.rs`, `tests/hard_samples.rs` |
-//! | a bad sample is refused by field, value and limit, and leaves no trace | `tests/samples.rs`, `tests/hard_samples.rs` |
-//! | each sensor effect is its closed form, and both error data hear of it | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
-//! | temperature and failures too, and a failure cleared has moved no draw | `tests/temperature.rs`, `tests/failures.rs` |
-//! | a block off the reference point navigates as well as one at it | `tests/mounting.rs` |
-//! | a start in motion makes no spike of force, and the navigation knows no start | `tests/start_in_motion.rs` |
-//! | an alignment is level to rounding with sensors of any quality, and says where it found no north | `tests/alignment.rs` |
-//! | gravity beyond the normal field acts as in closed form | `tests/gravity_disturbance.rs` |
+//! | error data 1 and error data 2 agree to second order, and both agree with the closed form | `tests/simulation2.rs` |
+//! | every term of the error equations is the derivative of the mechanization | `tests/error_equations.rs` |
+//! | each scheme has its theoretical order of convergence | `tests/convergence.rs` |
+//! | every run obeys the invariants of physics and of the conventions | `tests/invariants.rs` |
+//! | poles, the date line, vertical flight and irregular samples cost no accuracy | `tests/hard_poles.rs`, `tests/hard_places.rs`, `tests/hard_attitude.rs`, `tests/hard_samples.rs` |
+//! | a bad sample is rejected with a message that names field, value and limit, and changes nothing | `tests/samples.rs`, `tests/hard_samples.rs` |
+//! | each sensor effect equals its closed form, and acts on both error data | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
+//! | so do temperature and failures; a failure that is cleared has changed no random number | `tests/temperature.rs`, `tests/failures.rs` |
+//! | a sensor block away from the reference point navigates as accurately as one at it | `tests/mounting.rs` |
+//! | a start in motion causes no spike of force, and does not disturb the navigation | `tests/start_in_motion.rs` |
+//! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/alignment.rs` |
+//! | a gravity disturbance acts as its closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
-//! | and comes out of its Allan deviation | `cli/tests/allan_closure.rs`, the estimator `cli/tests/allan_estimator.rs` |
-//! | the same bits on every platform and by any call pattern | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
-//! | nothing that a host does hurts the library, nor the library the host | `tests/host_machine.rs` and the table of `tests/README.md` |
-//! | a run goes on to the same bits from any snapshot, and no damaged one is taken | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
-//! | whatever a host does within its rules: no solution beyond the limits is good, a refused call changes nothing, each snapshot loads | `tests/any_use.rs` |
-//! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
-//! | a slew or a pause whose stamps ran on keeps the errors of the INS | `tests/moved.rs` |
+//! | the Allan deviation of noise gives its parameters back | `cli/tests/allan_closure.rs`, the estimator `cli/tests/allan_estimator.rs` |
+//! | the same bits on every platform and for any sequence of calls | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
+//! | no host can damage the library, and the library does not damage its host | `tests/host_machine.rs` and the table of `tests/README.md` |
+//! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
+//! | whatever a host does within the rules: no accepted step leaves a solution beyond the limits, a rejected call changes nothing, each snapshot loads | `tests/any_use.rs` |
+//! | pauses and a changed pace of the host's time change no result | `tests/host_time.rs` |
+//! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/moved.rs` |
 //! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
-//! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
-//! | conversions hold a nanometre | `tests/earth.rs` |
-//! | what every setter takes, its getter gives back | `tests/read_back.rs` |
-//! | a scene that is written reads back to the bit, and a faulty one tells every fault | `tests/scene_text.rs`, `tests/scene_settings.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |
-//! | hard cases are right, or told to be beyond it | `tests/hard_*.rs`, with their figures in `tests/README.md` |
-//! | the header is what the code says, and nothing else is exported | `tests/header.rs` |
+//! | contributions of effects equal their closed forms, and effects marked so can be left out | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
+//! | geodetic conversions are accurate to a nanometre | `tests/earth.rs` |
+//! | every getter returns what its setter was given | `tests/read_back.rs` |
+//! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/scene_text.rs`, `tests/scene_settings.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |
+//! | hard cases are correct, or reported as beyond a limit | `tests/hard_*.rs`, with their figures in `tests/README.md` |
+//! | the header agrees with the code, and no other function is exported | `tests/header.rs` |
 //!
 //! # Example
 //!

@@ -1,8 +1,9 @@
 //! Flight logs: true motion as a table of comma-separated values.
 //!
-//! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are passed over. Angles
-//! are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with three
-//! columns each or not at all, temperature with one. A row with more fields than there are columns is refused: decimal commas make them.
+//! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are ignored. Angles
+//! are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with
+//! three columns each or not at all, temperature with one. A row with more fields than columns is rejected, because decimal
+//! commas cause it.
 
 use core::ops::Range;
 
@@ -47,7 +48,7 @@ const TEMPERATURE: usize = 16;
 /// The quantities that come together: all of them or none.
 const TRIPLES: [Range<usize>; 3] = [VELOCITY..RATE, RATE..FORCE, FORCE..TEMPERATURE];
 
-/// Columns of a log at the most, and bytes of a line.
+/// Largest number of columns of a log, and of bytes of a line.
 const MAX_COLUMNS: usize = 1000;
 const MAX_LINE: usize = 1 << 16;
 
@@ -61,7 +62,7 @@ pub struct FlightLog {
     lines: Vec<u64>,
 }
 
-/// Why a log is none.
+/// Why a text is not a valid log.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LogError {
     /// What is wrong with its text, and where.

@@ -14,8 +14,8 @@ pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
     vector.try_reserve(1).map_err(|_| missing(vector.len() + 1))
 }
 
-/// Whether there are so many bytes now. For code that cannot be told that there is no memory, as other crates' parsers: without
-/// this it ends the process, with it only where memory runs out in between.
+/// Whether that many bytes of memory are available now. For code that cannot report a lack of memory, such as parsers of
+/// other crates: without this it ends the process, with it only where memory runs out in between.
 #[cfg(feature = "scenes")]
 pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
     // Used, or the optimizer takes the allocation away.

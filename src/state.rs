@@ -55,7 +55,7 @@ pub struct EarthFixedState {
     pub q_eb: Quaternion<f64>,
 }
 
-/// The same in geographic terms.
+/// Position, velocity and attitude in geographic terms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Navigation {
     /// Latitude, longitude (-π..π), height.
@@ -80,7 +80,7 @@ pub struct StateErrors {
 }
 
 impl StateErrors {
-    /// None.
+    /// No errors: all zero.
     pub const NONE: Self = Self {
         position_n: Vector3::new(0.0, 0.0, 0.0),
         velocity_n: Vector3::new(0.0, 0.0, 0.0),

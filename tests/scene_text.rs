@@ -209,14 +209,14 @@ fn what_does_not_go_together_is_told() {
     };
     let flight = "[flight]\nbuiltin = \"patrol\"\n";
     one("", 1, "expected a flight");
-    one("[flight]\nbuiltin = \"patrol\"\nfile = \"log.csv\"\n", 1, "one alone of");
+    one("[flight]\nbuiltin = \"patrol\"\nfile = \"log.csv\"\n", 1, "only one of");
     one("[flight]\nbuiltin = \"petrol\"\n", 2, "no such flight; patrol?");
     one("[flight]\nfile = \"a.csv\"\nrate_hz = 10\n", 3, "its own time stamps");
     one(&format!("{flight}latitude_deg = 3\n"), 3, "has its own start");
     one(&format!("{flight}temperature_change_c_h = 3\n"), 3, "only with temperature_c");
     one(&format!("{flight}[options]\nvertical = \"free\"\n[altimeter]\nbias_m = 1\n"), 5, "damped");
     one(&format!("{flight}[options]\nclosed_loop_time_s = 40\n"), 4, "signal");
-    one(&format!("{flight}[options]\nsample_period_s = 0.01\n"), 4, "only of a log");
+    one(&format!("{flight}[options]\nsample_period_s = 0.01\n"), 4, "only for a log");
     one(&format!("{flight}[gyro]\nbias_deg_h = 1\nbias_rad_s = 1e-6\n"), 5, "the same quantity");
     one(&format!("{flight}[gyro]\nmarkov_sigma_deg_h = 1\n"), 3, "markov_time_s");
     one(&format!("{flight}[output]\nname = \"a/b\"\n"), 4, "folder");

@@ -277,13 +277,13 @@ fn a_refusal_names_what_is_wrong() {
     words[0] = 7;
     assert_eq!(
         refused(&mut simulator, &forged(&words)),
-        "snapshot: Options.frame = 7: is none that this release knows"
+        "snapshot: Options.frame = 7: is not a value that this release knows"
     );
     let mut longer = good.clone();
     longer.extend([0, 1, 0, 0, 0, 0, 0, 0]);
     assert_eq!(
         refused(&mut simulator, &forged(&longer)),
-        "snapshot bytes left over = 3: must be 0: the snapshot goes on behind its end"
+        "snapshot bytes left over = 3: must be 0: the snapshot has bytes after its end"
     );
     let error = refused(&mut simulator, &forged(&good[..100]));
     assert!(error.ends_with(": the snapshot ends before it"), "{error}");

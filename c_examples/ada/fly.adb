@@ -103,7 +103,7 @@ begin
       Put_Line (Standard_Error, "usage: fly NAME of a built-in scene");
       Set_Exit_Status (2);
    elsif sins_abi_version /= SINS_HEADER_ABI then
-      Put_Line (Standard_Error, "fly: the library has interface version" & sins_abi_version'Image & ", this program wants"
+      Put_Line (Standard_Error, "fly: the library has interface version" & sins_abi_version'Image & ", this program needs"
                 & Integer'Image (SINS_HEADER_ABI));
       Set_Exit_Status (Failure);
    else

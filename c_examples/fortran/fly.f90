@@ -19,7 +19,7 @@ program fly
   call get_command_argument(1, name)
   if (sins_abi_version() /= SINS_HEADER_ABI) then
     write (error_unit, "(a, i0, a, i0)") "fly: the library has interface version ", sins_abi_version(), &
-      ", this program wants ", SINS_HEADER_ABI
+      ", this program needs ", SINS_HEADER_ABI
     stop 1
   end if
 

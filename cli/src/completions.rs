@@ -6,7 +6,7 @@ use clap_complete::Shell;
 use crate::failure::Failure;
 use crate::terminal::print;
 
-/// Prints completions for a shell, as `sins completions bash > ~/.local/share/bash-completion/completions/sins`
+/// Prints completions for a shell: `sins completions bash > ~/.local/share/bash-completion/completions/sins`
 #[derive(Debug, clap::Args)]
 pub struct Order {
     pub shell: Shell,

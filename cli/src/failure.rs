@@ -23,10 +23,10 @@ pub enum Kind {
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done
-  1    failed: an output could not be written, or a solution left its range (what was flown is written)
+  1    failed: an output could not be written, or the solution diverged (what was flown is written)
   2    an option or an input file cannot be used; nothing is written
-  3    recommend: no options meet the requirement; the best there are were printed
-  130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and files that are there are whole";
+  3    recommend: no options meet the requirement; the best options were printed
+  130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete";
 
 /// The sentences, one a line.
 #[derive(Debug)]

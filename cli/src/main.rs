@@ -34,7 +34,7 @@ use clap::error::ErrorKind;
 
 use failure::{EXIT_CODES, Failure};
 
-/// Flies a strapdown inertial navigation system in simulation, and shows its errors.
+/// Simulates a strapdown inertial navigation system, and shows its errors.
 #[derive(Debug, Parser)]
 #[command(name = "sins", version, after_help = EXIT_CODES, max_term_width = 100)]
 struct CommandLine {
@@ -51,7 +51,7 @@ enum Command {
     Budget(budget::Order),
     Curve(curve::Order),
     Recommend(recommend::Order),
-    /// Lists the keys of a scene: what each takes, its unit and what it means
+    /// Lists the keys of a scene: values, unit and meaning of each
     Keys,
     #[command(subcommand)]
     Scene(scene::Order),

@@ -139,7 +139,7 @@ impl Rules {
             return Err(Failure::of_file(path, &what));
         }
         if !self.force && metadata.len() > 0 && !is_own(path, mark) {
-            let what = "is there already, and not of this program's making; --force replaces it";
+            let what = "exists already, and this program did not write it; --force replaces it";
             return Err(Failure::of_file(path, &what));
         }
         Ok(())
@@ -200,7 +200,7 @@ fn is_own(path: &Path, mark: &str) -> bool {
 #[derive(Debug)]
 pub struct OutputFile {
     path: PathBuf,
-    /// None: done.
+    /// `None` after the file is finished.
     writer: Option<(BufWriter<File>, TempPath)>,
     mark: String,
     rules: Rc<Rules>,

@@ -17,36 +17,37 @@ use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
 ///
-/// Flies a piece of the scene with each algorithm, cheapest first, against a reference that knows its own uncertainty. Options and
-/// mounting of the scene count; sensor errors do not.
+/// Flies a piece of the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty.
+/// Options and mounting of the scene count; sensor errors do not.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv
     #[arg(value_name = "SCENE")]
     pub scene: Option<OsString>,
-    /// Takes this flight log in the place of the scene's own flight
+    /// Uses this flight log instead of the scene's own flight
     #[arg(long, value_name = "LOG.csv")]
     pub log: Option<PathBuf>,
     #[command(flatten)]
     pub settings: Settings,
-    /// Largest position error that the algorithm itself may make; 0: it does not matter
+    /// Largest position error that the algorithm itself may cause; 0: no limit
     #[arg(long, value_name = "METRES", default_value_t = 0.0)]
     pub position: f64,
-    /// The same of the velocity
+    /// Largest velocity error that the algorithm itself may cause; 0: no limit
     #[arg(long, value_name = "M_PER_S", default_value_t = 0.0)]
     pub velocity: f64,
-    /// The same of the attitude
+    /// Largest attitude error that the algorithm itself may cause; 0: no limit
     #[arg(long, value_name = "ARCSEC", default_value_t = 0.0)]
     pub attitude: f64,
-    /// For how long the accuracy is required [default: the whole scene]
+    /// Duration for which the accuracy is required [default: the whole scene]
     #[arg(long)]
     pub hours: Option<f64>,
-    /// Where the piece begins, and how long it is
+    /// Start of the piece
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     pub from: f64,
+    /// Length of the piece
     #[arg(long, value_name = "SECONDS", default_value_t = 120.0)]
     pub piece: f64,
-    /// How many times the predicted error has to fit into the required one
+    /// Factor by which the predicted error must be smaller than the required one
     #[arg(long, default_value_t = 2.0)]
     pub margin: f64,
 }
@@ -79,8 +80,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if answer.met {
         return Ok(());
     }
-    let what =
-        format!("no options meet the requirement; these leave {} times as much", two_digits(answer.share));
+    let what = format!(
+        "no options meet the requirement; with the margin, the error of these is {} times the limit",
+        two_digits(answer.share)
+    );
     Err(Failure::of_kind(Kind::NotMet, what))
 }
 

@@ -15,27 +15,27 @@ use crate::units::{six_digits, time_text};
 /// Lists, checks and writes scenes
 #[derive(Debug, clap::Subcommand)]
 pub enum Order {
-    /// Lists the scenes that are built in
+    /// Lists the built-in scenes
     List,
-    /// Tells every fault of scenes and flight logs with its line, and what they fly
+    /// Reports every fault of scenes and flight logs with its line, and summarizes what they fly
     Check {
-        /// Files SCENE.toml and LOG.csv, or scenes that are built in
+        /// Files SCENE.toml and LOG.csv, or built-in scenes
         #[arg(required = true, value_name = "SCENE")]
         scenes: Vec<OsString>,
         #[command(flatten)]
         settings: Settings,
     },
-    /// Writes a scene in TOML with what is set of it, each key with its meaning and unit
+    /// Writes a scene in TOML: the keys that are set, each with its meaning and unit
     Write {
-        /// A scene that is built in, or a file SCENE.toml
+        /// A built-in scene, or a file SCENE.toml
         #[arg(value_name = "SCENE")]
         scene: OsString,
         #[command(flatten)]
         settings: Settings,
-        /// Where to [default: standard output]
+        /// Output file [default: standard output]
         #[arg(short, long, value_name = "FILE.toml")]
         output: Option<PathBuf>,
-        /// Replaces a file that is there
+        /// Replaces an existing file
         #[arg(long)]
         force: bool,
     },

@@ -102,7 +102,7 @@ fn what_was_meant_is_told() {
         (&["fly", "patrol", "--set", "gyro.bais_deg_h=1"], "bias_deg_h?"),
         (&["fly", "patrol", "--preset", "tacticle"], "--preset tacticle: gyro.preset"),
         (&["fly", "patrol", "--set", "gyro.bias_deg_h"], "expected KEY=VALUE"),
-        (&["fly"], "which scene?"),
+        (&["fly"], "no scene is given"),
         (&["fly", "nowhere.csv"], "nowhere.csv: cannot be read"),
         (&["fly", "nowhere.toml"], "nowhere.toml: cannot be read"),
         (&["fly", "patrol", "--name", "a/b"], "without a folder"),

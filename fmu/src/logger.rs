@@ -23,7 +23,7 @@ impl Category {
 
     pub fn doc(self) -> &'static str {
         match self {
-            Self::Error => "a call that was refused: which field, which value, which limit",
+            Self::Error => "a call that was rejected: field, value and limit",
             Self::Warning => "what was done in another way than usual: a gap in the truth",
         }
     }

@@ -54,7 +54,7 @@ impl Variable {
         }
     }
 
-    /// The same with a unit.
+    /// This variable with a unit.
     pub fn in_unit(self, unit: &'static str, unit_si: f64) -> Self {
         Self { unit, unit_si, ..self }
     }

@@ -5,8 +5,8 @@ use super::memory::{Output, read};
 use super::sensor_params::sins_accel_params;
 use super::simulator::{sins_sim, with_simulator};
 
-/// Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
-/// effects do not move; processes that were active go on from where they are.
+/// Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
+/// other effects do not change. Processes that were active continue.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
 #[unsafe(no_mangle)]
@@ -19,7 +19,7 @@ pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_
     })
 }
 
-/// Reads the accelerometer errors, as they were set last: at any moment, after sins_snapshot_load() too.
+/// Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_accel(sim: *mut sins_sim, params: *mut sins_accel_params) -> sins_status {
     with_simulator(sim, |simulator| {

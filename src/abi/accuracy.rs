@@ -7,8 +7,9 @@ use super::solution::write_or_need;
 use crate::errors::AccuracyFigures;
 use crate::simulator::{ClosureFigures, TrimFigures};
 
-/// Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors sampled once a second. They describe one run,
-/// which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
+/// Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
+/// them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by SINS_NMI_PER_HOUR
+/// for the unit of data sheets.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accuracy {
@@ -20,10 +21,10 @@ pub struct sins_accuracy {
     pub time_s: f64,
     /// Time since the start [s].
     pub duration_s: f64,
-    /// Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
-    /// over next to nothing [s].
+    /// Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates would be initial errors
+    /// divided by a very short time [s].
     pub window_start_s: f64,
-    /// Samples in that window; the rates are 0 while there is none.
+    /// Samples in the window of the radial error rates. While there are none, the rates are 0.
     pub window_samples: u64,
     /// sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
     pub radial_error_rate_rms_m_s: f64,
@@ -31,33 +32,33 @@ pub struct sins_accuracy {
     pub cep_rate_m_s: f64,
     /// R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
     pub radial_95_rate_m_s: f64,
-    /// Slope of the straight line of least squares through the horizontal position error [m/s].
+    /// Slope of the least-squares line through the horizontal position error [m/s].
     pub radial_error_slope_m_s: f64,
-    /// Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
-    /// east and north turn [m/s].
+    /// Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
+    /// and north turn fast, are left out [m/s].
     pub velocity_rms_enu_m_s: [f64; 3],
-    /// Closure: navigation minus truth now, position [m].
+    /// Position closure: navigation minus truth now [m].
     pub closure_position_enu_m: [f64; 3],
-    /// Closure: navigation minus truth now, velocity [m/s].
+    /// Velocity closure: navigation minus truth now [m/s].
     pub closure_velocity_enu_m_s: [f64; 3],
-    /// Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
-    /// to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
-    /// sensors'.
+    /// Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
+    /// the Schuler-tuned response to displacement by velocity less displacement by position; up is 0. The rest of the
+    /// closure is caused by the simulator and the sensors.
     pub host_position_enu_m: [f64; 3],
-    /// The same of the horizontal velocity closure; up is 0 [m/s].
+    /// Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s].
     pub host_velocity_enu_m_s: [f64; 3],
     /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
     pub inconsistency_enu_m: [f64; 3],
-    /// The largest of it in one interval [m].
+    /// The largest such difference in one interval [m].
     pub inconsistency_max_m: f64,
     /// Samples flagged SINS_NAVIGATION_INCONSISTENT.
     pub inconsistent_samples: u64,
     /// Intervals flown since the start or the last reposition: one less than the samples.
     pub intervals: u64,
-    /// The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
-    /// generator and mechanization themselves; 0 with physical signals [rad/s].
+    /// The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its time constants: the error
+    /// of signal generator and mechanization themselves; 0 with physical signals [rad/s].
     pub trim_rate_max_rad_s: f64,
-    /// The same of the specific force [m/s2].
+    /// The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     pub trim_force_max_m_s2: f64,
 }
 
@@ -99,7 +100,8 @@ impl sins_accuracy {
 
 /// Reads the running accuracy figures.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut sins_accuracy) -> sins_status {

@@ -18,11 +18,11 @@ pub struct sins_altimeter_params {
     pub bias_m: f64,
     /// Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
     pub markov_sigma_m: f64,
-    /// Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
+    /// Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
     pub markov_time_s: f64,
     /// Standard deviation of the independent error of each sample, up to 1e5 m [m].
     pub noise_m: f64,
-    /// Scale factor error of the height, -1 to 1.
+    /// Scale factor error of the height [1], -1 to 1.
     pub scale_factor: f64,
     /// Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
     pub lag_s: f64,
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn sins_set_altimeter(
     })
 }
 
-/// Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too.
+/// Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_altimeter(
     sim: *mut sins_sim,

@@ -14,7 +14,7 @@ use crate::error::{Error, check_integer};
 use crate::recommend::SolutionError;
 use crate::simulator::Simulator;
 
-/// What a budget is asked for. A limit of 0 is none.
+/// Request for an error budget. All zero is 16 runs and no limits.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_budget_request {
@@ -24,50 +24,59 @@ pub struct sins_budget_request {
     pub reserved: u32,
     /// Runs of each random effect, 8 to 1000; 0: 16.
     pub runs: u64,
-    /// What the effects that are left out may change together at any time of the scene: position [m].
+    /// Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+    /// 0: none.
     pub position_m: f64,
-    /// Velocity [m/s].
+    /// Limit of the change of the velocity error, likewise [m/s]; 0: none.
     pub velocity_m_s: f64,
-    /// Misalignment [rad].
+    /// Limit of the change of the misalignment, likewise [rad]; 0: none.
     pub attitude_rad: f64,
 }
 
 interface_struct!(sins_budget_request, "request", 40);
 
-/// Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
-/// out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
-/// of the rows anything.
+/// Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+/// can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
+/// struct_size of the other samples may be 0, that of the other rows anything.
 ///
-/// configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros, the
-/// accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the call
-/// and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
-/// limits; written and budget may be NULL.
+/// configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
+/// accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
+/// neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
+/// limits. written and budget may be NULL.
 ///
-/// An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
-/// none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
-/// runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
-/// run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
-/// instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-/// sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two things are
+/// no effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect that causes it.
+/// lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+/// (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the
+/// length of this vector in position, velocity and misalignment: the largest of up to 1000 instants, equally spaced, and
+/// the one at the last sample. For a random effect it is the root mean square over the runs sins_options.run, run + 1 and
+/// so on (SINS_BUDGET_RANDOM).
 ///
-/// rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
-/// position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
-/// the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+/// rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
+/// position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
+/// the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
+/// effects that act on each other, and is of second order in their sizes.
 ///
-/// With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
-/// while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
-/// are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
-/// what that changes, left_out, is beyond a limit, the largest of them comes back.
+/// With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It collects effects
+/// from the smallest share on. D is the sum of their deterministic contributions, and R is sigma_high times the root sum of
+/// squares of their random contributions. The call stops when the root sum of squares of D and R exceeds a limit. Then it
+/// flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts the largest of them
+/// back.
 ///
-/// But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
-/// and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-/// and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+/// The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame:
+/// it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1, plus one for
+/// each deterministic effect, plus runs for each random effect, plus runs for all effects together. With limits it is runs
+/// more, and again more if effects do not add up.
 ///
-/// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
-/// may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,
-/// SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
-/// pole. SINS_ERROR_DIVERGED: a solution left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread
-/// tells why, and at which sample.
+/// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
+/// (To ask for the number, give NULL for rows and a capacity of 0.)
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+/// SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+/// SINS_ERROR_DIVERGED: a solution diverged.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory.
+///
+/// sins_last_error(NULL, ...) on this thread gives the reason and the sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_error_budget(
     configured: *const sins_sim,
@@ -114,7 +123,7 @@ pub unsafe extern "C" fn sins_error_budget(
         for index in 0..count {
             sample(index).map_err(|failure| failure.of_sample(index))?;
         }
-        let changed = |_| Error::bad_state("samples: changed while they were flown");
+        let changed = |_| Error::bad_state("samples: they changed during the call");
         let scene = Scene { count, sample: &|index| sample(index).map_err(changed) };
         let answer = error_budget(&options, &scene, &parameters, &request)?;
         let costs = step_costs_ns(&options, &scene, &parameters, answer.rows.iter().map(|row| row.effect))?;

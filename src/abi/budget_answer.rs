@@ -14,8 +14,8 @@ pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out together with the others that are marked so.
 pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
 
-/// An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
-/// set.
+/// An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and the
+/// samples, with nothing set.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_budget_row {
@@ -23,32 +23,34 @@ pub struct sins_budget_row {
     pub struct_size: u32,
     /// Flags of enum sins_budget_flags, or'ed.
     pub flags: u32,
-    /// Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
+    /// Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization".
     pub effect: [c_char; 32],
-    /// The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row.
+    /// The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
+    /// out. Empty in the first row.
     pub field: [c_char; 48],
-    /// Length of the contribution to the position error, the largest of the scene [m].
+    /// Length of the contribution to the position error, the largest in the scene [m].
     pub position_m: f64,
-    /// Velocity [m/s].
+    /// Length of the contribution to the velocity error, the largest in the scene [m/s].
     pub velocity_m_s: f64,
-    /// Misalignment [rad].
+    /// Length of the contribution to the misalignment, the largest in the scene [rad].
     pub attitude_rad: f64,
-    /// The same at the end of the scene: position [m].
+    /// Length of the contribution to the position error at the end of the scene [m].
     pub end_position_m: f64,
-    /// Velocity [m/s].
+    /// Length of the contribution to the velocity error at the end of the scene [m/s].
     pub end_velocity_m_s: f64,
-    /// Misalignment [rad].
+    /// Length of the contribution to the misalignment at the end of the scene [rad].
     pub end_attitude_rad: f64,
-    /// The largest share of a limit that the contribution takes up; 0 without limits.
+    /// The contribution divided by its limit, the largest of the three; 0 without limits.
     pub share: f64,
-    /// Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
-    /// nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+    /// Time of a step with all effects, less that of a step without this one; in the first row, time of a step with nothing
+    /// set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may
+    /// be negative.
     pub ns_per_step: f64,
 }
 
 interface_struct!(sins_budget_row, "rows", 152);
 
-/// A budget as a whole.
+/// Figures of a budget as a whole.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_budget {
@@ -56,35 +58,37 @@ pub struct sins_budget {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// Time that was looked at: from the end of the first interval to that of the last [s].
+    /// Duration of the evaluation: from the end of the first interval to the end of the last [s].
     pub duration_s: f64,
     /// Runs of each random effect; 1 if there is none.
     pub runs: u64,
     /// Flights that were flown.
     pub flights: u64,
-    /// A standard deviation lies with 95 % probability between its row's figure times this, ...
+    /// Lower end of the 95 % interval of a standard deviation, as a factor to the figure of its row; 1 if nothing is
+    /// random.
     pub sigma_low: f64,
-    /// ... and times this; both are 1 if nothing is random.
+    /// Upper end of the 95 % interval of a standard deviation, as a factor to the figure of its row; 1 if nothing is
+    /// random.
     pub sigma_high: f64,
-    /// Errors with all effects together, root mean square over the runs, the largest of the scene: position [m].
+    /// Position error with all effects together, root mean square over the runs, the largest in the scene [m].
     pub position_m: f64,
-    /// Velocity [m/s].
+    /// Velocity error with all effects together, likewise [m/s].
     pub velocity_m_s: f64,
-    /// Misalignment [rad].
+    /// Misalignment with all effects together, likewise [rad].
     pub attitude_rad: f64,
-    /// What of that the sum of all rows does not explain: position [m].
+    /// Part of the position error that the sum of all rows does not explain [m].
     pub remainder_position_m: f64,
-    /// Velocity [m/s].
+    /// Part of the velocity error that the sum of all rows does not explain [m/s].
     pub remainder_velocity_m_s: f64,
-    /// Misalignment [rad].
+    /// Part of the misalignment that the sum of all rows does not explain [rad].
     pub remainder_attitude_rad: f64,
-    /// What the errors change by without the marked rows, flown: position [m].
+    /// Change of the position error when the marked rows are left out, as flown [m].
     pub left_out_position_m: f64,
-    /// Velocity [m/s].
+    /// Change of the velocity error when the marked rows are left out, as flown [m/s].
     pub left_out_velocity_m_s: f64,
-    /// Misalignment [rad].
+    /// Change of the misalignment when the marked rows are left out, as flown [rad].
     pub left_out_attitude_rad: f64,
-    /// Measured here and now: what a step takes with all effects [ns].
+    /// Time of a step with all effects, measured in this call on this machine [ns].
     pub ns_per_step: f64,
 }
 

@@ -4,43 +4,44 @@ use core::fmt;
 
 use crate::error::{Error, ErrorKind, Rule};
 
-/// Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
+/// Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
+/// changed.
 pub type sins_status = i32;
 
-/// Values of a sins_status: 0, positive an answer of another kind, negative an error.
+/// Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither.
 pub type sins_status_code = i32;
 
 /// The call did what it says.
 pub const SINS_OK: sins_status_code = 0;
 /// There is no complete interval yet: push the next sample.
 pub const SINS_NEED_SAMPLE: sins_status_code = 1;
-/// No options meet the requirement; the outputs tell the best there are.
+/// No options meet the requirement; the outputs hold the best options there are.
 pub const SINS_REQUIREMENT_NOT_MET: sins_status_code = 2;
-/// The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+/// The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it.
 pub const SINS_SCENE_HAS_FAULTS: sins_status_code = 3;
-/// The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
-/// two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
-/// the vehicle stood still, that is wrong: see sins_move_time().
+/// The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
+/// each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's
+/// clock ran on while the vehicle stood still, that is wrong: see sins_move_time().
 pub const SINS_GAP: sins_status_code = 4;
-/// A pointer that must not be null is.
+/// A pointer is null where null is not allowed.
 pub const SINS_ERROR_NULL_POINTER: sins_status_code = -1;
 /// The handle is null, made up, destroyed, or of another kind.
 pub const SINS_ERROR_BAD_HANDLE: sins_status_code = -2;
-/// A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
+/// A struct_size that no release knows, or a struct of a newer release that sets a field which this release lacks.
 pub const SINS_ERROR_STRUCT_SIZE: sins_status_code = -3;
 /// A value out of its range; sins_last_error() names field, value and limit.
 pub const SINS_ERROR_INVALID_ARGUMENT: sins_status_code = -4;
-/// The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads).
+/// A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds (see Threads).
 pub const SINS_ERROR_BAD_STATE: sins_status_code = -5;
 /// A sample that is not later than the one before, or off the stated sample period.
 pub const SINS_ERROR_TIME_ORDER: sins_status_code = -6;
-/// Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
+/// The truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
 pub const SINS_ERROR_DISCONTINUITY: sins_status_code = -7;
 /// The queue of samples is full: step first.
 pub const SINS_ERROR_QUEUE_FULL: sins_status_code = -8;
-/// The solution left its representable range; the last good one stays readable.
+/// The solution diverged: it left its limits. The last good solution stays readable.
 pub const SINS_ERROR_DIVERGED: sins_status_code = -9;
-/// The geographic mechanization came within reach of a pole.
+/// The mechanization in geographic axes came too close to a pole.
 pub const SINS_ERROR_SINGULAR: sins_status_code = -10;
 /// A buffer is too small for the result.
 pub const SINS_ERROR_BUFFER_TOO_SMALL: sins_status_code = -11;
@@ -48,7 +49,7 @@ pub const SINS_ERROR_BUFFER_TOO_SMALL: sins_status_code = -11;
 pub const SINS_ERROR_OUT_OF_MEMORY: sins_status_code = -12;
 /// The snapshot is damaged, foreign or newer.
 pub const SINS_ERROR_SNAPSHOT: sins_status_code = -13;
-/// A defect inside the library was caught; this handle answers so from now on, others live.
+/// A defect inside the library was caught. This handle returns this status from now on; other handles still work.
 pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
 
 /// A status with its sentence, as plain data.
@@ -77,7 +78,7 @@ impl Failure {
     }
 
     pub fn bad_handle(name: &'static str) -> Self {
-        Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of the other kind")
+        Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of another kind")
     }
 
     /// A handle, an argument under `name`, was refused with `status`.
@@ -88,20 +89,20 @@ impl Failure {
             _ => Self::words(
                 status,
                 name,
-                "is inside a call of this thread, or held for ever by one that never returns",
+                "is in use in a call of this thread, or held for ever by a call that never returns",
             ),
         }
     }
 
     pub fn no_handle() -> Self {
-        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: 4096 of a kind can live at once")
+        Self::words(SINS_ERROR_OUT_OF_MEMORY, "", "no handle is free: at most 4096 of a kind can exist")
     }
 
     pub fn no_thread_locals() -> Self {
         Self::words(
             SINS_ERROR_OUT_OF_MEMORY,
             "",
-            "no memory, or too few TLS indexes, for what the library keeps for a thread",
+            "no memory, or too few TLS indexes, for the data that the library keeps for a thread",
         )
     }
 

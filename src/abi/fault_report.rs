@@ -13,13 +13,14 @@ pub struct sins_fault {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// Faults of the text, 200 at the most.
+    /// Number of faults of the text, 200 at most.
     pub count: u64,
-    /// Line of this one, from 1.
+    /// Line of this fault, from 1.
     pub line: u64,
-    /// Column, in characters from 1; of a flight log the column of the table.
+    /// Column, in characters from 1; for a flight log, the column of the table.
     pub column: u64,
-    /// Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer.
+    /// Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
+    /// longer.
     pub sentence: [c_char; 256],
 }
 

@@ -17,7 +17,7 @@ pub struct sins_flight {
     _opaque: [u8; 0],
 }
 
-/// Where an embedded flight begins, level and straight.
+/// Start of an embedded flight, level and straight.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_flight_start {
@@ -35,11 +35,12 @@ pub struct sins_flight_start {
     pub speed_m_s: f64,
     /// Course and heading, -100 to 100 [rad].
     pub heading_rad: f64,
-    /// Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
+    /// Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad].
     pub roll_rad: f64,
-    /// Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
+    /// Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
+    /// at rest [rad].
     pub pitch_rad: f64,
-    /// Of enum sins_earth, as in the options of the simulator that will fly it.
+    /// Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it.
     pub earth: i32,
     /// Must be 0.
     pub reserved2: u32,
@@ -91,16 +92,19 @@ fn with_flight(
     enter(|| FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
 }
 
-/// Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
-/// to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+/// Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
+/// forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
+/// manoeuvres[0].struct_size is the distance between the manoeuvres.
 ///
-/// Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
-/// of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+/// to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+/// and heading need no pieces.
 ///
-/// On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
-/// value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
-/// index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
-/// 200000 pieces (which take 3 s), or 4096 flights that live.
+/// On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
+/// sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_create(
     start: *const sins_flight_start,
@@ -151,7 +155,7 @@ pub(super) unsafe fn hand_out(flight: Flight, place: *mut *mut sins_flight) -> R
     Ok(SINS_OK)
 }
 
-/// Length of the flight [s].
+/// Reads the duration of the flight [s].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_duration(
     flight: *const sins_flight,
@@ -164,7 +168,8 @@ pub unsafe extern "C" fn sins_flight_duration(
     })
 }
 
-/// The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
+/// Reads the sample at time_s, from 0 to the duration [s]. It is exact at any time, and times may come in any order. No
+/// allocation; 0.5 to 2 us.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
 #[unsafe(no_mangle)]

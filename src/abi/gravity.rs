@@ -6,14 +6,15 @@ use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{GravityDisturbanceParameters, GravityField};
 
-/// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
-/// disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
-/// track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
-/// gravity.
+/// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
+/// gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
+/// first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At
+/// rest it does not change. All zero is normal gravity.
 ///
-/// Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
-/// accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
-/// times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+/// Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
+/// accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
+/// twice R times the deflection, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
+/// tilted by the deflection.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_gravity_params {
@@ -21,35 +22,36 @@ pub struct sins_gravity_params {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
-    /// the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+    /// Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
+    /// zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
     pub deflection_north_rad: f64,
-    /// Standard deviation of its random part, up to 0.01 [rad].
+    /// Standard deviation of the random part of the deflection in the meridian, up to 0.01 [rad].
     pub deflection_north_sigma_rad: f64,
-    /// Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0.
+    /// Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     pub deflection_north_distance_m: f64,
     /// Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
-    /// 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+    /// 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
     pub deflection_east_rad: f64,
-    /// Standard deviation of its random part, up to 0.01 [rad].
+    /// Standard deviation of the random part of the deflection in the prime vertical, up to 0.01 [rad].
     pub deflection_east_sigma_rad: f64,
-    /// Correlation distance of that, 1 to 1e9 [m].
+    /// Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     pub deflection_east_distance_m: f64,
     /// Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
     pub anomaly_m_s2: f64,
-    /// Standard deviation of its random part, up to 0.1 [m/s2].
+    /// Standard deviation of the random part of the anomaly, up to 0.1 [m/s2].
     pub anomaly_sigma_m_s2: f64,
-    /// Correlation distance of that, 1 to 1e9 [m].
+    /// Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     pub anomaly_distance_m: f64,
 }
 
 interface_struct!(sins_gravity_params, "gravity", 80);
 
-/// Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
-/// same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
-/// felt their own gravity.
+/// Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
+/// reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
+/// disturbance does not affect a navigator on increments, because these contain their own gravity.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gravity_disturbance(
     sim: *mut sins_sim,
@@ -101,7 +103,7 @@ impl sins_gravity_params {
     }
 }
 
-/// Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too.
+/// Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_gravity_disturbance(
     sim: *mut sins_sim,

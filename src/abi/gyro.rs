@@ -5,11 +5,12 @@ use super::memory::{Output, read};
 use super::sensor_params::sins_gyro_params;
 use super::simulator::{sins_sim, with_simulator};
 
-/// Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
-/// move; processes that were active go on from where they are.
+/// Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
+/// effects do not change. Processes that were active continue.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
-/// a temperature wait, or while navigating on increments.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+/// increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_gyro_params) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -20,7 +21,7 @@ pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_g
     })
 }
 
-/// Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too.
+/// Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_gyro(sim: *mut sins_sim, params: *mut sins_gyro_params) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -13,9 +13,10 @@ pub type sins_alignment = i32;
 
 /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
 pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
-/// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
-/// the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
-/// heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+/// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
+/// turned by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal
+/// force. Then the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN is set if
+/// north could not be found.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
@@ -28,9 +29,9 @@ pub struct sins_initial_errors {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Position [m].
+    /// Position error [m].
     pub position_enu_m: [f64; 3],
-    /// Velocity [m/s].
+    /// Velocity error [m/s].
     pub velocity_enu_m_s: [f64; 3],
     /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
     /// east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
@@ -41,7 +42,7 @@ pub struct sins_initial_errors {
     pub velocity_sigma_enu_m_s: [f64; 3],
     /// Standard deviation of misalignment, 0 to 1 [rad].
     pub misalignment_sigma_enu_rad: [f64; 3],
-    /// Of enum sins_alignment.
+    /// Alignment at the start, of enum sins_alignment.
     pub alignment: i32,
     /// Must be 0.
     pub reserved2: u32,
@@ -95,7 +96,8 @@ impl sins_initial_errors {
 
 /// Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_initial_errors(
     sim: *mut sins_sim,
@@ -109,7 +111,8 @@ pub unsafe extern "C" fn sins_set_initial_errors(
     })
 }
 
-/// Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too.
+/// Reads the errors with which the navigation starts, as they were set last: at any moment, also after
+/// sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_initial_errors(
     sim: *mut sins_sim,

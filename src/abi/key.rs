@@ -1,17 +1,17 @@
-//! What a handle is: a number made of kind, slot and generation, so that no key is ever used again.
+//! Keys of handles. A key is a number made of kind, slot and generation; no key is ever used again.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::math::SPLIT_MIX_STEP;
 
-/// Handles of a kind that can live at once.
+/// Largest number of handles of a kind that exist at the same time.
 pub(super) const SLOTS: usize = 4096;
 const SLOT_BITS: u32 = SLOTS.trailing_zeros();
 const KIND_BITS: u32 = 3;
 /// Generations of a slot; one that has used them all is never used again, so that no key returns.
 pub(super) const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
-/// Below every first generation: small made-up numbers are no keys.
+/// Less than every first generation, so small made-up numbers are no keys.
 const LOWEST_GENERATION: usize = 0x2a5;
 
 pub(super) fn key_of(generation: usize, slot: usize, kind: usize) -> usize {
@@ -28,8 +28,8 @@ pub(super) fn slot_of(key: usize) -> usize {
     (key >> KIND_BITS) % SLOTS
 }
 
-/// The generation with which the keys of a table begin; 0 until it is drawn. Not a lock: a fork may come while another thread
-/// draws.
+/// The first generation of the keys of a table; 0 until it is drawn. This is an atomic and not a lock, because a fork may
+/// happen while another thread draws.
 pub(super) struct FirstGeneration(AtomicUsize);
 
 impl FirstGeneration {
@@ -48,8 +48,9 @@ impl FirstGeneration {
         }
     }
 
-    /// Of another table - a second copy of the library, or the one after an unload and a load - almost surely another, so
-    /// that its keys are none here: from the lower half, by the table's place and the time.
+    /// Draws a first generation from the lower half of all generations, by the table's address and the time. Another table
+    /// (of a second copy of the library, or after an unload and a load) almost surely gets another one, so its keys are
+    /// invalid here.
     #[cold]
     fn draw(&self) -> usize {
         const BITS: u32 = LAST_GENERATION.count_ones() - 1;

@@ -12,16 +12,16 @@ use crate::error::Value;
 /// Flags of a sins_error_info.
 pub type sins_error_info_flags = u32;
 
-/// A value is at fault, and is in value.
+/// The field value holds the value at fault.
 pub const SINS_ERROR_INFO_VALUE: sins_error_info_flags = 1;
-/// There is a least value, and minimum has it.
+/// The field minimum holds the least allowed value.
 pub const SINS_ERROR_INFO_MINIMUM: sins_error_info_flags = 2;
-/// There is a greatest value, and maximum has it.
+/// The field maximum holds the greatest allowed value.
 pub const SINS_ERROR_INFO_MAXIMUM: sins_error_info_flags = 4;
 /// The field is an integer.
 pub const SINS_ERROR_INFO_INTEGER: sins_error_info_flags = 8;
 
-/// Why a call failed: what the sentence of sins_last_error() is made of.
+/// Why a call failed: the data of which the sentence of sins_last_error() is made.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_error_info {
@@ -29,33 +29,36 @@ pub struct sins_error_info {
     pub struct_size: u32,
     /// Flags of enum sins_error_info_flags, or'ed.
     pub flags: u32,
-    /// What the call returned, of enum sins_status_code; SINS_OK if none failed.
+    /// Status that the failed call returned, of enum sins_status_code; SINS_OK if no call failed.
     pub status: sins_status,
     /// 0
     pub reserved: u32,
-    /// The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself.
+    /// Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured quantity; terminated.
+    /// Empty if the call itself is at fault.
     pub field: [c_char; 96],
-    /// Element of the field, from 0; -1: the field is no array, or all of it is at fault.
+    /// Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
     pub index: i64,
-    /// Sample of the array that the call took, from 0; -1: none.
+    /// Index of the sample in the array of the call, from 0; -1: no sample is at fault.
     pub sample: i64,
-    /// With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double.
+    /// With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double.
     pub value: f64,
-    /// With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused.
+    /// With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too.
     pub minimum: f64,
-    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
+    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
+    /// too.
     pub maximum: f64,
 }
 
 interface_struct!(sins_error_info, "info", 152);
 
-/// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
-/// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
-/// (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
-/// Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+/// Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
+/// always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
+/// has no simulator (create, presets, flights, scenes, logs, recommend, budget), or whose handle was rejected
+/// (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves
+/// no sentence.
 ///
-/// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
-/// alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+/// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
+/// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_last_error(
     sim: *const sins_sim,
@@ -70,8 +73,8 @@ pub unsafe extern "C" fn sins_last_error(
     })
 }
 
-/// Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
-/// sentence.
+/// Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
+/// of which sins_last_error() gives the sentence.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_last_error_info(
     sim: *const sins_sim,

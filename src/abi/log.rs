@@ -18,7 +18,7 @@ pub struct sins_log {
     _opaque: [u8; 0],
 }
 
-/// What a flight log holds.
+/// Contents of a flight log.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_log_info {
@@ -28,7 +28,7 @@ pub struct sins_log_info {
     pub reserved: u32,
     /// Samples.
     pub samples: u64,
-    /// From the first to the last of them [s].
+    /// Duration from the first to the last sample [s].
     pub duration_s: f64,
     /// The comment in the first line of the log, UTF-8, terminated; empty: none.
     pub title: [c_char; 192],
@@ -49,17 +49,19 @@ fn with_log(
 }
 
 /// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
-/// order; columns of other names are passed over, and a row with more fields than columns is a fault:
+/// order; columns of other names are ignored, and a row with more fields than columns is a fault:
 ///
-///   time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
-///   heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
-///   rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+/// time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
+/// or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+/// force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 ///
-/// Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
-/// ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+/// Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
+/// ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it allocates,
+/// 184 bytes a sample.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
-/// *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+/// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
+/// and *log is unchanged.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_parse(
     text: *const c_char,
@@ -88,7 +90,7 @@ pub unsafe extern "C" fn sins_log_parse(
                 if let Some(output) = output {
                     output.write(&sins_fault::new(&found, 1));
                 }
-                let rule = Rule::Words("the text is no flight log; sins_fault tells why");
+                let rule = Rule::Words("the text is not a flight log; sins_fault gives the reason");
                 remember(Error::invalid("line", found.line, rule).into());
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
@@ -96,7 +98,7 @@ pub unsafe extern "C" fn sins_log_parse(
     })
 }
 
-/// Tells how many samples a log has, how long it is, and its title.
+/// Reads the number of samples of a log, its duration and its title.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins_log_info) -> sins_status {
     with_log(log, |log| {
@@ -113,8 +115,8 @@ pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins
     })
 }
 
-/// The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the text
-/// on which it stands, from 1. No allocation.
+/// Reads sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets its line in
+/// the text, from 1. No allocation.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such sample.
 #[unsafe(no_mangle)]
@@ -128,8 +130,10 @@ pub unsafe extern "C" fn sins_log_get_sample(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
-            let rule =
-                Rule::WordsAnd("must be less than the samples of the log:", log.samples().len() as f64);
+            let rule = Rule::WordsAnd(
+                "must be less than the number of samples of the log:",
+                log.samples().len() as f64,
+            );
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_flight_sample::from_sample(found));

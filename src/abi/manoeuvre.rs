@@ -15,20 +15,22 @@ pub type sins_manoeuvre_kind = i32;
 pub const SINS_MANOEUVRE_REST: sins_manoeuvre_kind = 0;
 /// Along a geodesic at constant speed and height for duration_s.
 pub const SINS_MANOEUVRE_STRAIGHT: sins_manoeuvre_kind = 1;
-/// By speed_change_m_s in duration_s.
+/// Changes the speed by speed_change_m_s in duration_s.
 pub const SINS_MANOEUVRE_ACCELERATE: sins_manoeuvre_kind = 2;
-/// By height_change_m in duration_s, ramp_s.
+/// Changes the height by height_change_m in duration_s. Uses ramp_s.
 pub const SINS_MANOEUVRE_CLIMB: sins_manoeuvre_kind = 3;
-/// Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
-/// follows.
+/// Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
+/// duration follows from these.
 pub const SINS_MANOEUVRE_TURN: sins_manoeuvre_kind = 4;
-/// turns whole rolls (right positive) in duration_s along a straight path.
+/// Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path.
 pub const SINS_MANOEUVRE_ROLL: sins_manoeuvre_kind = 5;
-/// turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
+/// Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
+/// ramp_s.
 pub const SINS_MANOEUVRE_LOOP: sins_manoeuvre_kind = 6;
-/// Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
+/// The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
+/// ramp_s.
 pub const SINS_MANOEUVRE_S_TURN: sins_manoeuvre_kind = 7;
-/// Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
+/// Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
 pub const SINS_MANOEUVRE_SINUSOIDS: sins_manoeuvre_kind = 8;
 
 /// What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
@@ -55,15 +57,15 @@ pub struct sins_manoeuvre {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Of enum sins_manoeuvre_kind.
+    /// Kind of the manoeuvre, of enum sins_manoeuvre_kind.
     pub kind: i32,
-    /// Sinusoids, 1 to 6.
+    /// Number of sinusoids, 1 to 6.
     pub sinusoid_count: i32,
     /// Duration, 1e-3 to 1e8 [s].
     pub duration_s: f64,
-    /// Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
+    /// Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the duration. 0: 5 s [s].
     pub ramp_s: f64,
-    /// Change of speed, to no less than 0 and no more than 10 km/s [m/s].
+    /// Change of speed; the speed must stay between 0 and 10 km/s [m/s].
     pub speed_change_m_s: f64,
     /// Change of height; the climb angle must stay below 64 degrees [m].
     pub height_change_m: f64,
@@ -75,18 +77,18 @@ pub struct sins_manoeuvre {
     pub turns: f64,
     /// What each sinusoid moves, of enum sins_channel.
     pub channel: [i32; 6],
-    /// Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
-    /// [m/s].
+    /// Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
+    /// sinusoids together up to the speed.
     pub amplitude: [f64; 6],
     /// Frequency of each sinusoid, 0 to 1000 [Hz].
     pub frequency_hz: [f64; 6],
-    /// Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
+    /// Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the manoeuvre [rad].
     pub phase_rad: [f64; 6],
 }
 
 interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 
-const NOT_USED: Rule = Rule::Zero(": it is not used here");
+const NOT_USED: Rule = Rule::Zero(": this manoeuvre does not use it");
 
 // A kind is its place in the table.
 const _: () =

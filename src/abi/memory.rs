@@ -100,8 +100,9 @@ unsafe fn copy_sized<T: Struct>(pointer: *const T, size: usize, value: *mut T) -
     for offset in known..size {
         // SAFETY: within the struct's stated size.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
-            let rule =
-                Rule::Words("the struct is of a newer release and uses fields that this one does not know");
+            let rule = Rule::Words(
+                "the struct is of a newer release and uses fields that this release does not know",
+            );
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
     }
@@ -171,7 +172,7 @@ impl<T: Struct> Array<T> {
         // SAFETY: the head of an element.
         let size = unsafe { pointer.cast::<u32>().read_unaligned() } as usize;
         if size != self.stride && size != 0 {
-            let rule = Rule::Exactly("must be that of the first element, or 0; that is", self.stride as f64);
+            let rule = Rule::Exactly("must be 0, or that of the first element:", self.stride as f64);
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
         // SAFETY: an element has `stride` readable bytes.

@@ -9,18 +9,21 @@ use super::simulator::{sins_sim, with_simulator};
 use crate::math::Euler;
 use crate::mounting::MountingParameters;
 
-/// Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
-/// believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+/// Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of what
+/// the INS believes about them: believed = true + error, component by component. All zero is a block at the reference
+/// point, along the body axes.
 ///
-/// The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins_imu is about the block. The INS
-/// navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
-/// Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
-/// point, along body axes; so is the barometric height.
+/// The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
+/// the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
+/// believes: sins_navigation and sins_errors describe the reference point. Initial errors are those of the INS's solution
+/// for the block. Angular rate and specific force of a sample are those of the reference point, along body axes. The
+/// barometric height is that of the reference point too.
 ///
-/// Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of the
-/// first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval has
-/// it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
-/// sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is lacking.
+/// Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
+/// the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
+/// the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
+/// interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
+/// starts with the velocity of the block that matches the next sample. With SINS_SAMPLE_ANGULAR_RATE no term is missing.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_mounting {
@@ -28,24 +31,26 @@ pub struct sins_mounting {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
+    /// Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     pub lever_arm_m: [f64; 3],
-    /// Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-    /// down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
+    /// Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
+    /// relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
+    /// flight sample [rad].
     pub boresight_rad: [f64; 3],
     /// Believed less true lever arm, -100 to 100 [m].
     pub lever_arm_error_m: [f64; 3],
-    /// Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
-    /// out too small by as much.
+    /// Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too large, the heading that the INS
+    /// reports is too small by the same amount.
     pub boresight_error_rad: [f64; 3],
 }
 
 interface_struct!(sins_mounting, "mounting", 104);
 
-/// Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
-/// increments is not concerned: its solution is that of the block.
+/// Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
+/// mounting does not affect a navigator on increments: its solution is that of the block.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_mounting(
     sim: *mut sins_sim,
@@ -85,7 +90,7 @@ impl sins_mounting {
     }
 }
 
-/// Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too.
+/// Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_mounting(sim: *mut sins_sim, mounting: *mut sins_mounting) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -14,7 +14,8 @@ use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, check_height};
 
-/// Increments of an inertial measurement unit over an interval, in count parts of equal length.
+/// Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
+/// field count is their number.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_imu_increment {
@@ -24,12 +25,12 @@ pub struct sins_imu_increment {
     pub reserved: u32,
     /// Length of the whole interval, 5e-5 to 10 [s].
     pub interval_s: f64,
-    /// Parts, 1 to 5.
+    /// Number of parts, 1 to 5.
     pub count: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
-    /// first, of the second, ... [rad].
+    /// Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the first part, x, y,
+    /// z of the second part, and so on [rad].
     pub angle_rad: [f64; 15],
     /// Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     pub velocity_m_s: [f64; 15],
@@ -37,14 +38,16 @@ pub struct sins_imu_increment {
 
 interface_struct!(sins_imu_increment, "imu", 264);
 
-/// Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
-/// read) of navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion
-/// is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and
-/// flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+/// Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
+/// gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
+/// flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
+/// truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
+/// until sins_reset().
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
-/// started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
-/// SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
+/// coefficients are set, but increments have no temperature.
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_start_navigation(
     sim: *mut sins_sim,
@@ -82,13 +85,14 @@ pub unsafe extern "C" fn sins_start_navigation(
     })
 }
 
-/// Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
-/// interval_s; sins_get_imu() tells the host's increments as the ideal ones.
-/// sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+/// Navigates over one interval on the host's increments. Sensor errors that are set are added to the increments. The time
+/// advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
+/// updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
 ///
-/// SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
-/// turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
-/// solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+/// SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+/// SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
+/// readable, and sins_reset() and sins_start_navigation() start anew.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_push_imu(
     sim: *mut sins_sim,

@@ -16,29 +16,29 @@ pub type sins_frame = i32;
 
 /// Navigation in Earth-fixed axes: regular everywhere, poles included.
 pub const SINS_FRAME_EARTH_FIXED: sins_frame = 0;
-/// Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
-/// than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+/// Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
+/// moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
 pub const SINS_FRAME_GEOGRAPHIC: sins_frame = 1;
 
 /// Algorithms of the mechanization.
 pub type sins_scheme = i32;
 
-/// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+/// Coning, sculling and exact rotation compensation; Earth terms from the middle of the update.
 pub const SINS_SCHEME_EXACT: sins_scheme = 0;
-/// The paper's equations (7)-(24), misprints mended, approximations kept.
+/// The paper's equations (7)-(24), misprints corrected, approximations kept.
 pub const SINS_SCHEME_PAPER: sins_scheme = 1;
 /// As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
 pub const SINS_SCHEME_POLYNOMIAL: sins_scheme = 2;
 
-/// What holds the vertical channel.
+/// What stabilizes the vertical channel.
 pub type sins_vertical = i32;
 
-/// Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
-/// the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+/// Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
+/// order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
 pub const SINS_VERTICAL_DAMPED: sins_vertical = 0;
 /// Height and vertical velocity set to the truth at each sample.
 pub const SINS_VERTICAL_FOLLOW_TRUTH: sins_vertical = 1;
-/// Left to itself: any error grows by e every 569 s.
+/// Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
 pub const SINS_VERTICAL_FREE: sins_vertical = 2;
 
 /// Whether the error differential equations are integrated.
@@ -49,12 +49,12 @@ pub const SINS_ERROR_MODEL_OFF: sins_error_model = 0;
 /// The error differential equations (error data 1) by fourth-order Runge-Kutta.
 pub const SINS_ERROR_MODEL_RK4: sins_error_model = 1;
 
-/// Whether the motion of the truth is summed up.
+/// Whether the library summarizes the true motion.
 pub type sins_summary = i32;
 
 /// sins_get_truth_summary() is not available.
 pub const SINS_SUMMARY_OFF: sins_summary = 0;
-/// The motion of the truth is summed up; the other outputs have the same bits.
+/// sins_get_truth_summary() is available. The other outputs have the same bits as without.
 pub const SINS_SUMMARY_ON: sins_summary = 1;
 
 /// Ellipsoids.
@@ -88,14 +88,15 @@ pub const SINS_AXES_FORWARD_RIGHT_DOWN: sins_axes = 1;
 /// Ideal signals.
 pub type sins_signal = i32;
 
-/// Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
+/// Ideal signals are the integrals of the true angular rate and specific force, so the navigation shows the mechanization's
+/// own error.
 pub const SINS_SIGNAL_PHYSICAL: sins_signal = 0;
-/// The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
-/// for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
-/// navigator is the simulator's own and nothing is computed twice.
+/// As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
+/// free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
+/// trim. If no sensor has errors, the simulator's own navigator is that navigator, and nothing is computed twice.
 pub const SINS_SIGNAL_CLOSED_LOOP: sins_signal = 1;
 
-/// How a simulator is made. All zero (but struct_size) is the recommended simulator.
+/// Options of a simulator. All zero (except struct_size) is the recommended simulator.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_options {
@@ -103,42 +104,43 @@ pub struct sins_options {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Of enum sins_frame.
+    /// Axes of the mechanization, of enum sins_frame.
     pub frame: i32,
-    /// Of enum sins_scheme.
+    /// Algorithm of the mechanization, of enum sins_scheme.
     pub scheme: i32,
     /// Sub-increments of a mechanization update, 1 to 5; 0: 2.
     pub subsamples: i32,
     /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     pub updates_per_sample: i32,
-    /// Of enum sins_vertical.
+    /// Vertical channel, of enum sins_vertical.
     pub vertical: i32,
-    /// Of enum sins_error_model.
+    /// Error differential equations, of enum sins_error_model.
     pub error_model: i32,
-    /// Of enum sins_earth.
+    /// Ellipsoid, of enum sins_earth.
     pub earth: i32,
-    /// Of enum sins_gravity.
+    /// Normal gravity, of enum sins_gravity.
     pub gravity: i32,
     /// Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
     pub axes: i32,
-    /// Of enum sins_signal.
+    /// Ideal signals, of enum sins_signal.
     pub signal: i32,
     /// Seed of all random streams.
     pub seed: u64,
-    /// Number of the run in an ensemble: same seed, other draws.
+    /// Number of the run in an ensemble: the same seed with another run gives other random numbers.
     pub run: u64,
-    /// Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it.
+    /// Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 with
+    /// another signal.
     pub closed_loop_time_s: f64,
-    /// Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-    /// each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+    /// Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
+    /// sample is at an exact multiple of the period from the first. The time stamps then only order the samples and check
+    /// them: each must be within 0.4 of a period of its multiple.
     pub sample_period_s: f64,
-    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
-    /// 100 s cost 40 m in 12 h, longer ones many times that.
+    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest.
+    /// Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
     pub max_gap_s: f64,
-    /// Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
-    /// 0: 2000 m/s2.
+    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped.
     pub max_acceleration_m_s2: f64,
-    /// Of enum sins_summary.
+    /// Summary of the true motion, of enum sins_summary.
     pub truth_summary: i32,
     /// Must be 0.
     pub reserved2: u32,
@@ -335,7 +337,7 @@ impl sins_options {
     }
 }
 
-/// Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0.
+/// Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
     with_simulator(sim, |simulator| {

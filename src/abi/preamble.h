@@ -1,12 +1,13 @@
 /*
  * sins.h - strapdown inertial navigation system (SINS) simulator, C interface.
  *
- * Truth goes in as flight samples (position, velocity, attitude); the library makes of it what perfect gyros and
- * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
+ * The host gives the truth as flight samples (position, velocity, attitude). The library computes from them what perfect gyros
+ * and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors of
+ * that navigation:
  *
  *   sins_sim *sim = NULL;
  *   sins_create(NULL, &sim);                       recommended options: navigation minus truth, no error model
- *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
+ *   sins_set_gyro(sim, &gyro);                     errors of the gyros; without this call they are ideal
  *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
  *       if (sins_step(sim) == SINS_OK)             one interval (the first needs two samples)
@@ -14,76 +15,81 @@
  *   }
  *   sins_destroy(sim);
  *
- * Zero is off. Every struct (but the parts of a sins_record) begins with struct_size, to be set to its sizeof, and a second
- *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is
- *   SINS_INIT(gyro), for compilers that warn of the fields left out. Output structs want their struct_size set too; what a
- *   newer host's struct has behind the fields that this library knows stays as it was. Structs grow at their end only: old
- *   hosts run on new libraries and the other way round.
- * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
+ * Structs. Zero is off. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the
+ *   sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So
+ *   "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers that warn of
+ *   fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new
+ *   libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does not know, an
+ *   output leaves these fields unchanged.
+ * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
- * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size no compiler chooses.
- * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
- *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
- *   height above the ellipsoid.
- * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value.
- *   On an error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a
- *   buffer is too small, sins_last_error() and sins_error_budget() report the size that is needed.)
- *   Every function that has the argument in question can return SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE,
- *   SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under
- *   Threads and Unloading.
- *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
+ * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
+ * Frames. Navigation axes are east-north-up. Roll is positive right wing down, pitch nose up, heading clockwise from true
+ *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
+ *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
+ * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
+ *   its value.
+ *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() keeps the
+ *   intervals that it flew before the error. If a buffer is too small, sins_last_error() and sins_error_budget() report the
+ *   size that is needed.)
+ *   SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL can come from every function
+ *   that has an argument of that kind. The other errors of a function are listed at the function, or under Threads and Unloading.
+ *   A positive status is not an error: SINS_NEED_SAMPLE left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output,
  *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
- *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
- *   sins_status_string() the name.
- * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
- *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
- *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE; sins_last_error(NULL, ...) has the
- *     sentence. A signal handler gets this answer if it interrupted a call on that handle. It may call every function that
- *     takes a simulator, except sins_destroy() and sins_snapshot_load(), which use the allocator.
- *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
- *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
- *     ever; on Windows, if the thread was terminated, they get SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The
- *     floating-point state is not put back.
- *   fork(): a handle that another thread of the parent was inside is SINS_ERROR_BAD_STATE in the child. All others work there.
- *     A process made in another way, as by vfork() or clone(), makes no call.
- * Unloading. Every handle is destroyed and every call has returned before. A library that was built for windows-gnu stays in
- *   memory from its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and
- *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
- *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
- *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
+ *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
+ *   sins_status_string() the name of the status.
+ * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
+ *   do. A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
+ *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
+ *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
+ *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
+ *     and sins_snapshot_load(), which use the allocator.
+ *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
+ *     holds its handle for ever, and the memory stays in use. Calls of its own thread return SINS_ERROR_BAD_STATE. Calls of other
+ *     threads wait for ever; on Windows, if the thread was terminated, they return SINS_ERROR_BAD_STATE, the first of them after
+ *     0.1 s. The floating-point state of the host is not restored.
+ *   fork(): if another thread of the parent was inside a call, its handle is SINS_ERROR_BAD_STATE in the child. All other handles
+ *     work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ * Unloading. Destroy every handle first, and let every call return. A library that was built for windows-gnu stays in memory from
+ *   its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and LoadLibrary() gives
+ *   the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the load. Load the library
+ *   before other modules have used up the indexes. If fewer than eight are left, functions without a handle return
+ *   SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when a thread or the process
+ *   ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
  *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The library prints
- *   nothing, reads no environment and no file, and leaves the host's floating-point control state and x87 registers as it
- *   found them.
- * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
- *   themselves, and the first create draws the numbers of its handles from the clock.)
- *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. If the
- *     stamps go on where they stopped, there is nothing to do. If the host's clock ran on, call sins_move_time() with the time at
- *     which the vehicle moves on, before the next push: the flight goes on as if there had been no pause. Without that call the
- *     first sample after a pause of more than max_gap_s is SINS_ERROR_DISCONTINUITY, and so is each after it; a shorter pause is
- *     flown as an interval, the velocity times its length, and its push answers SINS_GAP.
- *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
- *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
- *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
- *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Without velocities a gap costs up to 5
- *     times the error of a position times the square of the number of intervals that were lost: 1 s lost in straight flight at
- *     50 Hz in positions of 1 cm 23 m. Have what is too much refused by a smaller max_gap_s.
- *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
- *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
- *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
- *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
- *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
- *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards
- *     its errors: it is for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to
- *     a saved moment: sins_snapshot_load().
- * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
- *   has a stream of its own: switching one leaves every other draw as it was.
+ *   nothing, and reads no environment variable and no file. It leaves the host's floating-point control state and x87 registers as
+ *   it found them.
+ * Host time. The time of a run is that of the time stamps of its samples; no clock enters it. (Two exceptions that change no
+ *   navigation: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the clock.)
+ *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
+ *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the time
+ *     at which the vehicle moves on: the flight continues as if there had been no pause. Without that call, the first sample after
+ *     a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as an
+ *     interval of motion, velocity times its length, and its push returns SINS_GAP.
+ *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
+ *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
+ *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
+ *     difference between the true path and the smoothest one: none in steady flight; 5 cm for 1 s lost, 3 m for 2.5 s lost in a weave of
+ *     4 g with a period of 8 s at 100 Hz. Without velocities a gap costs up to 5 * (error of a position) * (number of lost
+ *     intervals)^2: 23 m for 1 s lost in straight flight at 50 Hz, with positions of 1 cm. If that is too much, set a smaller
+ *     max_gap_s: longer gaps are then rejected.
+ *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
+ *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
+ *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as one:
+ *     accuracy is that of the slower sample rate while it lasts, a turn of 170 degrees between two samples is rejected, and noise
+ *     is that of the interval's length. Only noise_m of the altimeter and the probability of drop-outs count per sample.
+ *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
+ *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats with the same random numbers. sins_snapshot_load()
+ *     returns to a saved moment.
+ * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
+ *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
+ *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
  *
- * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
- *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
+ * Scenes and logs. A scene is a flight, the simulator that flies it, and the failures on the way, as a text in TOML. A log is a
+ *   flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
  *
- *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() tells each and its place
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
  *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
@@ -93,9 +99,9 @@
  *         sins_step(sim);
  *     }
  *
- *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_...: a program that is
- *   linked with them does not link or does not start. A program that loads the library by itself looks up sins_scene_create,
- *   by dlsym() or GetProcAddress(): not there, no scenes. All else is the same.
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that is
+ *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
+ *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -127,30 +133,30 @@ typedef unsigned __int64 uint64_t;
 #define SINS_API
 #endif
 
-/* Makes a struct the zero of its kind: everything off, or recommended. */
+/* Sets a struct to zero, and struct_size to its size: everything is off, or as recommended. */
 #define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
-/* Units: multiply by them to get SI, divide to get back. */
+/* Units: multiply by them to convert to SI, divide to convert back. */
 #define SINS_DEG 0.017453292519943295              /* degree [rad] */
 #define SINS_ARCMIN (SINS_DEG / 60.0)              /* minute of arc [rad] */
 #define SINS_ARCSEC (SINS_DEG / 3600.0)            /* second of arc [rad] */
-#define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
-#define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
+#define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree per hour [rad/s] */
+#define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree per root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
 #define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
 #define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
-#define SINS_PPM 1.0e-6                            /* part in a million */
+#define SINS_PPM 1.0e-6                            /* part per million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
-#define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */
+#define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile per hour [m/s] */
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /*
- * A simulator. This and the next four are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
- * answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ * A simulator. This type and the next four are handles: checked keys, never addresses. A call with a handle that is null, made
+ * up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight. */

@@ -38,8 +38,8 @@ fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure>
     one_of("grade", grade, &GRADES, "sins_grade").map(Grade::parameters)
 }
 
-/// Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at turn-on
-/// with the standard deviations that the source states; what it does not state is 0.
+/// Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
+/// drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]

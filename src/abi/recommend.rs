@@ -13,8 +13,8 @@ use crate::recommend::{
 };
 use crate::truth::FlightSample;
 
-/// Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
-/// of 0 is none; at least one is needed.
+/// Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
+/// At least one limit is needed.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_requirement {
@@ -22,21 +22,21 @@ pub struct sins_requirement {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
+    /// Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length of the piece.
     pub duration_s: f64,
-    /// Distance from where the exact solution on the same signals is [m].
+    /// Limit of the distance from the exact solution on the same signals [m]; 0: none.
     pub position_m: f64,
-    /// Speed of the difference in velocity [m/s].
+    /// Limit of the length of the velocity difference from that solution [m/s]; 0: none.
     pub velocity_m_s: f64,
-    /// Angle between the attitudes, against the Earth [rad].
+    /// Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
     pub attitude_rad: f64,
-    /// How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
+    /// Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
     pub margin: f64,
 }
 
 interface_struct!(sins_requirement, "requirement", 48);
 
-/// What recommended options give, and what they cost.
+/// Accuracy and cost of the recommended options.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_cost {
@@ -44,27 +44,30 @@ pub struct sins_cost {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// For how long the errors are predicted [s].
+    /// Duration for which the errors are predicted [s].
     pub duration_s: f64,
-    /// Predicted error, the worst within the duration: position [m].
+    /// Predicted position error, the largest within the duration [m].
     pub position_m: f64,
-    /// Velocity [m/s].
+    /// Predicted velocity error, the largest within the duration [m/s].
     pub velocity_m_s: f64,
-    /// Attitude against the Earth [rad].
+    /// Predicted attitude error against the Earth, the largest within the duration [rad].
     pub attitude_rad: f64,
-    /// The part of it that is the uncertainty of the reference: position [m].
+    /// Part of position_m that is the uncertainty of the reference [m].
     pub reference_position_m: f64,
-    /// Velocity [m/s].
+    /// Part of velocity_m_s that is the uncertainty of the reference [m/s].
     pub reference_velocity_m_s: f64,
-    /// Attitude [rad].
+    /// Part of attitude_rad that is the uncertainty of the reference [rad].
     pub reference_attitude_rad: f64,
-    /// Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
+    /// Predicted error times margin divided by its limit, the largest of the three. The requirement is met up to 1. A limit
+    /// below 1e-100 counts as 1e-100.
     pub share: f64,
-    /// Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
+    /// Instructions of the part of a step that depends on the algorithm, the same on every machine. The algorithms are
+    /// ordered by this figure.
     pub instructions_per_step: f64,
-    /// Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns].
+    /// Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+    /// mounting, and ideal sensors [ns].
     pub ns_per_step: f64,
-    /// Algorithms that were tried, the recommended one among them.
+    /// Algorithms that were tried, including the recommended one.
     pub tried: u64,
 }
 
@@ -95,30 +98,36 @@ impl From<Refusal> for Failure {
     }
 }
 
-/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
-/// are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+/// cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 ///
-/// configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
-/// the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
-/// reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
-/// for sins_create(); what these three were does not matter.
+/// configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
+/// the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
+/// point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready for
+/// sins_create(). The previous values of these three do not matter.
 ///
-/// Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
-/// of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
-/// that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
-/// alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
-/// error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
-/// pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
-/// one of height, which grows by e every 569 s.
+/// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
+/// reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
+/// with half as many updates) is added to the error. So the error is that of the algorithm only. Errors of sensors,
+/// altimeter, start, gravity and believed mounting are left out, because they act on both solutions alike; so are
+/// contradictions within the host's samples. The signals are without SINS_SIGNAL_CLOSED_LOOP, which would hide the error.
+/// For a duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. This predicts
+/// more than the flight will show, as long as the flight continues like the piece. With SINS_VERTICAL_FREE each error
+/// counts as a height error, which grows e-fold every 569 s.
 ///
-/// The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
-/// ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
+/// The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every day;
+/// only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
 /// nothing meets the requirement.
 ///
-/// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
-/// sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
-/// algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+/// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
+/// closest.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+/// SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+/// SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory.
+///
+/// sins_last_error(NULL, ...) on this thread gives the reason and the sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_recommend(
     configured: *const sins_sim,

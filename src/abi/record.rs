@@ -10,21 +10,21 @@ use crate::simulator::{ErrorSource, Simulator};
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_record_solution {
-    /// [rad]
+    /// Geodetic latitude [rad].
     pub latitude_rad: f64,
-    /// [rad]
+    /// Longitude, east positive [rad].
     pub longitude_rad: f64,
-    /// [m]
+    /// Height above the ellipsoid [m].
     pub height_m: f64,
-    /// [m/s]
+    /// Velocity against the Earth, east-north-up [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// [rad]
+    /// Roll, right wing down positive [rad].
     pub roll_rad: f64,
-    /// [rad]
+    /// Pitch, nose up positive [rad].
     pub pitch_rad: f64,
-    /// [rad]
+    /// Heading, clockwise from true north [rad].
     pub heading_rad: f64,
-    /// Scalar first.
+    /// Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
     pub quaternion_nb: [f64; 4],
     /// Flags of enum sins_navigation_flags, or'ed.
     pub flags: i32,
@@ -36,23 +36,23 @@ pub struct sins_record_solution {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_record_errors {
-    /// [m]
+    /// Displacement from truth along true east and north, and error of height [m].
     pub position_enu_m: [f64; 3],
-    /// [rad]
+    /// Error of latitude [rad].
     pub latitude_rad: f64,
-    /// [rad]
+    /// Error of longitude [rad].
     pub longitude_rad: f64,
-    /// [m]
+    /// Error of height [m].
     pub height_m: f64,
-    /// [m/s]
+    /// Error of velocity, east-north-up [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// [rad]
+    /// Misalignment phi, east-north-up [rad].
     pub misalignment_enu_rad: [f64; 3],
-    /// [rad]
+    /// Error of roll [rad].
     pub roll_rad: f64,
-    /// [rad]
+    /// Error of pitch [rad].
     pub pitch_rad: f64,
-    /// [rad]
+    /// Error of heading [rad].
     pub heading_rad: f64,
     /// Flags of enum sins_errors_flags, or'ed.
     pub flags: i32,
@@ -70,13 +70,14 @@ pub struct sins_record {
     pub reserved: u32,
     /// Time [s].
     pub time_s: f64,
-    /// As sins_get_truth().
+    /// The truth, as sins_get_truth() gives it.
     pub truth: sins_record_solution,
-    /// As sins_get_navigation().
+    /// The navigated solution, as sins_get_navigation() gives it.
     pub navigation: sins_record_solution,
-    /// As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2.
+    /// Error data 2, as sins_get_errors() gives it with SINS_ERRORS_NAVIGATION.
     pub navigation_errors: sins_record_errors,
-    /// As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off.
+    /// Error data 1, as sins_get_errors() gives it with SINS_ERRORS_MODEL; flagged SINS_ERRORS_NOT_COMPUTED while the model
+    /// is off.
     pub model_errors: sins_record_errors,
 }
 
@@ -142,9 +143,10 @@ impl sins_record {
     }
 }
 
-/// Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+/// Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_record) -> sins_status {

@@ -11,30 +11,32 @@ use super::lock::{Guard, Lock};
 use super::refusal::refuse;
 use crate::memory::room;
 
-/// In place of the key of a slot, and of no kind that keys have: nothing lives there.
+/// In place of the key of a slot: the slot is free. No key has this kind.
 const FREE: usize = 0;
-/// Nothing lives there, and nothing may be put there: a handle is being made or destroyed, or the generations are used up.
+/// In place of the key of a slot: the slot is empty but reserved, because a handle is being made or destroyed, or the
+/// generations are used up.
 const CLAIMED: usize = usize::MAX;
 
-/// The living objects of one kind. Each slot has its own lock, so calls on one
-/// handle are serialised and different handles never wait for each other. A call on a handle that its own thread is inside, or
-/// that no thread will ever leave, is `SINS_ERROR_BAD_STATE`.
+/// The living objects of one kind. Each slot has its own lock, so calls on one handle are serialised and different handles
+/// never wait for each other. A nested call of one thread on one handle, and a call on a handle that an abandoned call
+/// holds, are `SINS_ERROR_BAD_STATE`.
 pub(super) struct Registry<T> {
     kind: usize,
     slots: [Slot<T>; SLOTS],
-    /// Where the search for a free slot begins.
+    /// Slot at which the search for a free one begins.
     next: AtomicUsize,
     first_generation: FirstGeneration,
 }
 
 struct Slot<T> {
-    /// The living key, looked at before the lock: a call with a dead one never waits for who lives there now.
+    /// The valid key, compared before the lock is taken: a call with an old key never waits for the present object of the
+    /// slot.
     key: AtomicUsize,
     place: Lock<Place<T>>,
 }
 
 struct Place<T> {
-    /// Keys that this slot gave out and that are dead.
+    /// Number of keys of this slot that were given out and destroyed.
     used: usize,
     /// A slice of one, which unlike a `Box` can be allocated without aborting.
     content: Option<Box<[Content<T>]>>,
@@ -52,14 +54,14 @@ impl<T> Slot<T> {
         Self { key: AtomicUsize::new(FREE), place: Lock::new(Place { used: 0, content: None }) }
     }
 
-    /// The place of `key`, locked, if that lives.
+    /// The place of `key`, locked, if the key is valid.
     #[inline]
     fn find(&self, key: usize) -> Result<Guard<'_, Place<T>>, sins_status> {
         if self.key.load(Ordering::Acquire) != key {
             return Err(SINS_ERROR_BAD_HANDLE);
         }
         let place = self.place.lock().ok_or(SINS_ERROR_BAD_STATE)?;
-        // It may have been destroyed while this waited.
+        // The object may have been destroyed while this call waited for the lock.
         if self.key.load(Ordering::Relaxed) != key {
             return Err(SINS_ERROR_BAD_HANDLE);
         }

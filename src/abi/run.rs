@@ -7,19 +7,23 @@ use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
 use crate::simulator::Simulator;
 
-/// Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
-/// flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+/// Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
+/// flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+/// by sample.
 ///
-/// samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
-/// those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
+/// samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
+/// other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
+/// of records, also on an error.
 ///
 /// SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
 /// sins_get_truth_summary() counts them.
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
-/// SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
-/// sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
-/// sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
-/// sins_step(); sins_reposition() and sins_reset() empty it.
+/// SINS_ERROR_BAD_STATE: navigating on increments.
+///
+/// Any error of sins_push_sample() or sins_step() stops the run at the
+/// sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
+/// not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
+/// as after sins_step(); sins_reposition() and sins_reset() empty the queue.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_run(
     sim: *mut sins_sim,

@@ -16,7 +16,8 @@ pub type sins_sample_flags = u32;
 pub const SINS_SAMPLE_ANGULAR_RATE: sins_sample_flags = 1;
 /// The sample carries specific_force_m_s2.
 pub const SINS_SAMPLE_SPECIFIC_FORCE: sins_sample_flags = 2;
-/// The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
+/// The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
+/// interval.
 pub const SINS_SAMPLE_NO_VELOCITY: sins_sample_flags = 4;
 /// The sample carries temperature_c.
 pub const SINS_SAMPLE_TEMPERATURE: sins_sample_flags = 8;
@@ -24,9 +25,9 @@ pub const SINS_SAMPLE_TEMPERATURE: sins_sample_flags = 8;
 const KNOWN_FLAGS: u32 =
     SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_NO_VELOCITY | SINS_SAMPLE_TEMPERATURE;
 
-/// True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
-/// are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
-/// sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+/// True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity
+/// and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample rate cannot be
+/// recovered from samples; give angular rate and specific force if you have them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_flight_sample {
@@ -39,7 +40,7 @@ pub struct sins_flight_sample {
     pub time_s: f64,
     /// Geodetic latitude, -pi/2 to pi/2 [rad].
     pub latitude_rad: f64,
-    /// Longitude, east positive, -100 to 100 [rad]: any wrap.
+    /// Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
     pub longitude_rad: f64,
     /// Height above the ellipsoid, -20 km to 2000 km [m].
     pub height_m: f64,
@@ -47,9 +48,10 @@ pub struct sins_flight_sample {
     pub velocity_enu_m_s: [f64; 3],
     /// Roll, right wing down positive, any number of turns up to 10000 rad [rad].
     pub roll_rad: f64,
-    /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
-    /// From one sample to the next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than
-    /// foreseen by the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond knowledge.
+    /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
+    /// must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
+    /// angular rates predict, or, without rates, that the previous interval predicts. Other whole turns between two samples
+    /// cannot be detected.
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     pub heading_rad: f64,
@@ -59,8 +61,8 @@ pub struct sins_flight_sample {
     /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
     pub specific_force_m_s2: [f64; 3],
     /// With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-    /// straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
-    /// SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+    /// linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+    /// SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
     pub temperature_c: f64,
 }
 
@@ -70,7 +72,7 @@ impl sins_flight_sample {
     pub(super) fn to_sample(self) -> Result<FlightSample, Failure> {
         let unknown = self.flags & !KNOWN_FLAGS;
         if unknown != 0 {
-            let rule = Rule::Words("must be an or of SINS_SAMPLE_ flags; there are unknown bits");
+            let rule = Rule::Words("must be a combination of SINS_SAMPLE_ flags; it has unknown bits");
             return Err(Error::invalid("sample.flags", self.flags, rule).into());
         }
         let given = |flag: u32, values: [f64; 3]| (self.flags & flag != 0).then_some(Vector3::from(values));

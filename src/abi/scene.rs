@@ -75,10 +75,11 @@ unsafe fn hand_out(content: Content, scene: *mut *mut sins_scene) -> Result<(), 
 /// Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
 /// height 0, sampled at 100 Hz.
 ///
-/// On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
-/// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
-/// a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
-/// it, the process ends. So it is of sins_log_parse(), but for the samples.
+/// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
+/// of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
+/// sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If it runs
+/// out later within the call, because another thread takes it, the process ends. The same holds for sins_log_parse(),
+/// except for the samples.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {
@@ -92,11 +93,12 @@ pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_
     })
 }
 
-/// Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+/// Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
+/// sins_scene_write_keys() lists the keys.
 ///
-/// SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
-/// that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
-/// sins_scene_create().
+/// SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
+/// is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_parse(
     text: *const c_char,
@@ -120,9 +122,9 @@ pub unsafe extern "C" fn sins_scene_parse(
     })
 }
 
-/// Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+/// Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+/// SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_get_fault(
     scene: *const sins_scene,
@@ -137,7 +139,8 @@ pub unsafe extern "C" fn sins_scene_get_fault(
             Content::Faults(faults) => faults.as_slice(),
         };
         let Some(found) = faults.get(index) else {
-            let rule = Rule::WordsAnd("must be less than the faults of the scene:", faults.len() as f64);
+            let rule =
+                Rule::WordsAnd("must be less than the number of faults of the scene:", faults.len() as f64);
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_fault::new(found, faults.len()));
@@ -148,7 +151,8 @@ pub unsafe extern "C" fn sins_scene_get_fault(
 /// Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
 /// "over_the_pole", "coning", "commuter".
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+/// SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create_builtin(
     name: *const c_char,
@@ -174,7 +178,7 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
     })
 }
 
-/// The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+/// Reads the name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: there are no more.
 #[unsafe(no_mangle)]
@@ -199,9 +203,9 @@ pub unsafe extern "C" fn sins_scene_builtin_name(
 
 /// Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
 ///
-/// needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
-/// SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
-/// manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the size
+/// only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
+/// so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_write(
     scene: *const sins_scene,
@@ -218,7 +222,7 @@ pub unsafe extern "C" fn sins_scene_write(
     })
 }
 
-/// Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+/// Writes every section and key of a scene, one in a line, with its values, its unit and its meaning. buffer, capacity and
 /// needed as in sins_scene_write().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_write_keys(
@@ -233,10 +237,12 @@ pub unsafe extern "C" fn sins_scene_write_keys(
     })
 }
 
-/// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
-/// their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+/// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
+/// sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
+/// rate.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+/// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create_simulator(
@@ -256,8 +262,8 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
 /// Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
 /// up to sins_scene_setup.flown_s.
 ///
-/// SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
-/// sins_flight_create().
+/// SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
+/// Else as sins_flight_create().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create_flight(
     scene: *const sins_scene,
@@ -272,7 +278,7 @@ pub unsafe extern "C" fn sins_scene_create_flight(
     })
 }
 
-/// Destroys a scene. Simulators and flights that were made of it live on.
+/// Destroys a scene. Simulators and flights that were created from it stay valid.
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]

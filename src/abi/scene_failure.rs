@@ -18,33 +18,33 @@ pub struct sins_planned_failure {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Of enum sins_sensor.
+    /// Sensor that fails, of enum sins_sensor.
     pub sensor: i32,
-    /// 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
+    /// Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter.
     pub axis: i32,
-    /// When it begins, 0 to 1e9 since the start of the flight [s].
+    /// Start of the failure, 0 to 1e9 since the start of the flight [s].
     pub from_s: f64,
-    /// When it ends, likewise; 0: at the end of the flight [s].
+    /// End of the failure, likewise; 0: the end of the flight [s].
     pub until_s: f64,
-    /// Of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+    /// Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
     pub kind: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// This and the following as in sins_failure.
+    /// Size, as in sins_failure.
     pub size: f64,
-    /// See sins_failure.
+    /// Density, as in sins_failure.
     pub density: f64,
-    /// See sins_failure [s].
+    /// Interval, as in sins_failure [s].
     pub interval_s: f64,
-    /// See sins_failure [s].
+    /// Duration, as in sins_failure [s].
     pub duration_s: f64,
-    /// See sins_failure.
+    /// Probability, as in sins_failure.
     pub probability: f64,
 }
 
 interface_struct!(sins_planned_failure, "failure", 80);
 
-/// How many failures the scene plans.
+/// Reads the number of failures that the scene plans.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_get_failure_count(
     scene: *const sins_scene,
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn sins_scene_get_failure_count(
     })
 }
 
-/// Planned failure `index`, from 0.
+/// Reads planned failure `index`, from 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such failure.
 #[unsafe(no_mangle)]
@@ -70,8 +70,10 @@ pub unsafe extern "C" fn sins_scene_get_failure(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(failure, "failure")? };
         let Some(planned) = scene.failures.get(index) else {
-            let rule =
-                Rule::WordsAnd("must be less than the failures of the scene:", scene.failures.len() as f64);
+            let rule = Rule::WordsAnd(
+                "must be less than the number of failures of the scene:",
+                scene.failures.len() as f64,
+            );
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_planned_failure::new(planned));
@@ -79,7 +81,7 @@ pub unsafe extern "C" fn sins_scene_get_failure(
     })
 }
 
-/// Plans one failure more.
+/// Adds a planned failure.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
 #[unsafe(no_mangle)]
@@ -95,7 +97,7 @@ pub unsafe extern "C" fn sins_scene_add_failure(
     })
 }
 
-/// Plans no failure any more.
+/// Removes all planned failures.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_clear_failures(scene: *mut sins_scene) -> sins_status {
     with_scene(scene, |scene| {

@@ -14,30 +14,30 @@ use crate::scene::{self, FlightPath, FlightSource, Scene, Temperature};
 /// Where the flight of a scene comes from: sins_scene_setup.flight.
 pub type sins_scene_flight = i32;
 
-/// It is composed of manoeuvres.
+/// The flight is composed of manoeuvres.
 pub const SINS_SCENE_FLIGHT_MANOEUVRES: sins_scene_flight = 0;
-/// That of a built-in scene, SINS_SCENE_TEXT_BUILTIN.
+/// The flight is that of a built-in scene, named by SINS_SCENE_TEXT_BUILTIN.
 pub const SINS_SCENE_FLIGHT_BUILTIN: sins_scene_flight = 1;
-/// A flight log, SINS_SCENE_TEXT_LOG.
+/// The flight is a log, named by SINS_SCENE_TEXT_LOG.
 pub const SINS_SCENE_FLIGHT_LOG: sins_scene_flight = 2;
 
 /// The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
 pub type sins_scene_text = i32;
 
-/// The scene in words.
+/// Title: the scene in a few words.
 pub const SINS_SCENE_TEXT_TITLE: sins_scene_text = 0;
-/// Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
+/// Path of the flight log, relative to the scene's own folder. Setting it makes the flight a log.
 pub const SINS_SCENE_TEXT_LOG: sins_scene_text = 1;
-/// Name of the built-in scene whose flight is flown; setting it makes the flight that.
+/// Name of the built-in scene whose flight is flown. Setting it selects that flight.
 pub const SINS_SCENE_TEXT_BUILTIN: sins_scene_text = 2;
-/// Folder of the files that a program writes.
+/// Folder of the output files of a program.
 pub const SINS_SCENE_TEXT_FOLDER: sins_scene_text = 3;
-/// Base name of those files.
+/// Base name of the output files.
 pub const SINS_SCENE_TEXT_NAME: sins_scene_text = 4;
-/// File of the measured increments.
+/// Name of the file for the measured increments.
 pub const SINS_SCENE_TEXT_IMU: sins_scene_text = 5;
 
-/// What a scene says of its flight and of its output.
+/// Settings of a scene for its flight and its output.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_scene_setup {
@@ -45,23 +45,24 @@ pub struct sins_scene_setup {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Of enum sins_scene_flight; read only: a set call passes over it.
+    /// Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set.
     pub flight: i32,
-    /// 1: samples get the temperature below; 0: none.
+    /// 1: samples get the temperature below; 0: samples get no temperature.
     pub has_temperature: i32,
     /// 1: a program shows neither progress nor summary; 0: it does.
     pub quiet: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
+    /// Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
     pub duration_s: f64,
-    /// How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s].
+    /// Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
+    /// flight; read only [s].
     pub flown_s: f64,
-    /// Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
+    /// Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
     pub rate_hz: f64,
-    /// Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C].
+    /// Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is 0 [deg C].
     pub temperature_c: f64,
-    /// Its change, -277 to 277 [deg C/s].
+    /// Rate of change of the temperature, -277 to 277 [deg C/s].
     pub temperature_change_c_s: f64,
     /// Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
     pub every_s: f64,
@@ -69,7 +70,7 @@ pub struct sins_scene_setup {
 
 interface_struct!(sins_scene_setup, "setup", 72);
 
-/// Reads what a scene says of its flight and of its output.
+/// Reads the settings of a scene for its flight and its output.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_get_setup(
     scene: *const sins_scene,
@@ -100,7 +101,7 @@ pub unsafe extern "C" fn sins_scene_get_setup(
     })
 }
 
-/// Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+/// Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
@@ -143,12 +144,12 @@ pub unsafe extern "C" fn sins_scene_set_setup(
     })
 }
 
-/// Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
-/// all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
-/// count alone manoeuvres with a capacity of 0.
+/// Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
+/// how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the manoeuvres. start
+/// and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
 ///
-/// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
-/// is a log; or as sins_scene_parse().
+/// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
+/// SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_get_manoeuvres(
     scene: *const sins_scene,
@@ -185,10 +186,11 @@ pub unsafe extern "C" fn sins_scene_get_manoeuvres(
     })
 }
 
-/// Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most. start->earth
-/// is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+/// Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+/// start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
+/// sampled at 100 Hz.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_set_manoeuvres(
     scene: *mut sins_scene,
@@ -231,7 +233,8 @@ fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
     })
 }
 
-/// Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+/// Reads a text of the scene; which is of enum sins_scene_text. An empty text means that it is not set. buffer, capacity
+/// and needed as in sins_scene_write().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text.
 #[unsafe(no_mangle)]
@@ -249,7 +252,8 @@ pub unsafe extern "C" fn sins_scene_get_text(
     })
 }
 
-/// Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+/// Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
+/// text clears it; a text that selects the flight cannot be empty.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
 #[unsafe(no_mangle)]
@@ -269,7 +273,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
         }
         let flight = |source: FlightSource| {
             if text.is_empty() {
-                Err(refused("must not be empty: it is the scene's flight"))
+                Err(refused("must not be empty: it selects the scene's flight"))
             } else {
                 Ok(source)
             }

@@ -8,13 +8,14 @@ use super::scene::{sins_scene, with_sound_scene};
 use super::simulator::{on_simulator, sins_sim};
 use crate::scene::TakesFailures;
 
-/// Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
-/// next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
-/// interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+/// Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of
+/// the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval that starts at or
+/// after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
 /// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
-/// from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// SINS_ERROR_BAD_HANDLE: of scene or sim.
+/// SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+/// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_prepare(
     scene: *const sins_scene,
@@ -30,7 +31,7 @@ pub unsafe extern "C" fn sins_scene_prepare(
     }
 }
 
-/// The same for all runs of an ensemble: as sins_scene_prepare().
+/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator.
 ///
 /// SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
 #[unsafe(no_mangle)]

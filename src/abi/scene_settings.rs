@@ -55,8 +55,8 @@ pub unsafe extern "C" fn sins_scene_get_options(
     unsafe { get(scene, options, "options", |scene| sins_options::from_options(&scene.options)) }
 }
 
-/// Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
-/// whether they go together is checked where the scene is written and its simulator is created.
+/// Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any order:
+/// whether they go together is checked when the scene is written, and when its simulator is created.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_create().
 #[unsafe(no_mangle)]
@@ -191,7 +191,7 @@ pub unsafe extern "C" fn sins_scene_set_initial_errors(
     }
 }
 
-/// Reads where the sensor block of the scene sits.
+/// Reads the mounting of the scene's sensor block.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_get_mounting(
     scene: *const sins_scene,
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn sins_scene_get_mounting(
     unsafe { get(scene, mounting, "mounting", |scene| sins_mounting::from_parameters(&scene.mounting)) }
 }
 
-/// Sets where the sensor block of the scene sits.
+/// Sets the mounting of the scene's sensor block.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
@@ -220,7 +220,7 @@ pub unsafe extern "C" fn sins_scene_set_mounting(
     }
 }
 
-/// Reads true gravity less normal gravity of the scene.
+/// Reads the gravity disturbance of the scene.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_get_gravity_disturbance(
     scene: *const sins_scene,
@@ -230,7 +230,7 @@ pub unsafe extern "C" fn sins_scene_get_gravity_disturbance(
     unsafe { get(scene, params, "params", |scene| sins_gravity_params::from_parameters(&scene.gravity)) }
 }
 
-/// Sets true gravity less normal gravity of the scene.
+/// Sets the gravity disturbance of the scene.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]

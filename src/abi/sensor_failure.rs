@@ -20,27 +20,27 @@ pub const SINS_SENSOR_ALTIMETER: sins_sensor = 2;
 /// Kinds of failure.
 pub type sins_failure_kind = i32;
 
-/// None: clears the failure that there is.
+/// No failure: clears the failure that is set.
 pub const SINS_FAILURE_NONE: sins_failure_kind = 0;
-/// The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
-/// it looks like data.
+/// The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
+/// its first value. Not flagged, because it looks like data.
 pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
-/// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
-/// altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+/// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
+/// altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
 pub const SINS_FAILURE_DEAD: sins_failure_kind = 2;
-/// A bias of size more. Not flagged.
+/// An additional bias, of the field size. Not flagged.
 pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
-/// Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
-/// mean over its interval. Not flagged but where they saturate.
+/// Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
+/// altimeter shows their mean over its interval. Flagged only where they saturate the output.
 pub const SINS_FAILURE_SPIKES: sins_failure_kind = 4;
-/// White noise of density more; of the altimeter its mean over the interval. Not flagged.
+/// Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
 pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
-/// Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
-/// that time, the first at once.
+/// Sample intervals are lost: the output is 0 there, and flagged as with SINS_FAILURE_DEAD. Either each interval is lost
+/// independently with the field probability, or one interval is lost every interval_s, the first immediately.
 pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
 
-/// A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
-/// accelerometer, m of the altimeter.
+/// A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
+/// rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_failure {
@@ -48,17 +48,17 @@ pub struct sins_failure {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Of enum sins_failure_kind.
+    /// Kind of the failure, of enum sins_failure_kind.
     pub kind: i32,
     /// Must be 0.
     pub reserved2: u32,
     /// Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
     pub size: f64,
-    /// Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
+    /// Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
     pub density: f64,
-    /// Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
+    /// Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
     pub interval_s: f64,
-    /// Spikes: length of one, 1e-9 s to interval_s [s].
+    /// Spikes: length of one spike, 1e-9 s to interval_s [s].
     pub duration_s: f64,
     /// Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     pub probability: f64,
@@ -144,7 +144,7 @@ impl sins_failure {
         ];
         match fields.iter().find(|(_, value, is_used)| !is_used && *value != 0.0) {
             Some(&(field, value, _)) => {
-                let rule = Rule::Zero(": not of this kind of failure");
+                let rule = Rule::Zero(": this kind of failure does not use it");
                 Err(Error::invalid(field, value, rule).into())
             }
             None => Ok(()),
@@ -171,18 +171,18 @@ pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
     }
 }
 
-/// Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
-/// until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
-/// once.
+/// Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
+/// interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
+/// outputs may fail at the same time.
 ///
-/// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
-/// range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
-/// there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
-/// sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
-/// set again at the same intervals give the same bits.
+/// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
+/// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
+/// Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
+/// not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
+/// begins anew with working sensors; failures that are set again at the same intervals give the same bits.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
-/// solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
+/// solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_failure(
     sim: *mut sins_sim,
@@ -198,8 +198,8 @@ pub unsafe extern "C" fn sins_set_failure(
     })
 }
 
-/// Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
-/// axis as in sins_set_failure().
+/// Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
+/// failure. sensor and axis as in sins_set_failure().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such output.
 #[unsafe(no_mangle)]

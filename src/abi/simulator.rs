@@ -74,10 +74,12 @@ pub(super) fn look_at<T>(
     seen.ok_or_else(|| Failure::of_handle(status, name))
 }
 
-/// Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+/// Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
 ///
-/// On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
-/// memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+/// On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+/// frame: it allocates.
+///
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
     enter_without_simulator(|| {
@@ -95,7 +97,7 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
     })
 }
 
-/// Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+/// Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
@@ -103,16 +105,19 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
     enter(|| SIMULATORS.remove(sim.addr()))
 }
 
-/// Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+/// Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
-/// SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
-/// SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it as
-/// motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call sins_move_time()
-/// before this push; the push cannot be taken back.
-/// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken
-/// until one fits, or until sins_move_time() for a gap, sins_move_truth() or sins_reposition() for a jump.
-/// SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+/// SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
+/// by more than 0.4 of the period.
+/// SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
+/// before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
+/// on, call sins_move_time() before this push; a push cannot be undone.
+/// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
+/// samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
+/// (for a jump).
+/// SINS_ERROR_QUEUE_FULL: step first.
+/// SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_push_sample(
     sim: *mut sins_sim,
@@ -126,14 +131,18 @@ pub unsafe extern "C" fn sins_push_sample(
 }
 
 /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
-/// further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
-/// the velocity times its length; sins_push_sample() answers SINS_GAP for it.
+/// later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
+/// like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
 ///
-/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
-/// reference point or of the closed loop's own error-free navigator beyond -500 km or
-/// 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
-/// solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
-/// increments.
+/// SINS_NEED_SAMPLE: no complete interval is waiting.
+/// SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
+/// 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
+/// navigator.
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+/// SINS_ERROR_BAD_STATE: navigating on increments.
+///
+/// After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+/// sins_reposition() or sins_reset() start anew.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))
@@ -169,15 +178,16 @@ pub(super) fn stepped(step: Step) -> sins_status {
     }
 }
 
-/// The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause in
-/// which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors, noise,
-/// waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight goes on to
-/// the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles; with a stated
-/// period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
-/// rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+/// Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
+/// time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+/// stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
+/// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
+/// stamps are the same doubles; with a stated period they always are. (Without velocities the differences over three
+/// samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
+/// flight_start_s of sins_scene_prepare() by the same time.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
-/// increments, which have no stamps.
+/// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+/// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -186,23 +196,27 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
     })
 }
 
-/// The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. No interval is flown from the
-/// sample before to this one, so the errors do not grow between them. Position error in metres (along
-/// the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those
-/// before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity
-/// there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
-/// factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting
-/// samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval
-/// before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+/// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
+/// sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
+/// as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
+/// misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
+/// new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
+/// and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
+/// the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
+/// sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+/// solution is its velocity error alone until the next sample is pushed.
 ///
-/// Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
-/// common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the shortest
-/// way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm and boresight,
-/// and what is wrong of them, make of that in the new attitude.
+/// If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
+/// solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes, turned to the
+/// solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
+/// the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
 ///
-/// Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
-/// SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
-/// SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth away.
+/// Before the first step there are no errors to keep, and the call acts as sins_reposition().
+///
+/// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+/// SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
+/// that no place has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_truth(
     sim: *mut sins_sim,
@@ -216,15 +230,18 @@ pub unsafe extern "C" fn sins_move_truth(
     })
 }
 
-/// The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors that
-/// it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go on where
-/// they were. Waiting samples and the running accuracy figures are dropped. Time may jump
-/// too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
-/// next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
-/// first, and the next push makes an interval.
+/// Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
+/// with its initial errors. Its previous errors are lost; to keep them, call sins_move_truth() (slew) or sins_move_time()
+/// (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures are dropped. The time may
+/// jump too, forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the
+/// next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
+/// run: the sample is then the first one, and the next push completes an interval.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
-/// (a pole, in geographic axes) it is the reads and the next step that say so.
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+/// SINS_ERROR_BAD_STATE: navigating on increments.
+///
+/// If no INS can start there (a pole, in geographic axes), the reads and
+/// the next step return the error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,
@@ -238,9 +255,9 @@ pub unsafe extern "C" fn sins_reposition(
     })
 }
 
-/// Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
-/// from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
-/// seed or run; to come back to a moment in flight, see sins_snapshot_save().
+/// Returns to the state before the first sample: the same options, the parameters as they were set last, no failures, and
+/// the random streams at their start. So the same samples and settings give the same bits. For other random numbers, create
+/// a simulator with another seed or run. To return to a moment in flight, see sins_snapshot_save().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| {

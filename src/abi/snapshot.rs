@@ -10,9 +10,10 @@ use super::simulator::{sins_sim, with_simulator};
 /// sins_snapshot_size().
 pub const SINS_SNAPSHOT_MAX_SIZE: usize = 8192;
 
-/// The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
-/// with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
-/// besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+/// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
+/// waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
+/// altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
+/// bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -22,14 +23,15 @@ pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize
     })
 }
 
-/// Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
-/// stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
-/// keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+/// Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
+/// position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
+/// no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
+/// allocation, no system call.
 ///
-/// Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR it is the last
-/// good solution that is saved, after SINS_ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+/// Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR the last
+/// good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
 ///
-/// SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are as they were.
+/// SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_save(
     sim: *mut sins_sim,
@@ -53,13 +55,14 @@ pub unsafe extern "C" fn sins_snapshot_save(
     })
 }
 
-/// Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
-/// fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
-/// what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
+/// Replaces the simulator by the saved one, including its options (see sins_get_options()). So a fresh handle of
+/// sins_create(NULL, ...) is enough. The run continues to the same bits as the saved one. size is the size that
+/// sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
 ///
-/// SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
-/// sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
-/// where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+/// SINS_ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has changed,
+/// and sins_last_error() says which it is. Later releases read the snapshots of earlier ones; the run continues to the same
+/// bits unless CHANGELOG says that the algorithms changed.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_load(
     sim: *mut sins_sim,

@@ -10,20 +10,23 @@ use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
 /// Flags of a sins_navigation.
 pub type sins_navigation_flags = i32;
 
-/// Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
-/// and the errors in metres stay right.
+/// Within 20 km of the Earth's axis: longitude and heading change fast there, and at the pole they are undefined.
+/// Quaternion, height and the errors in metres stay correct.
 pub const SINS_NAVIGATION_NEAR_POLE: sins_navigation_flags = 1;
-/// Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
+/// Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
+/// every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
-/// Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
+/// Of the truth: the displacement since the previous sample differs from the one that the velocities give by more than the
+/// root sum of squares of 1 % and 1 cm.
 pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
-/// The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
-/// rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
-/// accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
-/// horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+/// The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
+/// force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
+/// it is smaller, the heading error is below 90 degrees.) The simulator knows this error. A real INS can be sure of this
+/// case only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays until
+/// the INS starts again.
 pub const SINS_NAVIGATION_NORTH_UNKNOWN: sins_navigation_flags = 8;
 
-/// Where errors come from.
+/// The two sources of errors.
 pub type sins_errors_source = i32;
 
 /// Navigation minus truth: the paper's error data 2.
@@ -34,10 +37,11 @@ pub const SINS_ERRORS_MODEL: sins_errors_source = 1;
 /// Flags of a sins_errors.
 pub type sins_errors_flags = i32;
 
-/// Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
+/// Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
+/// error have no meaning.
 pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
-/// Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
-/// pole; what it drops is no longer small.
+/// Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+/// displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
 pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
@@ -49,9 +53,9 @@ pub type sins_imu_flags = u32;
 pub const SINS_IMU_GYRO_SATURATED: sins_imu_flags = 1;
 /// The mean force of a sub-increment was beyond the range of an accelerometer.
 pub const SINS_IMU_ACCEL_SATURATED: sins_imu_flags = 2;
-/// A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
+/// A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
 pub const SINS_IMU_GYRO_INVALID: sins_imu_flags = 4;
-/// An accelerometer had none.
+/// An accelerometer had no signal in the interval: dead, or dropped out.
 pub const SINS_IMU_ACCEL_INVALID: sins_imu_flags = 8;
 
 /// A solution: the truth or the navigated one.
@@ -98,24 +102,24 @@ pub struct sins_errors {
     pub reserved: u32,
     /// Time [s].
     pub time_s: f64,
-    /// Displacement from truth along true east and north, and difference of heights [m].
+    /// Position error: displacement from truth along true east and north, and difference of heights [m].
     pub position_enu_m: [f64; 3],
-    /// Latitude [rad].
+    /// Error of latitude [rad].
     pub latitude_rad: f64,
-    /// Longitude, wrapped to -pi..pi [rad].
+    /// Error of longitude, wrapped to -pi to pi [rad].
     pub longitude_rad: f64,
-    /// Height [m].
+    /// Error of height [m].
     pub height_m: f64,
-    /// Velocity [m/s]: difference of the components, each in its own east-north-up.
+    /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
-    /// has it to first order, computed C = (I - [phi x]) C.
+    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+    /// error model it is of first order: computed C = (I - [phi x]) C.
     pub misalignment_enu_rad: [f64; 3],
-    /// Roll, wrapped [rad].
+    /// Error of roll, wrapped to -pi to pi [rad].
     pub roll_rad: f64,
-    /// Pitch [rad].
+    /// Error of pitch [rad].
     pub pitch_rad: f64,
-    /// Heading, wrapped [rad].
+    /// Error of heading, wrapped to -pi to pi [rad].
     pub heading_rad: f64,
     /// Flags of enum sins_errors_flags, or'ed.
     pub flags: i32,
@@ -137,21 +141,21 @@ pub struct sins_imu {
     pub time_s: f64,
     /// Length of the interval [s].
     pub interval_s: f64,
-    /// Integral of the angular rate against inertial space, perfect gyros [rad].
+    /// Integral of the angular rate against inertial space, as perfect gyros measure it [rad].
     pub ideal_angle_rad: [f64; 3],
-    /// Integral of the specific force, perfect accelerometers [m/s].
+    /// Integral of the specific force, as perfect accelerometers measure it [m/s].
     pub ideal_velocity_m_s: [f64; 3],
-    /// What the modelled gyros give [rad].
+    /// Integral of the angular rate that the modelled gyros measure [rad].
     pub measured_angle_rad: [f64; 3],
-    /// What the modelled accelerometers give [m/s].
+    /// Integral of the specific force that the modelled accelerometers measure [m/s].
     pub measured_velocity_m_s: [f64; 3],
-    /// ideal_angle_rad over the interval [rad/s].
+    /// Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s].
     pub ideal_rate_rad_s: [f64; 3],
-    /// ideal_velocity_m_s over the interval [m/s2].
+    /// Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2].
     pub ideal_force_m_s2: [f64; 3],
-    /// measured_angle_rad over the interval [rad/s].
+    /// Mean angular rate of the modelled gyros: measured_angle_rad divided by interval_s [rad/s].
     pub measured_rate_rad_s: [f64; 3],
-    /// measured_velocity_m_s over the interval [m/s2].
+    /// Mean specific force of the modelled accelerometers: measured_velocity_m_s divided by interval_s [m/s2].
     pub measured_force_m_s2: [f64; 3],
 }
 
@@ -277,10 +281,11 @@ pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value:
     }
 }
 
-/// Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
-/// velocity, that of the first is 0 until the second is pushed.
+/// Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
+/// velocity, the velocity at the first one is 0 until the second one is pushed.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_navigation) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -293,8 +298,9 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
 
 /// Reads the navigated solution for the same instant as sins_get_truth().
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
-/// first sample with these options and initial errors.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+/// and initial errors.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_navigation(
     sim: *mut sins_sim,
@@ -322,9 +328,11 @@ pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) ->
 
 /// Reads the errors of the navigated solution; source is of enum sins_errors_source.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
-/// the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
-/// increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_INVALID_ARGUMENT: no such source.
+/// SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+/// sins_options.error_model), or navigating on increments.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_errors(
     sim: *mut sins_sim,

@@ -6,11 +6,12 @@ use super::simulator::{sins_sim, with_simulator};
 use super::solution::write_or_need;
 use crate::truth::{Extreme, TruthSummary};
 
-/// The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
-/// exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
-/// exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights and
-/// climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
-/// time stamp of the sample that it came with.
+/// Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
+/// and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
+/// sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+/// contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
+/// and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
+/// found.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_truth_summary {
@@ -20,60 +21,62 @@ pub struct sins_truth_summary {
     pub reserved: u32,
     /// Intervals flown.
     pub intervals: u64,
-    /// Those of them that are gaps (see SINS_GAP).
+    /// Intervals that are gaps (see SINS_GAP).
     pub gaps: u64,
-    /// Samples faster than 30 m/s: sideslip and angle of attack are of these.
+    /// Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only.
     pub fast_samples: u64,
     /// Sum of the lengths of the intervals [s].
     pub flown_s: f64,
-    /// Time stamps of the first and of the last sample [s].
+    /// Time stamp of the first sample [s].
     pub first_s: f64,
-    /// See first_s.
+    /// Time stamp of the last sample [s].
     pub last_s: f64,
     /// Longest interval [s].
     pub interval_max_s: f64,
-    /// When [s].
+    /// Time stamp of interval_max_s [s].
     pub interval_max_at_s: f64,
     /// Largest rotation in an interval [rad].
     pub turn_max_rad: f64,
-    /// When [s].
+    /// Time stamp of turn_max_rad [s].
     pub turn_max_at_s: f64,
-    /// Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s].
+    /// Largest angular rate: from the attitudes against the Earth, or the samples' own rate [rad/s].
     pub rate_max_rad_s: f64,
-    /// When [s].
+    /// Time stamp of rate_max_rad_s [s].
     pub rate_max_at_s: f64,
-    /// Largest acceleration against the Earth, by the velocities [m/s2].
+    /// Largest acceleration against the Earth, from the velocities [m/s2].
     pub acceleration_max_m_s2: f64,
-    /// When [s].
+    /// Time stamp of acceleration_max_m_s2 [s].
     pub acceleration_max_at_s: f64,
-    /// Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
+    /// Largest specific force: from the velocities and gravity, or the samples' own force [m/s2].
     pub force_max_m_s2: f64,
-    /// When [s].
+    /// Time stamp of force_max_m_s2 [s].
     pub force_max_at_s: f64,
-    /// Largest displacement in an interval that the mean of the velocities at its ends does not explain [m].
+    /// Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
+    /// [m].
     pub inconsistency_max_m: f64,
-    /// When [s].
+    /// Time stamp of inconsistency_max_m [s].
     pub inconsistency_max_at_s: f64,
     /// Largest speed against the Earth [m/s].
     pub speed_max_m_s: f64,
-    /// When [s].
+    /// Time stamp of speed_max_m_s [s].
     pub speed_max_at_s: f64,
-    /// Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it [rad].
+    /// Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, positive to the right;
+    /// includes wind [rad].
     pub sideslip_max_rad: f64,
-    /// When [s].
+    /// Time stamp of sideslip_max_rad [s].
     pub sideslip_max_at_s: f64,
     /// Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
     /// symmetry [rad].
     pub attack_max_rad: f64,
-    /// When [s].
+    /// Time stamp of attack_max_rad [s].
     pub attack_max_at_s: f64,
     /// Lowest height [m].
     pub height_min_m: f64,
-    /// When [s].
+    /// Time stamp of height_min_m [s].
     pub height_min_at_s: f64,
     /// Highest height [m].
     pub height_max_m: f64,
-    /// When [s].
+    /// Time stamp of height_max_m [s].
     pub height_max_at_s: f64,
 }
 
@@ -147,10 +150,10 @@ impl sins_truth_summary {
     }
 }
 
-/// Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+/// Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
 ///
-/// SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
-/// there is no truth.
+/// SINS_NEED_SAMPLE: no interval yet.
+/// SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_truth_summary(
     sim: *mut sins_sim,

@@ -4,8 +4,8 @@ use core::ffi::{CStr, c_char};
 
 use super::failure::*;
 
-/// Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
-/// something that was there is gone or means something else; what is added at the end does not change it.
+/// Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
+/// when something is removed or changes its meaning. Additions at the end do not change it.
 pub const SINS_HEADER_ABI: u32 = 1;
 /// Release of the library, semantic versioning.
 pub const SINS_VERSION_MAJOR: u32 = 0;
@@ -14,20 +14,20 @@ pub const SINS_VERSION_MINOR: u32 = 1;
 /// See SINS_VERSION_MAJOR.
 pub const SINS_VERSION_PATCH: u32 = 0;
 
-/// The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI.
+/// Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI.
 #[unsafe(no_mangle)]
 pub extern "C" fn sins_abi_version() -> u32 {
     SINS_HEADER_ABI
 }
 
-/// The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded.
+/// Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded.
 #[unsafe(no_mangle)]
 pub extern "C" fn sins_version_string() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-/// The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
-/// loaded.
+/// Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
+/// as the library is loaded.
 #[unsafe(no_mangle)]
 pub extern "C" fn sins_status_string(status: sins_status) -> *const c_char {
     name(status).as_ptr()

@@ -13,11 +13,11 @@ use crate::sensors::StreamKey;
 use crate::simulator::{ErrorSource, Options, heap_simulator};
 use crate::truth::FlightSample;
 
-/// Samples of a scene at the least: an interval.
+/// Least number of samples of a scene: one interval.
 pub const MIN_SAMPLES: usize = 2;
-/// Samples of a scene at the most: an eleven-day flight at 1000 Hz.
+/// Largest number of samples of a scene: an eleven-day flight at 1000 Hz.
 pub const MAX_SAMPLES: usize = 1_000_000_000;
-/// Instants at which a flight is looked at, at the most.
+/// Largest number of instants at which a flight is evaluated.
 const INSTANTS: usize = 1000;
 
 /// Samples that are fetched as they are flown: a long scene need not lie in memory.

@@ -1,5 +1,5 @@
-//! The error budget: what each effect contributes to the errors of a scene, what their sum leaves unexplained, and which of
-//! them can be left out.
+//! The error budget: the contribution of each effect to the errors of a scene, the part that their sum does not explain,
+//! and the effects that can be left out.
 //!
 //! With e the errors of a run (navigation minus truth: position, velocity and misalignment, each a vector over time), e0
 //! those of the same run with nothing set, and eE those with the effect E alone,
@@ -11,9 +11,10 @@
 //! remainder      r(t)  = e(t) - e0(t) - Σ dE(t)                   e: all together, with the same draws in the same run
 //! ```
 //!
-//! A difference of misalignments is the rotation vector between the two attitudes, to first order that of the vectors.
-//! Each is told as its largest value over the scene's instants and as that at its end. The remainder is no statistics: the
-//! draws of an effect do not depend on what else is set, so it is what the effects do to each other, of second order.
+//! A difference of misalignments is the rotation vector between the two attitudes, to first order that of the vectors. Each
+//! is reported as its largest value over the scene's instants, and as its value at the end. The remainder is not a
+//! statistical figure: the random numbers of an effect do not depend on what else is set. So the remainder is the action of
+//! effects on each other, of second order.
 //!
 //! Out of N runs a 1σ is uncertain by the chi-square distribution of N degrees of freedom, at the most: three axes that
 //! vary together have N, independent ones 3 N. The largest of many instants is found a little high where it does not grow.

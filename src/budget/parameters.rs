@@ -1,4 +1,4 @@
-//! All that errs in a run, as it is set.
+//! All error parameters of a run.
 
 use crate::error::Error;
 use crate::mounting::MountingParameters;
@@ -61,8 +61,8 @@ impl ErrorParameters {
         }
     }
 
-    /// The same with nothing that errs; where the misalignment of the start comes from, which temperature is that of reference
-    /// and where the sensor block sits are no effects and stay.
+    /// These parameters without errors. The kind of alignment, the reference temperature and the true mounting are not
+    /// effects, and stay.
     pub(super) fn ideal(&self) -> Self {
         let mut ideal = Self::default();
         ideal.initial.alignment = self.initial.alignment;

@@ -6,7 +6,7 @@ use crate::recommend::SolutionError;
 /// How many runs, and how much may be left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BudgetRequest {
-    /// Runs of each random effect, [`Self::RUNS`] at the least and the most.
+    /// Runs of each random effect, within the limits [`Self::RUNS`].
     pub runs: u64,
     /// What may be left out together, at any time of the scene; each 0 if it is not asked about.
     pub limits: SolutionError,

@@ -1,4 +1,4 @@
-//! Every effect flown alone, all together, and without those that can be left out.
+//! Flies every effect alone, all effects together, and all without those that can be left out.
 
 use core::cmp::Ordering;
 
@@ -71,8 +71,8 @@ impl Flights<'_> {
 /// The error budget of `scene`, flown with `options`, of all that `parameters` set.
 ///
 /// Flights: 1, one for each deterministic effect, N for each random one and N for all together; with limits N more, and N
-/// for each effect that did not add up. A flight takes 0.6 to 1.5 µs a sample (2.8 GHz Xeon), and memory 72 kB for each run.
-/// The same answer on every machine.
+/// for each effect that did not add up. A flight takes 0.6 to 1.5 µs a sample (2.8 GHz Xeon), and memory 72 kB for each
+/// run. The answer is the same on every machine.
 pub fn error_budget(
     options: &Options,
     scene: &Scene<'_>,

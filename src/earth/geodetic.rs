@@ -87,7 +87,7 @@ impl Earth {
         high + low
     }
 
-    /// The same, and the unit vectors east, north and up there.
+    /// Earth-fixed position [m], and the unit vectors east, north and up there.
     pub fn to_earth_fixed_with_axes(&self, place: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let direction = Direction::of(place);
         let (high, low) = self.position(&direction, place.height_m);
@@ -230,7 +230,7 @@ pub fn navigation_axes(latitude_rad: f64, longitude_rad: f64) -> Quaternion<f64>
     navigation_axes_from_half_angles(&sines, &cosines)
 }
 
-/// The same from the sines and cosines of half of latitude and longitude: Rz(longitude + 90°) Rx(90° - latitude).
+/// Navigation axes from the sines and cosines of half of latitude and longitude: Rz(longitude + 90°) Rx(90° - latitude).
 #[inline]
 pub(crate) fn navigation_axes_from_half_angles(
     &[sl, so]: &[f64; 2],

@@ -22,13 +22,13 @@ pub enum Ellipsoid {
     Cgcs2000,
     /// Geodetic Reference System 1980 (Moritz, 2000).
     Grs80,
-    /// Krassovsky 1940. It fixes a shape alone; Earth rate and gravitational constant are those of WGS-84.
+    /// Krassovsky 1940. It defines only a shape; Earth rate and gravitational constant are those of WGS-84.
     Krassovsky1940,
 }
 
 codes!(Ellipsoid { Wgs84 = 0, Cgcs2000 = 1, Grs80 = 2, Krassovsky1940 = 3 });
 
-/// An ellipsoid with its gravity field: what every block of the simulator knows of the Earth.
+/// An ellipsoid with its gravity field: the Earth model of every block of the simulator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Earth {
     /// Equatorial radius a [m].

@@ -59,7 +59,7 @@ impl Default for ManoeuvreFields {
 }
 
 impl ManoeuvreFields {
-    /// The manoeuvre; a field that its kind does not use is passed over.
+    /// The manoeuvre; fields that its kind does not use are ignored.
     pub fn to_manoeuvre(self) -> Manoeuvre {
         let Self { duration_s, ramp_s, speed_change_m_s, height_change_m, turns, bank_rad, .. } = self;
         let heading_change_rad = self.heading_change_rad;

@@ -1,13 +1,13 @@
-//! What a flight is made of.
+//! The manoeuvres of which a flight is composed.
 
 use crate::earth::Ellipsoid;
 use crate::error::{Error, Rule, check_range};
 use crate::truth::{FlightSample, check_height};
 
-/// Sinusoids in one manoeuvre at the most.
+/// Largest number of sinusoids in one manoeuvre.
 pub const MAX_SINUSOIDS: usize = 6;
 
-/// Where and how a flight begins: level and straight.
+/// Start of a flight, level and straight.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FlightStart {
     /// Latitude [rad].
@@ -20,9 +20,9 @@ pub struct FlightStart {
     pub speed_m_s: f64,
     /// Course and heading [rad].
     pub heading_rad: f64,
-    /// Roll and pitch of the body against the path's axes, throughout the flight [rad].
+    /// Roll of the body against the path's axes, throughout the flight [rad].
     pub roll_rad: f64,
-    /// See `roll_rad`; an angle of attack, or the tilt at rest.
+    /// Pitch of the body against the path's axes, throughout the flight: angle of attack, or the tilt at rest [rad].
     pub pitch_rad: f64,
     /// The ellipsoid.
     pub ellipsoid: Ellipsoid,
@@ -50,11 +50,11 @@ pub enum Channel {
 pub struct Sinusoid {
     /// What it moves.
     pub channel: Channel,
-    /// [rad] or [m/s]
+    /// Amplitude [rad] or [m/s].
     pub amplitude: f64,
-    /// [Hz]
+    /// Frequency [Hz].
     pub frequency_hz: f64,
-    /// [rad]
+    /// Phase [rad].
     pub phase_rad: f64,
 }
 
@@ -64,28 +64,28 @@ pub struct Sinusoid {
 pub enum Manoeuvre {
     /// At rest; the speed must be 0.
     Rest {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
     },
     /// Along a geodesic at constant speed and height.
     Straight {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
     },
     /// To another speed.
     Accelerate {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
-        /// [m/s]
+        /// Change of speed [m/s].
         speed_change_m_s: f64,
     },
     /// To another height, pitching up and down again.
     Climb {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
-        /// [m]
+        /// Change of height [m].
         height_change_m: f64,
-        /// [s]
+        /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
     },
     /// Level turn, coordinated: tan(bank) = speed · turn rate / 9.80665. Its duration follows; a turn too short for the
@@ -100,36 +100,36 @@ pub enum Manoeuvre {
     },
     /// Rolls about the path, which stays straight.
     Roll {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
         /// Whole turns, right positive.
         turns: f64,
     },
     /// Vertical loops at constant speed.
     Loop {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
         /// Whole turns, nose up positive.
         turns: f64,
-        /// [s]
+        /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
     },
     /// Course swings to both sides and back.
     STurn {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
         /// Amplitude of the course, first to the right if positive [rad].
         heading_amplitude_rad: f64,
         /// Swings.
         cycles: f64,
-        /// [s]
+        /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
     },
     /// Sum of sinusoids: patrol patterns, rocking, coning, vibration.
     Sinusoids {
-        /// [s]
+        /// Duration [s].
         duration_s: f64,
-        /// [s]
+        /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
         /// The first `count` of them.
         terms: [Sinusoid; MAX_SINUSOIDS],

@@ -15,7 +15,7 @@ const N: usize = 16;
 /// Longest piece, and shortest before the flight is refused as too rapid [s].
 const MAX_PIECE_S: f64 = 600.0;
 const MIN_PIECE_S: f64 = 1e-4;
-/// Pieces of a flight at the most: 110 MB.
+/// Largest number of pieces of a flight: 110 MB.
 const MAX_PIECES: usize = 200_000;
 /// What the last coefficients of a piece may still amount to: 1e-16 rad and 1e-9 m of height.
 const TAIL_RAD: f64 = 1e-16;

@@ -1,4 +1,4 @@
-//! A step that is smooth to the third derivative, and what is built of it.
+//! A step that is smooth to the third derivative, and functions made of such steps.
 
 /// S(u) = 35 u⁴ - 84 u⁵ + 70 u⁶ - 20 u⁷ from 0 to 1 on 0..1, three derivatives zero at both ends.
 pub(super) fn step(u: f64) -> f64 {

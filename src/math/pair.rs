@@ -13,7 +13,7 @@ impl Pair {
     /// Both 0.
     pub const ZERO: Self = Self([0.0; 2]);
 
-    /// The same number twice.
+    /// Both numbers of the pair are `x`.
     #[inline(always)]
     pub fn both(x: f64) -> Self {
         Self([x; 2])
@@ -86,7 +86,7 @@ impl VectorPair {
         Self { x: pair(0), y: pair(1), z: pair(2) }
     }
 
-    /// The same vector twice.
+    /// Both vectors of the pair are `v`.
     #[inline(always)]
     pub fn both(v: &Vector3<f64>) -> Self {
         Self::new(v, v)

@@ -24,7 +24,7 @@ codes!(VerticalMode { Damped = 0, FollowTruth = 1, Free = 2 });
 /// What the vertical channel is told at the end of an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum VerticalAid {
-    /// Nothing.
+    /// No aid: the channel is free.
     None,
     /// The truth: height [m] and velocity up [m/s].
     Truth {

@@ -86,15 +86,15 @@ impl Block {
         }
     }
 
-    /// The same block of a vehicle that turns at `rate_b` [rad/s] by now.
+    /// This block in a vehicle whose present angular rate is `rate_b` [rad/s].
     pub fn turning_at(&self, rate_b: Vector3<f64>) -> Self {
         Self { rate_b, ..*self }
     }
 
     /// Makes of the reference point's `increments` over the interval of `motion`, which begins at `start`, those of the block.
     ///
-    /// Where the generator has revised the rate at the start, the block has had another velocity there: gives how much more it is
-    /// [m/s], Earth-fixed axes. No sensor has felt that: what navigates the block takes it over.
+    /// Where the generator has revised the rate at the start, the block has had another velocity there: gives how much more
+    /// it is [m/s], Earth-fixed axes. No sensor measured this difference, so the navigator of the block adds it.
     #[inline(never)]
     pub fn mount(
         &mut self,
@@ -154,7 +154,7 @@ impl Block {
         Belief { placement: self.believed, rate_s, earth_rate: self.earth_rate }
     }
 
-    /// What an INS would that knows its mounting and has perfect gyros.
+    /// The belief of an INS that knows its mounting and has perfect gyros.
     pub fn true_belief(&self) -> Belief {
         Belief { placement: self.placement, rate_s: self.to_block * self.rate_b, earth_rate: self.earth_rate }
     }

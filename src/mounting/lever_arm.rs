@@ -1,4 +1,4 @@
-//! What a point off the reference point of a rigid body feels more than that.
+//! Additional acceleration of a point away from the reference point of a rigid body.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! What the errors of a piece become over a duration.
+//! Growth of the errors of a piece over a duration.
 //!
 //! The piece is flown N times end to end, N the smallest whole number of pieces that fills the duration D: each time the
 //! algorithm errs as it did the first time, with the same sign. Over the τ = (N - 1) T after the first piece, of length T,

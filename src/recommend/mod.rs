@@ -1,5 +1,5 @@
-//! Accuracy and what it costs: the algorithms in the order of their cost, the error of each against a reference that knows
-//! its own, and the cheapest that meets a requirement.
+//! Accuracy and its cost: the algorithms in the order of their cost, the error of each against a reference of known
+//! uncertainty, and the cheapest one that meets a requirement.
 
 mod choice;
 mod growth;

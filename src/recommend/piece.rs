@@ -1,4 +1,4 @@
-//! A piece of a flight: its samples checked, and what is to be known of it as a whole.
+//! A piece of a flight: its checked samples, and figures of the whole piece.
 
 use core::fmt;
 
@@ -8,15 +8,15 @@ use crate::error::{Error, check_integer};
 use crate::simulator::Options;
 use crate::truth::{FlightSample, Intake, TruthPoint};
 
-/// Samples of a piece at the least: an interval.
+/// Least number of samples of a piece: one interval.
 pub const MIN_SAMPLES: usize = 2;
-/// Samples of a piece at the most: an hour at 100 Hz.
+/// Largest number of samples of a piece: an hour at 100 Hz.
 pub const MAX_SAMPLES: usize = 360_000;
 
-/// A refused piece, or a refused requirement.
+/// A rejected piece, or a rejected requirement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refusal {
-    /// What was refused, and why.
+    /// The error: which value was rejected, and why.
     pub error: Error,
     /// The sample at which it showed, if it is one's fault.
     pub sample: Option<usize>,

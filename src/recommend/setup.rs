@@ -1,20 +1,20 @@
-//! What of a configured simulator the error of its algorithm depends on.
+//! The part of a configured simulator on which the error of its algorithm depends.
 
 use super::Rung;
 use crate::error::Error;
 use crate::mounting::MountingParameters;
 use crate::simulator::{Options, Simulator, heap_simulator};
 
-/// Options and mounting: they decide which motion is integrated, and how. A block off the reference point feels every jolt of
-/// the attitude as specific force.
+/// Options and mounting: they decide which motion is integrated, and how. A block away from the reference point measures
+/// every jolt of the attitude as specific force.
 ///
-/// Errors of sensors, altimeter and start, gravity beyond the normal field and a wrong belief of the mounting do not belong to
-/// it. They move an algorithm's solution and its reference's alike; the difference of both changes in second order alone.
+/// Errors of sensors, altimeter, start and believed mounting, and the gravity disturbance, are not part of it. They act
+/// alike on an algorithm's solution and on its reference; the difference of the two changes only in second order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Setup {
     /// Options, of which the algorithm is replaced.
     pub options: Options,
-    /// Where the sensor block sits; what the INS wrongly believes of that does not matter.
+    /// Mounting of the sensor block; errors of what the INS believes about it do not matter.
     pub mounting: MountingParameters,
 }
 
@@ -24,12 +24,13 @@ impl Setup {
         Self { options: *simulator.options(), mounting: simulator.mounting() }
     }
 
-    /// The same with another algorithm.
+    /// This setup with another algorithm.
     pub fn with(&self, rung: &Rung) -> Self {
         Self { options: rung.applied_to(&self.options), ..*self }
     }
 
-    /// The same without what holds the navigation to the truth, or does not take part in it.
+    /// This setup without the closed loop, which keeps the navigation at the truth, and without the error model, which does
+    /// not act on it.
     pub(super) fn physical(&self) -> Self {
         Self { options: Options { closed_loop_time_s: None, error_model: false, ..self.options }, ..*self }
     }

@@ -9,7 +9,7 @@ use crate::truth::FlightSample;
 
 /// Rounds, of which the median counts.
 const ROUNDS: usize = 9;
-/// Steps of a round at the least.
+/// Least number of steps of a round.
 const STEPS: usize = 1000;
 
 /// Time of a step of the whole chain with ideal sensors, push and step, over the first samples [ns].

@@ -72,11 +72,11 @@ impl Scene {
     pub(super) fn conflicts(&self) -> Vec<Error> {
         let mut conflicts = Vec::new();
         if !self.is_log() && self.options.intake.period_s.is_some() {
-            let words = "only of a log; this flight is sampled at flight.rate_hz";
+            let words = "only for a log; this flight is sampled at flight.rate_hz";
             conflicts.push(at_odds("options.sample_period_s", words));
         }
         if self.is_log() && self.rate_hz != Self::default().rate_hz {
-            conflicts.push(at_odds("flight.rate_hz", "not of a flight log, which has its own time stamps"));
+            conflicts.push(at_odds("flight.rate_hz", "not for a flight log, which has its own time stamps"));
         }
         if !self.is_log() && self.rate_hz * self.options.intake.max_gap_s < 1.0 {
             let words = "samples would be farther apart than options.max_gap_s =";
@@ -85,11 +85,11 @@ impl Scene {
         }
         if self.options.vertical != VerticalMode::Damped {
             if self.altimeter != AltimeterParameters::default() {
-                let words = "acts in the damped vertical channel alone; options.vertical is another";
+                let words = "acts only in the damped vertical channel; options.vertical is another";
                 conflicts.push(at_odds("altimeter", words));
             }
             if self.failures.iter().any(|planned| planned.output == SensorOutput::Altimeter) {
-                let words = "must be the damped channel: a failure of the altimeter acts in that alone";
+                let words = "must be the damped channel: a failure of the altimeter acts only there";
                 conflicts.push(at_odds("options.vertical", words));
             }
         }

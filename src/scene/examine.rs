@@ -10,7 +10,7 @@ use crate::error::{Error, Rule};
 use crate::sensors::Sensor;
 
 impl Reader<'_> {
-    /// What single keys cannot tell: whether they go together.
+    /// Checks that concern several keys: whether they go together.
     pub(super) fn check_together(&mut self) {
         let flight = self.section(Section::Flight).clone();
         let sources = [flight.key("file").is_some(), flight.key("builtin").is_some(), !self.items.is_empty()];
@@ -18,7 +18,7 @@ impl Reader<'_> {
         match sources.iter().filter(|is_there| **is_there).count() {
             0 => self.faults.add(head, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
             1 => {}
-            _ => self.faults.add(head, "[flight]: expected one alone of file, builtin and [[manoeuvre]]s"),
+            _ => self.faults.add(head, "[flight]: expected only one of file, builtin and [[manoeuvre]]s"),
         }
         if let Some(span) = flight.key("builtin")
             && !BUILTIN_SCENES.iter().any(|(name, _)| *name == self.draft.builtin)
@@ -44,8 +44,7 @@ impl Reader<'_> {
         if flight.key("temperature_c").is_none()
             && let Some(span) = flight.key("temperature_change_c_h")
         {
-            self.faults
-                .add(span, "flight.temperature_change_c_h: only with temperature_c, from which it goes on");
+            self.faults.add(span, "flight.temperature_change_c_h: only together with temperature_c");
         }
         if let Some(span) = self.section(Section::Options).key("closed_loop_time_s").cloned()
             && !self.draft.closed_loop

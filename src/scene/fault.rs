@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::Range;
 
-/// Faults that are kept of one text at the most; a text with more is not read further.
+/// Largest number of faults that are kept of one text. A text with more is not read further.
 pub const MAX_FAULTS: usize = 200;
 
 /// One fault of a scene or of a flight log.

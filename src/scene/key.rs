@@ -58,7 +58,7 @@ impl Section {
         match self {
             Self::Flight => ("flight", "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"),
             Self::Manoeuvre => ("manoeuvre", "one after the other; angles right and up positive"),
-            Self::Sinusoid => ("manoeuvre.sinusoid", "behind a manoeuvre of kind sinusoids, up to 6"),
+            Self::Sinusoid => ("manoeuvre.sinusoid", "after a manoeuvre of kind sinusoids, up to 6"),
             Self::Options => ("options", "the simulator"),
             Self::Gyro => ("gyro", "gyro errors: a preset, and what differs from it"),
             Self::Accelerometer => {
@@ -70,7 +70,7 @@ impl Section {
             Self::Start => ("start", "errors at the start: computed less true"),
             Self::Mounting => (
                 "mounting",
-                "where the sensor block sits, and what the INS wrongly believes of it: believed less true",
+                "mounting of the sensor block, and errors of what the INS believes about it: believed less true",
             ),
             Self::Gravity => {
                 ("gravity", "true gravity less normal gravity: constant, and random over the distance flown")

@@ -1,8 +1,8 @@
-//! Scenes: a flight, the simulator that flies it, and what goes wrong on the way, as a text in TOML.
+//! Scenes: a flight, the simulator that flies it, and the failures on the way, as a text in TOML.
 //!
-//! A scene is read by [`Scene::parse`], which tells every fault of a text at once, and written by [`Scene::write`], which
-//! gives a text that reads back as the same scene to the bit; [`Scene::parse_with`] sets single keys beside the text. The keys of a scene, with unit and meaning, are one table
-//! (`table`): it makes the reading, the writing and the list of keys ([`keys`]).
+//! [`Scene::parse`] reads a scene, and reports every fault of a text at once. [`Scene::write`] writes a text that reads
+//! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text. The keys of a scene,
+//! with unit and meaning, are one table (`table`); reading, writing and the list of keys ([`keys`]) use it.
 
 mod builtin;
 mod check;
@@ -36,7 +36,7 @@ use crate::sensors::{
 use crate::simulator::heap_simulator;
 use crate::{Options, Simulator};
 
-/// Size of a scene's text at the most [bytes].
+/// Largest size of a scene's text [bytes].
 pub const MAX_TEXT: usize = 1 << 20;
 
 /// A scene.
@@ -221,7 +221,7 @@ impl Scene {
         Ok(simulators)
     }
 
-    /// The flight, on the scene's ellipsoid; of a log there is none.
+    /// The flight, on the scene's ellipsoid. A log has no such flight.
     pub fn flight(&self) -> Result<Flight, Error> {
         self.path()?.flight()
     }
@@ -236,7 +236,7 @@ impl Scene {
                 None => return Err(Error::bad_state("the scene names no built-in flight")),
             },
             FlightSource::Log(_) => {
-                return Err(Error::bad_state("the flight of the scene is a log; read that"));
+                return Err(Error::bad_state("the flight of the scene is a log; read the log"));
             }
         };
         path.start.ellipsoid = self.options.ellipsoid;

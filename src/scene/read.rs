@@ -81,7 +81,7 @@ impl Scene {
             let mut faults = Faults::new(text);
             faults.add(
                 &(at..at),
-                format!("brackets within brackets, more than {MAX_NESTING}: a scene has none"),
+                format!("more than {MAX_NESTING} brackets within each other: no scene needs that"),
             );
             return Err(faults.into_list());
         }
@@ -269,7 +269,7 @@ impl Reader<'_> {
         if item.key("channel").is_none() {
             self.faults.add(&head, "[[manoeuvre.sinusoid]]: expected its channel");
         } else if let Some(span) = item.key(other) {
-            self.faults.add(span, format!("sinusoid.{other}: not of this channel; expected {own}"));
+            self.faults.add(span, format!("sinusoid.{other}: not for this channel; expected {own}"));
         }
         let manoeuvre = &mut self.draft.manoeuvre;
         let Some(place) = manoeuvre.sinusoids.get_mut(manoeuvre.sinusoid_count) else {
@@ -292,7 +292,7 @@ impl Reader<'_> {
         }
         let failure = self.draft.failure.clone();
         match (failure.sensor == 2, item.key("axis")) {
-            (true, Some(span)) => self.faults.add(span, "failure.axis: the altimeter has one output alone"),
+            (true, Some(span)) => self.faults.add(span, "failure.axis: the altimeter has only one output"),
             (false, None) => self.faults.add(&head, "[[failure]]: expected its axis"),
             _ => {}
         }
@@ -305,11 +305,11 @@ impl Reader<'_> {
             if !is_general && !uses.iter().any(is_quantity) {
                 self.faults.add(span, format!("failure.{name}: {kind} does not use it"));
             } else if let Some(own) = table::of_sensor(&KEYS[*index], failure.sensor) {
-                self.faults.add(span, format!("failure.{name}: not of this sensor; expected {own}"));
+                self.faults.add(span, format!("failure.{name}: not for this sensor; expected {own}"));
             }
         }
         if let (Some(_), Some(span)) = (item.key("interval_s"), item.key("probability")) {
-            self.faults.add(span, "failure.probability: only of drop-outs without interval_s");
+            self.faults.add(span, "failure.probability: only for drop-outs without interval_s");
         }
         match failure.to_planned() {
             Ok(Some(planned)) => {

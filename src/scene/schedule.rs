@@ -44,7 +44,7 @@ impl Temperature {
     }
 }
 
-/// Planned failures at the most.
+/// Largest number of planned failures.
 const MAX_FAILURES: usize = 4096;
 
 /// Largest time stamp of a flight's first sample, of either sign [s]: twice that of a sample, as moved time moves it along.

@@ -7,7 +7,7 @@ use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
 use super::read::too_deep;
 
-/// What stands behind a key.
+/// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     Text(String),
@@ -35,7 +35,7 @@ impl Value {
             DeValue::Array(array) => {
                 let numbers = array.iter().map(|element| finite(number(element.get_ref()))).collect();
                 let numbers: Option<Vec<f64>> = numbers;
-                numbers.map_or(Self::Other("an array of other things than numbers"), Self::Numbers)
+                numbers.map_or(Self::Other("an array with elements that are not numbers"), Self::Numbers)
             }
             DeValue::Datetime(_) => Self::Other("a date"),
             DeValue::Table(_) => Self::Other("a table"),

@@ -2,9 +2,8 @@
 
 use core::ops::Range;
 
-/// The effects along the path of the signal. The first two change the input; the next four are errors that
-/// follow it, temperature's too, then come additive biases and noise, with those of failures, and last what the output electronics
-/// do, and failures of the output.
+/// The effects in order along the path of the signal. Size and Bandwidth change the input. Linear to Temperature are errors
+/// that depend on the input. Bias to AddedFailure are added biases and noise. DeadZone to Outage act on the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
     Size,
@@ -74,14 +73,15 @@ impl Effect {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plan {
     effects: [Effect; Effect::COUNT],
-    /// The first `before_input` of them change the input, all up to `on_signal` change it or follow it.
+    /// Effects 0 to `before_input` change the input. Effects `before_input` to `on_signal` are errors that depend on the
+    /// input. The others, up to `count`, do not depend on it.
     before_input: u8,
     on_signal: u8,
     count: u8,
 }
 
 impl Plan {
-    /// Nothing.
+    /// A plan without effects.
     pub const IDEAL: Self =
         Self { effects: [Effect::Bias; Effect::COUNT], before_input: 0, on_signal: 0, count: 0 };
 

@@ -183,9 +183,9 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "lever_arm_m", shape: Matrix, is_random: GIVEN,
         doc: "lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect)",
-        note: "The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in motion see sins_mounting; the \
-            velocity lacks the change of rate in the first interval for good. With sins_push_imu() the angular acceleration follows from \
-            the increments before.",
+        note: "The block's own point is where the lever arm of sins_mounting ends. For the start of a flight in motion \
+            see sins_mounting; the measured velocity never recovers the change of rate in the first interval. With sins_push_imu() the \
+            angular acceleration follows from the previous increments.",
         gyro: None,
         accel: field(("accel.lever_arm_m", "m"), Within(-100.0, 100.0),
             ("lever_arm_mm", "mm", 1e-3), "accel size effect"),

@@ -57,7 +57,7 @@ fn check_foreign(parameter: &Parameter, numbers: &[f64]) -> Result<(), Error> {
     for index in 0..numbers.len() {
         let value = numbers[parameter.shape.place(index)];
         if value != 0.0 {
-            let rule = Rule::Zero(": of the other kind of sensor");
+            let rule = Rule::Zero(": it is a parameter of the other kind of sensor");
             return Err(Error::invalid(parameter.name, value, rule).at(index));
         }
     }
@@ -110,7 +110,7 @@ mod tests {
         assert!(arm.validate(Sensor::Accelerometer).is_ok());
         assert_eq!(
             arm.validate(Sensor::Gyro).unwrap_err().to_string(),
-            "lever_arm_m[5] = -0.5: must be 0: of the other kind of sensor"
+            "lever_arm_m[5] = -0.5: must be 0: it is a parameter of the other kind of sensor"
         );
         let unbalance = TriadParameters { g_sensitivity: Matrix3::identity(), ..Default::default() };
         assert!(

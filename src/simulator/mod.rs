@@ -177,7 +177,9 @@ impl Simulator {
     /// Starts as a navigator alone from `navigation` at `time_s` [s], to be fed by [`Self::push_imu`].
     pub fn start_navigation(&mut self, time_s: f64, navigation: &Navigation) -> Result<(), Error> {
         if !matches!(self.mode, Mode::Waiting) || self.intake.waiting() > 0 {
-            return Err(Error::bad_state("navigation alone starts before the first sample or after a reset"));
+            return Err(Error::bad_state(
+                "navigation on increments can start only before the first sample or after a reset",
+            ));
         }
         if self.sensors.depend_on_temperature() {
             return Err(Error::bad_state(settings::INCREMENTS_HAVE_NO_TEMPERATURE));
@@ -191,7 +193,7 @@ impl Simulator {
     /// Navigates on `increments` (1 to 5, of equal length) over `interval_s` [s], to which set sensor errors are added.
     pub fn push_imu(&mut self, increments: &[Increment], interval_s: f64) -> Result<(), Error> {
         let Mode::Navigating(navigator) = &mut self.mode else {
-            return Err(Error::bad_state("increments need a start of the navigation first"));
+            return Err(Error::bad_state("navigation on increments must be started first"));
         };
         navigator.advance(increments, interval_s, &mut self.sensors)
     }
@@ -293,7 +295,7 @@ impl Simulator {
             _ => &self.summary,
         };
         match summary {
-            None => Err(Error::bad_state("the truth is not summed up: options.truth_summary")),
+            None => Err(Error::bad_state("the summary of the truth is off: set options.truth_summary")),
             Some(summary) => Ok((summary.intervals > 0).then_some(*summary)),
         }
     }

@@ -49,7 +49,7 @@ impl Navigator {
             check_ranges("imu.velocity_m_s", increment.velocity.as_slice(), -1e4, 1e4).map_err(at)?;
         }
         let (time_s, lost) = two_sum(self.time_s, interval_s + self.time_carry_s);
-        check_range("time behind the interval [s]", time_s, -CLOCK_S, CLOCK_S)?;
+        check_range("time after the interval [s]", time_s, -CLOCK_S, CLOCK_S)?;
         let sum = Increment::sum(increments);
         let largest =
             increments.iter().chain([&sum]).map(|part| part.angle.norm_squared()).fold(0.0, f64::max);

@@ -115,7 +115,7 @@ impl Simulator {
             }
             _ if samples > 0 => {
                 from.enter("snapshot: samples that were flown");
-                return Err(from.refused(samples as f64, Rule::Words("must be none without a flight")));
+                return Err(from.refused(samples as f64, Rule::Words("must be 0 without a flight")));
             }
             NAVIGATING => {
                 let upright = Quaternion::identity();

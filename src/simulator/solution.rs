@@ -17,11 +17,11 @@ pub struct Solution {
     pub navigation: Navigation,
     /// Within 20 km of the Earth's axis: longitude and heading turn fast, at the pole they are undefined.
     pub near_pole: bool,
-    /// Nothing aids the vertical channel; its error grows by e every 569 s.
+    /// Nothing aids the vertical channel; its error grows e-fold every 569 s.
     pub vertical_unaided: bool,
     /// The alignment at the start could not find north: the heading may be anything.
     pub north_unknown: bool,
-    /// Truth: the displacement since the sample before contradicts the velocities.
+    /// Of the truth: the displacement since the previous sample contradicts the velocities.
     pub inconsistent: bool,
 }
 

@@ -46,7 +46,7 @@ pub fn seal(snapshot: &mut [u8], of: SnapshotOf) {
 pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value, rule));
     let Some(header) = snapshot.get(..HEADER_BYTES) else {
-        let rule = Rule::AtLeast("is cut off; the header alone has bytes:", HEADER_BYTES as f64);
+        let rule = Rule::AtLeast("is cut off; bytes that the header alone needs:", HEADER_BYTES as f64);
         return damaged("snapshot size", snapshot.len(), rule);
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
@@ -57,7 +57,7 @@ pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
         } else if is_of(SnapshotOf::Ensemble) {
             "snapshot: it is one of an ensemble, not of a simulator"
         } else {
-            "snapshot: these bytes are something else"
+            "snapshot: these bytes are not a snapshot"
         };
         return Err(Error { kind: ErrorKind::Snapshot, ..Error::bad_state(words) });
     }
@@ -122,7 +122,7 @@ mod tests {
             bytes[at] ^= change;
             open(&bytes, SnapshotOf::Simulator).unwrap_err().to_string()
         };
-        assert_eq!(altered(0, 1), "snapshot: these bytes are something else");
+        assert_eq!(altered(0, 1), "snapshot: these bytes are not a snapshot");
         let other = open(&good, SnapshotOf::Ensemble).unwrap_err();
         assert_eq!(other.to_string(), "snapshot: it is one of a simulator, not of an ensemble");
         assert_eq!(
@@ -135,6 +135,6 @@ mod tests {
         }
         let cut = |length: usize| open(&good[..length], SnapshotOf::Simulator).unwrap_err().to_string();
         assert_eq!(cut(39), "snapshot size = 39: is not the size that was saved: 40");
-        assert_eq!(cut(23), "snapshot size = 23: is cut off; the header alone has bytes: 24");
+        assert_eq!(cut(23), "snapshot size = 23: is cut off; bytes that the header alone needs: 24");
     }
 }

@@ -37,7 +37,7 @@ impl<'a> Reader<'a> {
             NOTHING => (0, 0),
             BYTE => (u64::from(u8::from_le_bytes(self.bytes()?)), 1),
             WHOLE => (u64::from_le_bytes(self.bytes()?), 256),
-            _ => return Err(self.refused(size, Rule::Words("is no size of a word"))),
+            _ => return Err(self.refused(size, Rule::Words("is not the size of a word"))),
         };
         if word < smallest {
             return Err(self.refused(word, Rule::Words("takes more bytes than it needs")));
@@ -69,7 +69,7 @@ impl<'a> Reader<'a> {
         if self.rest.is_empty() && self.sizes == 0 {
             return Ok(());
         }
-        let rule = Rule::Zero(": the snapshot goes on behind its end");
+        let rule = Rule::Zero(": the snapshot has bytes after its end");
         Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len(), rule))
     }
 

@@ -1,4 +1,4 @@
-//! The way in: samples are checked against each other, put on the time base and into a bounded queue.
+//! Intake of samples: they are checked against each other, placed on the time base, and put into a bounded queue.
 
 use nalgebra::Vector3;
 
@@ -28,10 +28,11 @@ pub(crate) const INTERVALS_S: (f64, f64) = {
 /// Earliest time that a sample can be moved to [s]: those before it, at most 18 intervals, have room then.
 const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
 
-/// And the latest: one that came before its place in the stated period has room behind it, and a snapshot of it.
+/// Latest time that a sample can be moved to [s], likewise. A sample that came before its place in the stated period has
+/// room after it, and so has a snapshot of it.
 const LATEST_MOVED_S: f64 = LATEST_S - 20.0 * MAX_GAP_S;
 
-/// What a time stamp may be off the stated period by, in periods.
+/// Largest deviation of a time stamp from the stated period, in periods.
 const OFF_PERIOD: f64 = 0.4;
 
 /// What separates a bad sample from a hard manoeuvre.
@@ -53,7 +54,7 @@ impl Default for IntakeLimits {
 
 stored!(IntakeLimits { max_gap_s: ANY, max_acceleration_m_s2: ANY, period_s: ANY });
 
-/// What a sample that was taken is to those before it.
+/// How an accepted sample follows the ones before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pushed {
     /// The first, or at the end of an interval like others.
@@ -88,7 +89,8 @@ impl Intake {
         (self.first_time_s, self.ticks) = (0.0, 0.0);
     }
 
-    /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first, it is checked by itself alone.
+    /// Forgets all samples and begins with `sample`; on an error nothing has changed. As the first sample, it is checked
+    /// only by itself.
     pub fn restart(&mut self, sample: &FlightSample) -> Result<(), Error> {
         let first = self.first_point(sample)?;
         self.begin(first);
@@ -119,7 +121,7 @@ impl Intake {
     /// far they moved [s].
     pub fn move_time(&mut self, time_s: f64) -> Result<f64, Error> {
         let Some(newest) = self.ring.pushed(0) else {
-            return Err(Error::bad_state("no sample yet: the first one brings its own time"));
+            return Err(Error::bad_state("no sample yet; the first sample sets the time"));
         };
         check_range("time_s", time_s, EARLIEST_MOVED_S, LATEST_MOVED_S)?;
         let shift_s = time_s - newest.sample.time_s;
@@ -197,8 +199,10 @@ impl Intake {
     pub fn push(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         sample.validate()?;
         if self.waiting() == QUEUE_CAPACITY {
-            let rule =
-                Rule::WordsAnd("step before the next sample; samples that may wait:", QUEUE_CAPACITY as f64);
+            let rule = Rule::WordsAnd(
+                "the queue is full, step first; samples that can wait:",
+                QUEUE_CAPACITY as f64,
+            );
             return Err(Error::of(ErrorKind::QueueFull, "queued samples", QUEUE_CAPACITY, rule));
         }
         let Some(last) = self.ring.pushed(0) else {
@@ -258,7 +262,8 @@ impl Intake {
         if let Some(last) = self.ring.pushed(0).filter(|last| knows_velocity(last) && knows_velocity(&point))
         {
             let steps = Steps { last, before: [self.ring.pushed(1), None] };
-            // Nor is the interval before the oldest, without which nobody knows what turn was to be foreseen.
+            // The interval before the oldest sample is lost too. Without it the turn of the oldest interval cannot be
+            // predicted.
             if steps.before[0].is_some() {
                 steps.check(&point, &self.limits)?;
             } else {

@@ -1,4 +1,4 @@
-//! Truth: what the flight simulator tells, checked on entry and brought to Earth-fixed axes.
+//! Truth: the samples of the flight simulator, checked on entry and converted to Earth-fixed axes.
 
 mod intake;
 mod point;

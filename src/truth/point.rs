@@ -1,4 +1,4 @@
-//! A checked sample with what the blocks behind need of it.
+//! A checked sample, with the values that later blocks need.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -11,7 +11,7 @@ use crate::math::{
 };
 use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
-/// Times the interval before it beyond which an interval is a gap. One lost sample is none.
+/// An interval is a gap if it is more than this many times the interval before it. One lost sample is not a gap.
 const GAP: f64 = 2.5;
 
 /// Truth at a sample, in Earth-fixed axes.

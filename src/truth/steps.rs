@@ -36,7 +36,7 @@ impl Steps<'_> {
         self.check_foreseen_turn(point)
     }
 
-    /// The same where the interval before is unknown, by which the turn is foreseen.
+    /// As `check`, but without the check of the turn, which the previous interval would predict.
     #[inline(always)]
     pub fn check_without_foresight(&self, point: &TruthPoint, limits: &IntakeLimits) -> Result<(), Error> {
         let last = self.last;
@@ -79,8 +79,8 @@ impl Steps<'_> {
         (unexplained, POSITION_SLACK_M + 0.5 * limit * interval * interval)
     }
 
-    /// The same without velocities: displacement that the mean velocity over up to two intervals before does not explain. The
-    /// velocity at the point itself would explain eleven twelfths of any leap, being made of it.
+    /// For samples without velocities: displacement that the mean velocity over up to two previous intervals does not
+    /// explain. The velocity at the point itself would explain eleven twelfths of any leap, being made of it.
     fn leap(&self, point: &TruthPoint, limit: f64) -> Result<(Vector3<f64>, f64), Error> {
         let (last, interval) = (self.last, point.interval_s);
         let displacement = point.state.r_e - last.state.r_e;

@@ -83,7 +83,7 @@ static void refusals(void)
 
     CHECK(sins_snapshot_load(sim, small, sizeof small) == SINS_ERROR_SNAPSHOT);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
-    CHECK(strcmp(text, "snapshot: these bytes are something else") == 0);
+    CHECK(strcmp(text, "snapshot: these bytes are not a snapshot") == 0);
     CHECK(sins_snapshot_load(sim, bytes, size - 1) == SINS_ERROR_SNAPSHOT);
     CHECK(sins_snapshot_load(sim, bytes, 0) == SINS_ERROR_SNAPSHOT);
     memcpy(again, bytes, size);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::failure::Failure;
 
-/// Draws the Allan deviation of an IMU log and finds the noises that explain it
+/// Draws the Allan deviation of an IMU log, and finds the noise coefficients that explain it
 ///
 /// Overlapping Allan deviation of gyro and accelerometer columns, up to six, with 95 % intervals; the coefficients of quantization
 /// Q, random walk N, bias instability B, rate random walk K and ramp R that explain it. Prints them as a table.
@@ -15,22 +15,22 @@ use crate::failure::Failure;
 /// half an interval; a gap is refused.
 #[derive(Debug, PartialEq, clap::Args)]
 pub struct Order {
-    /// A log, as `sins fly --imu` writes it or of your own
+    /// A log that `sins fly --imu` wrote, or one of your own
     #[arg(value_name = "LOG.csv")]
     pub log: PathBuf,
-    /// Where to draw: OUT.svg or OUT.html
+    /// Output file: OUT.svg or OUT.html
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
-    /// Also averaging times and deviations; POINTS_fit.csv gets the coefficients
+    /// Also writes averaging times and deviations into this file, and the coefficients into POINTS_fit.csv
     #[arg(long = "csv", value_name = "POINTS.csv")]
     pub points: Option<PathBuf>,
-    /// Samples a second: not the mean of the stamps, or there are none
+    /// Samples per second, instead of the mean rate of the time stamps, or if there are none
     #[arg(long = "rate", value_name = "HZ", value_parser = rate)]
     pub rate_hz: Option<f64>,
-    /// These columns alone; the unit as above without its first _, where the name has none
+    /// Reads only these columns; UNIT as above without its first _, if the name does not end with a unit
     #[arg(long, value_name = "NAME[:UNIT]", value_delimiter = ',', value_parser = wanted)]
     pub columns: Vec<Wanted>,
-    /// Replaces files that are not of this program's making
+    /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
 }

@@ -76,9 +76,9 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
     };
     match chosen.len() {
         1..=MOST => Ok(chosen),
-        0 => {
-            Err(Failure::new("no column of the header is a rate or force by its name; --columns names them"))
-        }
+        0 => Err(Failure::new(
+            "no column of the header has the name of a rate or force; choose columns by --columns",
+        )),
         count => {
             let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).collect();
             let names = names.join(", ");

@@ -19,7 +19,7 @@ pub fn value(coefficient: &Coefficient, unit: Unit) -> String {
     }
 }
 
-/// The same in the unit of data sheets.
+/// A coefficient with its interval, in the unit of data sheets.
 pub fn on_sheet(analysis: &Analysis, coefficient: &Coefficient) -> String {
     value(coefficient, sheet::coefficient(analysis.sensor, coefficient.term))
 }

@@ -20,13 +20,13 @@ preset = \"navigation\"
 preset = \"navigation\"
 ";
 
-/// Finds which errors of a scene matter: flies each alone, and all together
+/// Finds which errors of a scene matter: flies each error alone, and all errors together
 ///
 /// Writes into DIR: budget.html; SCENE.svg; budget.csv, a row for each effect; table.md, which it prints as well. Errors of
 /// sensors, altimeter, start, mounting and gravity count as the scene sets them; failures of sensors are not flown.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Scenes that are built in, files SCENE.toml, or flight logs LOG.csv, which are flown with sensors of navigation grade
+    /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv, which are flown with sensors of navigation grade
     #[arg(value_name = "SCENE", default_value = "simulation2")]
     pub scenes: Vec<OsString>,
     #[command(flatten)]
@@ -34,22 +34,22 @@ pub struct Order {
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/budget")]
     pub out: PathBuf,
-    /// How much of each scene is flown at the most
+    /// Hours of each scene that are flown at most
     #[arg(long, default_value_t = 1.0)]
     pub hours: f64,
     /// Runs of each random effect, 8 to 1000
     #[arg(long, default_value_t = 16)]
     pub runs: u64,
-    /// What the effects that are left out may change together, at any time; 0: no limit
+    /// Limit for the change of the position error by all effects that are left out together, at any time; 0: no limit
     #[arg(long, value_name = "METRES", default_value_t = 0.0)]
     pub position: f64,
-    /// The same of the velocity
+    /// Limit for the change of the velocity error, likewise; 0: no limit
     #[arg(long, value_name = "M_PER_S", default_value_t = 0.0)]
     pub velocity: f64,
-    /// The same of the attitude
+    /// Limit for the change of the misalignment, likewise; 0: no limit
     #[arg(long, value_name = "ARCSEC", default_value_t = 0.0)]
     pub attitude: f64,
-    /// Replaces files that are not of this program's making
+    /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
 }

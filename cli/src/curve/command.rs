@@ -6,16 +6,17 @@ use std::path::PathBuf;
 use super::embedded::{self, Embedded};
 use crate::given::Settings;
 
-/// Measures what accuracy costs: schemes, subsamples, sample rates and axes by time and by error, without sensor errors
+/// Measures what accuracy costs: computing time and error of schemes, subsamples, sample rates and axes, without sensor
+/// errors
 ///
-/// Writes into DIR: curve.csv, a row for each configuration; scenes.csv; SCENE.svg; table.md, which it prints as well. A scene is
-/// taken with its ellipsoid and its gravity; its scheme, axes and errors do not count.
+/// Writes into DIR: curve.csv, a row for each configuration; scenes.csv; SCENE.svg; table.md, which it prints as well. The
+/// ellipsoid and the gravity of a scene count; its scheme, axes and errors do not.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Scenes that are built in, files SCENE.toml, or flight logs LOG.csv
+    /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv
     #[arg(value_name = "SCENE")]
     pub given: Vec<OsString>,
-    /// Flights made for this measurement: rest, cruise, aerobatics, vibration, pole or all; all if no scene is given either
+    /// Flights made for this measurement: rest, cruise, aerobatics, vibration, pole or all; all, if no scene is given
     #[arg(long = "flight", value_name = "NAME", value_parser = named)]
     flights: Vec<Choice>,
     #[command(flatten)]
@@ -26,10 +27,10 @@ pub struct Order {
     /// Two minutes of each scene instead of an hour, and fewer repetitions
     #[arg(long)]
     quick: bool,
-    /// Adds the instructions of a step, as benches/instructions.sh matrix prints them
+    /// Adds the instructions of a step from this file, which benches/instructions.sh matrix prints
     #[arg(long, value_name = "FILE")]
     pub instructions: Option<PathBuf>,
-    /// Replaces files that are not of this program's making
+    /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
 }

@@ -39,7 +39,7 @@ const ABOVE: (f64, f64) = (-16.0, -9.0);
 const LINE: f64 = 20.0;
 
 const HOW_TO_READ: [&str; 2] = [
-    "More accurate is to the right: right of the line of what the sensors err, accuracy is wasted.",
+    "Accuracy increases to the right. Right of the line of the sensors' own error, more accuracy is of no use.",
     "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second.",
 ];
 

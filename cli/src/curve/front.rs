@@ -63,13 +63,13 @@ pub fn dearer_and_worse(surveys: &[Survey]) -> Vec<String> {
             let own: Vec<_> = beaten.iter().filter(|(point, _)| point.configuration.name() == name).collect();
             if let Some((point, (other, factor))) = own.iter().max_by(|a, b| a.1.1.total_cmp(&b.1.1)) {
                 lines.push(format!(
-                    "{}: {name} is dearer and worse than {} at {} Hz, {} times its error; beaten at {}",
+                    "{}: {name} is costlier and less accurate than {} at {} Hz, {} times its error; beaten at {}",
                     survey.name,
                     other.configuration.name(),
                     point.rate_hz,
                     two_digits(*factor),
                     if own.len() == 1 {
-                        "this rate alone".to_owned()
+                        "this rate only".to_owned()
                     } else {
                         format!("{} rates", own.len())
                     },
@@ -138,7 +138,7 @@ pub mod tests {
         };
         let lines = dearer_and_worse(&[survey]);
         assert!(lines[0].ends_with("36000 times its error; beaten at 2 rates"), "{}", lines[0]);
-        assert!(lines[1].ends_with("2.0 times its error; beaten at this rate alone"), "{}", lines[1]);
+        assert!(lines[1].ends_with("2.0 times its error; beaten at this rate only"), "{}", lines[1]);
     }
 
     #[test]

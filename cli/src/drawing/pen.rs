@@ -30,7 +30,7 @@ pub enum Pen {
     PaperScheme,
     ExactScheme,
     PolynomialScheme,
-    /// The same where samples are too few.
+    /// The three schemes where samples are too few.
     PaperHollow,
     ExactHollow,
     PolynomialHollow,

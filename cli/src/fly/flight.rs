@@ -118,7 +118,7 @@ fn fly_with(
             file.check()?;
         }
         if interrupt::is_asked() {
-            return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are whole"));
+            return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are complete"));
         }
         progress.fly(last - first, given.period_s);
     }

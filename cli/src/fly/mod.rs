@@ -25,14 +25,14 @@ use flight::{Files, Flown};
 /// How a log is flown that comes without a scene: by the recommended simulator with ideal sensors.
 pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
-/// Flies a scene; writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
+/// Flies a scene, writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv ("-": standard input), which is flown with
     /// ideal sensors
     #[arg(value_name = "SCENE")]
     pub scene: Option<OsString>,
-    /// Flies this flight log in the place of the scene's own flight
+    /// Flies this flight log instead of the scene's own flight
     #[arg(long, value_name = "LOG.csv")]
     pub log: Option<PathBuf>,
     #[command(flatten)]
@@ -43,13 +43,13 @@ pub struct Order {
     /// Base name of the outputs [default: the scene's output.name, or the name of its file]
     #[arg(long)]
     pub name: Option<String>,
-    /// Also writes the measured increments of every sample interval, into this file below DIR
+    /// Also writes the measured increments of every sample interval into this file below DIR
     #[arg(long, value_name = "FILE.csv")]
     pub imu: Option<String>,
     /// Neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
-    /// Replaces files that are not of this program's making
+    /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
 }

@@ -71,7 +71,9 @@ impl Given {
             None => match log {
                 Some(path) => (Text::for_log(path, for_logs), log),
                 None => {
-                    return Err(Failure::new("which scene? `sins scene list` lists those that are built in"));
+                    return Err(Failure::new(
+                        "no scene is given; `sins scene list` lists the built-in scenes",
+                    ));
                 }
             },
         };

@@ -8,7 +8,7 @@ pub struct Settings {
     /// Errors of gyros and accelerometers to begin with: ideal, strategic, navigation, tactical, industrial, consumer, paper2
     #[arg(long, value_name = "GRADE")]
     pub preset: Option<String>,
-    /// Sets a key of the scene, as gyro.bias_deg_h=0.01; `sins keys` lists them. Any number of times
+    /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. May be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 pub struct Text {
     bytes: Vec<u8>,
     pub origin: String,
-    /// None: built in.
+    /// Path of the file; `None` for a built-in scene.
     pub path: Option<PathBuf>,
     pub name: String,
 }
@@ -31,7 +31,7 @@ impl Text {
             let near = nearest(&path.to_string_lossy(), BUILTIN_SCENES.iter().map(|(name, _)| *name));
             let hint = match near {
                 Some(near) => format!("did you mean {near}?"),
-                None => "`sins scene list` lists those that are built in".to_owned(),
+                None => "`sins scene list` lists the built-in scenes".to_owned(),
             };
             return Err(Failure::of_file(path, &format!("no such scene; {hint}")));
         }

@@ -86,7 +86,7 @@ fn radial(run: &Run) -> Result<Figure, Failure> {
         Some(Growth { from_s, level, slope }) => {
             let rate =
                 format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
-            let words = format!("straight line of least squares from {} on, slope {rate}", time_text(from_s));
+            let words = format!("least-squares line from {} on, slope {rate}", time_text(from_s));
             traces.push(Trace::new(Pen::Fit, line((level, slope), from_s, end)));
             legend.push((Pen::Fit, words));
             rate

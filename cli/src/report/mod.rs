@@ -24,20 +24,20 @@ use crate::progress::Progress;
 use crate::terminal::print;
 use run::Run;
 
-/// Draws recorded runs into one page that needs nothing from outside (sins_out/report.html)
+/// Draws recorded runs on one self-contained page (sins_out/report.html)
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Records that `sins fly` wrote, each with its RUN_summary.csv beside it; arguments that end in _summary.csv are passed over,
-    /// so that *.csv means all runs of a folder
+    /// Records that `sins fly` wrote, each with its RUN_summary.csv beside it; arguments that end in _summary.csv are
+    /// ignored, so *.csv means all runs of a folder
     #[arg(required = true, value_name = "RUN.csv")]
     pub runs: Vec<PathBuf>,
     /// The page [default: sins_out/report.html]
     #[arg(short, long, value_name = "FILE.html")]
     pub output: Option<PathBuf>,
-    /// Also velocity and position errors of the first run, as a file of their own
+    /// Also draws velocity and position errors of the first run into this file
     #[arg(long, value_name = "FILE.svg")]
     pub picture: Option<PathBuf>,
-    /// Replaces files that are not of this program's making
+    /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
 }

@@ -21,7 +21,7 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
     let body = html! {
         header {
             h1 { (title) }
-            p { "How far a simulated strapdown inertial navigation system strays from the truth it flies along." }
+            p { "Errors of a simulated strapdown inertial navigation system, compared with its true flight." }
         }
         main {
             (overview::overview(runs))
@@ -82,7 +82,7 @@ fn remarks(run: &Run) -> Vec<String> {
     }
     if let Some(times) = run.near_pole_s() {
         remarks.push(format!(
-            "Near a pole {}: up misalignment, and east and north of the velocity, have lost their meaning there.",
+            "Near a pole {}: the up misalignment, and the east and north velocity errors, have no meaning there.",
             span(times)
         ));
     }

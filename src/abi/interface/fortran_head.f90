@@ -1,16 +1,16 @@
 !> The interface of the library sins for Fortran 2008: the names, the units and the documentation are those of include/sins.h,
-!> which begins with what holds for all functions.
+!> whose first comment describes the rules for all functions.
 !>
-!> Structs. Every variable of a type is ready to be used: struct_size is set and all else is zero, which is off or recommended.
-!>   Where the documentation says that a pointer to a struct may be NULL, hand over a fresh variable: it means the same.
+!> Structs. Every variable of such a type is ready to use: struct_size is set, and all other fields are zero, which is off or
+!>   recommended. Where the documentation says that a pointer to a struct may be NULL, pass a fresh variable: it means the same.
 !> Handles of simulators, flights, scenes and logs are of type(c_ptr). c_null_ptr is NULL.
-!> Texts. One that goes to the library ends with a null character: "patrol" // c_null_char. A buffer for one is a character
-!>   variable with its length as capacity. sins_string() makes a text of Fortran of what comes back.
-!> Matrices. Those of C are row by row, those of Fortran column by column: misalignment_rad(column, row), so that
+!> Texts. A text for the library must end with a null character: "patrol" // c_null_char. A buffer for a text is a character
+!>   variable, with its length as capacity. sins_string() converts a text of the library to a Fortran string.
+!> Matrices. C stores matrices row by row, Fortran column by column: misalignment_rad(column, row). So
 !>   gyro%misalignment_rad = transpose(matrix) sets the elements matrix(row, column). The increments of sins_imu_increment are
 !>   angle_rad(axis, part).
-!> Integers are signed, as Fortran knows no others: a seed beyond 2**63 - 1 is a negative number. Indices of functions count
-!>   from 0, as in C; arrays of Fortran from 1.
+!> Integers are signed, because Fortran has no others: a seed beyond 2**63 - 1 is a negative number. Indices of functions count
+!>   from 0, as in C; arrays of Fortran count from 1.
 !> Flags: iand(sample%flags, SINS_SAMPLE_TEMPERATURE) /= 0.
 !>
 !> This file is written by build.rs from the Rust sources; do not edit it.

@@ -11,22 +11,23 @@ const GYRO_DOC: &str = "\
 Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
 triad. Signal: the angular rate. Densities do not depend on the sample rate.
 
-Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
-signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale factor, misalignment,
+asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and temperature; then biases and noise; then dead zone,
 range, quantization.
 
 Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
-sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
-that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean size
-(asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.";
+sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration. With
+x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1 - (sin x / x)^2. Asymmetry loses up to
+1 - cos x, if the vibration changes the sign of the signal. At a tenth of the sample rate these are 0.8 % and 1.2 % with two
+sub-increments per interval, 3.3 % and 4.9 % with one.";
 
 const ACCEL_DOC: &str = "\
 Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
 an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
 
-Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
-nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
-zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.";
+Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far (scale factor,
+misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and noise; then dead zone, range,
+quantization. sins_gyro_params describes the effects that act on the mean of a sub-increment.";
 
 /// Width of the text of a comment.
 const WIDTH: usize = 110;

@@ -2,7 +2,7 @@
 
     import sins
 
-    gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # what is not named is 0: off
+    gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # fields that are not named are 0: off
     errors = sins.errors()
     with sins.sim() as sim:                                                # destroyed at the end
         sins.create(None, sim)
@@ -14,13 +14,13 @@
     print(errors.position_enu_m[0], errors.position_enu_m[1])
 
 sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
-header, but for the number of elements behind an array, which Python knows. NULL is None. An output is an object that the call
-fills: a struct, a handle, or a number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised
-as sins.Error; the others are returned. Whole numbers that are too large for their type in C are cut, as everywhere in ctypes.
+header, but without the length after an array. NULL is None. An output is an object that the call fills: a struct, a handle, or a
+number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised as sins.Error; other statuses are
+returned. Whole numbers that are too large for their type in C are truncated, as everywhere in ctypes.
 
-An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both; nothing is copied.
+An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both, without copies.
 
-The library is the file that SINS_LIBRARY in the environment names, or else lies beside this file, or is the system's.
+The library is the file that SINS_LIBRARY in the environment names, or else the one in the folder of this file, or the system's.
 
 This file is written by build.rs from the Rust sources; do not edit it.
 """

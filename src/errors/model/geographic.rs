@@ -29,7 +29,7 @@ stored!(GeographicForm { phi: ERRORS, dv: ERRORS, d_place: ERRORS });
 /// The coefficients at an instant.
 pub(super) struct Coefficients {
     local: LocalGeometry,
-    /// Tangent and squared secant of latitude.
+    /// Tangent and secant of latitude.
     tan: f64,
     sec: f64,
     /// Velocity, specific force, gyro and accelerometer error, east-north-up.

@@ -51,7 +51,7 @@ pub struct SensorErrors {
 }
 
 impl SensorErrors {
-    /// None.
+    /// No errors: all zero.
     pub const NONE: Self = Self {
         gyro_b: Vector3::new(0.0, 0.0, 0.0),
         accel_b: Vector3::new(0.0, 0.0, 0.0),

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Prints again every figure of README.md and docs, and draws their pictures again. Compare target/figures with the tables, and copy what
+# changed. Run it on a quiet machine: times are among the figures. It takes some hours.
+#   docs/renew.sh              all
+#   docs/renew.sh NAME...      some: the names of the functions below
+set -euo pipefail
+cd "$(dirname "$0")/.."
+figures=$PWD/target/figures
+sins=target/release/sins
+
+long() {
+    cargo test --release --features long-tests "$@" -- --nocapture
+}
+
+# accuracy.md
+simulations() { long --test simulation1; }
+hard_poles() { cargo test --test hard_poles -- --nocapture; }
+earth() { cargo test --test earth -- --nocapture; }
+mounting() { cargo test --test mounting -- --nocapture; }
+flights() {
+    c_examples/fly.sh
+    cp target/flights/simulation2.svg c_examples/simulation2.svg
+}
+steps() {
+    cargo bench --manifest-path benches/Cargo.toml
+    benches/instructions.sh
+}
+frames() { cargo run --release --manifest-path benches/Cargo.toml --bin frames; }
+recommend() { cargo test --release --test recommend -- --nocapture; }
+curve() {
+    "$sins" curve --force --flight all c_examples/flights/fighter_aerobatics.csv --out "$figures/curve.out"
+    cp "$figures"/curve.out/{aerobatics,cruise}.svg benches/curves/
+}
+
+# effects.md
+effects() {
+    benches/effects.sh
+    benches/effects.sh --check all catalogue
+}
+budget() {
+    "$sins" budget --force --position 10 --out "$figures/budget.out" simulation2
+    "$sins" budget --force --position 30 --preset industrial --out "$figures/budget.out" c_examples/flights/fighter_aerobatics.csv
+    cp "$figures/budget.out/fighter_aerobatics.svg" benches/budget/
+}
+allan() {
+    "$sins" fly simulation2 --set flight.builtin=rest --set flight.hours=4 --set options.error_model=off --name rest \
+        --imu rest_imu.csv --force --out "$figures/allan.out"
+    "$sins" allan "$figures/allan.out/rest_imu.csv" --force -o "$figures/allan.out/allan.svg"
+}
+allan_estimator() { long -p sins-cli --test allan_estimator --test allan_closure; }
+
+# scenes.md, host_time.md, packages.md
+library_sizes() {
+    local feature
+    for feature in "" --no-default-features; do
+        cargo rustc --release --lib --crate-type cdylib $feature
+        strip -o "$figures/libsins.so" target/release/libsins.so
+        stat -c "%s bytes $feature" "$figures/libsins.so"
+    done
+    cargo rustc --release --lib --crate-type cdylib
+}
+gaps() { cargo test --test hard_samples -- --nocapture; }
+snapshots() { cargo test --test snapshots -- --nocapture; }
+jsbsim() { tests/jsbsim.sh; }
+packages() {
+    release/package.sh
+    ls -l target/dist
+}
+
+all="simulations hard_poles earth mounting flights steps frames recommend curve effects budget allan allan_estimator library_sizes gaps
+    snapshots jsbsim packages"
+for name in "$@"; do
+    if [[ " "${all//$'\n'/ }" " != *" $name "* ]]; then
+        echo "$name: none of" $all
+        exit 2
+    fi
+done
+mkdir -p "$figures"
+cargo build --release -p sins-cli
+for name in ${*:-$all}; do
+    echo "== $name: $figures/$name.txt ($SECONDS s)"
+    "$name" >"$figures/$name.txt" 2>&1 || echo "$name failed: see $figures/$name.txt"
+done
