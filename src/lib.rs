@@ -146,6 +146,8 @@ pub mod budget;
 #[forbid(unsafe_code)]
 pub mod earth;
 #[forbid(unsafe_code)]
+pub mod ensemble;
+#[forbid(unsafe_code)]
 mod error;
 #[forbid(unsafe_code)]
 pub mod errors;

@@ -7,10 +7,16 @@ use crate::memory::room;
 
 /// A simulator on the heap: two of them and a step are more than the stack that a call may take. A slice of one, which unlike
 /// a `Box` can be allocated without aborting.
-#[inline(never)]
 pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
-    let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
     let mut memory = room(1)?;
-    memory.push(Simulator::with(options, intake, signals));
+    push_simulator(&mut memory, options)?;
     Ok(memory.into_boxed_slice())
+}
+
+/// Makes a simulator in its place in `memory`, which has room for it.
+#[inline(never)]
+pub(crate) fn push_simulator(memory: &mut Vec<Simulator>, options: &Options) -> Result<(), Error> {
+    let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
+    memory.push(Simulator::with(options, intake, signals));
+    Ok(())
 }

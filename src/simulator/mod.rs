@@ -23,7 +23,7 @@ mod views;
 
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
-pub(crate) use heap::heap_simulator;
+pub(crate) use heap::{heap_simulator, push_simulator};
 pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
@@ -125,6 +125,11 @@ impl Simulator {
             self.take_first_velocity();
         }
         Ok(pushed)
+    }
+
+    /// Refuses a sample without the temperature that a sensor effect needs.
+    pub(crate) fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
+        self.sensors.check_temperature(sample.temperature_c)
     }
 
     #[cold]

@@ -1,13 +1,15 @@
 //! What a simulator is made with.
 
+use super::singular;
 use crate::earth::{Earth, Ellipsoid, GravityModel};
 use crate::error::{Error, Rule, check_range};
-use crate::mechanization::{Frame, MAX_SUBSAMPLES, Scheme, VerticalMode};
+use crate::math::sin_cos;
+use crate::mechanization::{Frame, MAX_SUBSAMPLES, Mechanization, Scheme, VerticalMode};
 use crate::sensors::StreamKey;
 use crate::signal::MAX_INCREMENTS;
 use crate::snapshot::{ANY, stored};
 use crate::state::BodyAxes;
-use crate::truth::{IntakeLimits, MAX_GAP_S};
+use crate::truth::{IntakeLimits, MAX_GAP_S, TruthPoint};
 
 /// Mechanization updates in a sample interval at the most.
 pub const MAX_UPDATES: usize = MAX_INCREMENTS / MAX_SUBSAMPLES;
@@ -101,6 +103,22 @@ impl Options {
             }
         }
         check_range("options.max_acceleration_m_s2", self.intake.max_acceleration_m_s2, 1e-3, 1e6)
+    }
+
+    /// Whether the mechanization can follow the truth to `next`.
+    pub(crate) fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
+        if self.frame == Frame::Geographic {
+            let cos = sin_cos(next.sample.place.latitude_rad).1;
+            if cos < Mechanization::MIN_COS_LATITUDE {
+                return Err(singular(
+                    "cosine of sample.latitude_rad",
+                    cos,
+                    "the geographic frame needs at least",
+                    Mechanization::MIN_COS_LATITUDE,
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// The Earth of the run.

@@ -39,7 +39,7 @@ impl Solution {
     }
 
     /// The truth at `point`.
-    pub(super) fn of_truth(options: &Options, earth: &Earth, point: &TruthPoint) -> Self {
+    pub(crate) fn of_truth(options: &Options, earth: &Earth, point: &TruthPoint) -> Self {
         Self::new(earth, point.time_s, point.navigation(earth, options.axes))
     }
 }

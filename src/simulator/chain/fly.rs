@@ -6,20 +6,19 @@ use super::Chain;
 use super::beside::conditions;
 use crate::error::Error;
 use crate::errors::SensorErrors;
-use crate::math::sin_cos;
-use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode, check_state};
+use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, check_state};
 use crate::signal::Increment;
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
-use crate::simulator::{ImuFlags, SensorSuite, singular};
-use crate::truth::{Recent, TruthPoint};
+use crate::simulator::{ImuFlags, SensorSuite};
+use crate::truth::Recent;
 
 impl Chain {
     /// Flies the interval that `recent` ends; on an error nothing has changed.
     pub fn advance(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
-        self.check_truth(recent.next)?;
+        self.options.check_truth(recent.next)?;
         let count = self.options.subsamples * self.options.updates_over(recent);
         // The increments of the last interval stay until this one is known to be good.
         let first = Signals::place_after(self.parts.start);
@@ -44,22 +43,6 @@ impl Chain {
             summary.add(&self.earth, self.options.axes, recent);
         }
         result
-    }
-
-    /// Whether the mechanization can follow the truth to `next`.
-    pub(super) fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
-        if self.options.frame == Frame::Geographic {
-            let cos = sin_cos(next.sample.place.latitude_rad).1;
-            if cos < Mechanization::MIN_COS_LATITUDE {
-                return Err(singular(
-                    "cosine of sample.latitude_rad",
-                    cos,
-                    "the geographic frame needs at least",
-                    Mechanization::MIN_COS_LATITUDE,
-                ));
-            }
-        }
-        Ok(())
     }
 
     /// Checks that all solutions are within their limits: the sensors', the shadow's, and that of the reference point.

@@ -38,7 +38,7 @@ impl Chain {
         to: &TruthPoint,
         sensors: &mut SensorSuite,
     ) -> Result<(), Error> {
-        self.check_truth(to)?;
+        self.options.check_truth(to)?;
         let block = self.block.map(|block| block.turning_at(rate_at_start(&self.earth, to, None)));
         let jump = self.jump(block.as_ref(), from, to);
         let mechanization = self.carried(&self.mechanization, &jump)?;
