@@ -43,7 +43,13 @@ const EFFECTS: [&str; 18] = [
 
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
-    for source in ["build.rs", "src/sensors/parameter.rs", "src/sensors/table.rs", "src/units.rs"] {
+    for source in [
+        "build.rs",
+        "src/statistics/layout.rs",
+        "src/sensors/parameter.rs",
+        "src/sensors/table.rs",
+        "src/units.rs",
+    ] {
         println!("cargo:rerun-if-changed={source}");
     }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");

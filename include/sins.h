@@ -149,12 +149,14 @@ extern "C" {
 #endif
 
 /*
- * A simulator. This and the next three are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
+ * A simulator. This and the next four are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
  * answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight. */
 typedef struct sins_flight sins_flight;
+/* An ensemble of runs. */
+typedef struct sins_ensemble sins_ensemble;
 /* A scene. */
 typedef struct sins_scene sins_scene;
 /* A flight log. */
@@ -1340,6 +1342,91 @@ typedef struct sins_imu_increment {
     double velocity_m_s[15];
 } sins_imu_increment;
 
+/*
+ * Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however the runs were split
+ * and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send it, store it, compare its bytes. Its
+ * numbers have the byte order of the machine. All zero but struct_size is that of no run. Read it with sins_statistics_figures().
+ *
+ * The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in sins_errors. Each
+ * is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad). The
+ * ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never exceeded, and the sums of 4294967295 runs, which is the
+ * most, cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
+ */
+typedef struct sins_statistics {
+    /* sizeof(sins_statistics) */
+    uint32_t struct_size;
+    /* Version of what follows: 1; 0 while there is no run. */
+    uint32_t layout;
+    /* Runs, those that were left out of the sums too. */
+    uint64_t runs;
+    /* Runs that have diverged, left out of the sums. */
+    uint64_t diverged;
+    /* Runs with a state or a horizontal radial position error outside its range, left out of the sums. */
+    uint64_t out_of_range;
+    /* Runs within the sums whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. */
+    uint64_t outside_validity;
+    /* Largest horizontal radial position error, rounded down [2^-22 m]. */
+    uint64_t largest_radial;
+    /* Sum of each state, integers of 128 bits. */
+    uint64_t sums[18];
+    /* Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row by row. */
+    uint64_t products[90];
+    /*
+     * Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i + k, for i from 0 to 34 and k
+     * from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+     */
+    uint32_t histogram[3501];
+    /* 0 */
+    uint32_t reserved;
+} sins_statistics;
+
+/*
+ * What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so is a
+ * covariance of less than two.
+ */
+typedef struct sins_figures {
+    /* sizeof(sins_figures) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Runs, those that were left out too. */
+    uint64_t runs;
+    /* Runs that have diverged, left out. */
+    uint64_t diverged;
+    /* Runs with an error outside its range, left out. */
+    uint64_t out_of_range;
+    /* Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out. */
+    uint64_t outside_validity;
+    /* Mean position error [m]. */
+    double mean_position_enu_m[3];
+    /* Mean velocity error [m/s]. */
+    double mean_velocity_enu_m_s[3];
+    /* Mean misalignment [rad]. */
+    double mean_misalignment_enu_rad[3];
+    /* Standard deviation of the position error, n - 1 below [m]. */
+    double sigma_position_enu_m[3];
+    /* Standard deviation of the velocity error [m/s]. */
+    double sigma_velocity_enu_m_s[3];
+    /* Standard deviation of the misalignment [rad]. */
+    double sigma_misalignment_enu_rad[3];
+    /* Root mean square of the position error [m]. */
+    double rms_position_enu_m[3];
+    /* Root mean square of the velocity error [m/s]. */
+    double rms_velocity_enu_m_s[3];
+    /* Root mean square of the misalignment [rad]. */
+    double rms_misalignment_enu_rad[3];
+    /* Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad. */
+    double covariance[81];
+    /* Root mean square of the horizontal radial position error [m]. */
+    double rms_radial_m;
+    /* Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m]. */
+    double cep50_m;
+    /* Horizontal radius within which 95 % of the runs are, likewise [m]. */
+    double r95_m;
+    /* Largest horizontal radial position error [m]. */
+    double largest_radial_m;
+} sins_figures;
+
 /* Where an embedded flight begins, level and straight. */
 typedef struct sins_flight_start {
     /* sizeof(sins_flight_start) */
@@ -1651,6 +1738,8 @@ enum sins_sizeof {
     SINS_SIZEOF_ACCURACY = 256,
     SINS_SIZEOF_TRUTH_SUMMARY = 232,
     SINS_SIZEOF_IMU_INCREMENT = 264,
+    SINS_SIZEOF_STATISTICS = 14920,
+    SINS_SIZEOF_FIGURES = 936,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
     SINS_SIZEOF_FAULT = 288,
@@ -2014,6 +2103,177 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
+ * Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that was set up (options, sensors,
+ * initial errors, mounting, gravity, failures) and has taken no sample; it is copied and stays as it is. Run k is, bit for bit, the
+ * simulator that was set up likewise with sins_options.run = first_run + k. sins_options.run and truth_summary of configured have
+ * no effect.
+ *
+ * What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
+ * and machines, and their statistics merged. The library starts no thread.
+ *
+ * Each run takes some 40 KB of memory. Not for a real-time frame: it allocates.
+ *
+ * On an error *ensemble is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_BAD_STATE: configured has
+ * taken a sample since it was created or reset, or navigates on increments. SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to
+ * 4294967295, or first_run + runs - 1 beyond 2^64 - 1. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles live.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_create(
+    const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble);
+
+/*
+ * Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_destroy(sins_ensemble *ensemble);
+
+/*
+ * Takes one flight-control sample into the queue (16 samples) of all runs.
+ *
+ * SINS_GAP and the errors: as sins_push_sample().
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_push_sample(
+    sins_ensemble *ensemble, const struct sins_flight_sample *sample);
+
+/*
+ * Flies one sample interval with all runs that have not diverged. No allocation, no system call.
+ *
+ * A run that cannot make the step, for which sins_step() would answer SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR, has diverged:
+ * it keeps its solution before the step, takes no further part, and is reported by sins_ensemble_get_diverged() and counted by
+ * sins_ensemble_get_statistics(). The others go on, and so does the truth, even if no run is left. sins_ensemble_reposition() and
+ * sins_ensemble_reset() start all runs again.
+ *
+ * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_SINGULAR: the truth is within reach of a pole, in geographic axes or
+ * where the alignment is a gyrocompass; the step is not made.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
+
+/*
+ * Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
+ * samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+ *
+ * SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
+ * sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it have been
+ * flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_run(
+    sins_ensemble *ensemble, const struct sins_flight_sample *samples, size_t count);
+
+/*
+ * Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
+ * sins_reposition().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_reposition(
+    sins_ensemble *ensemble, const struct sins_flight_sample *sample);
+
+/* Back to before the first sample: same parameters, no failures, the same draws again from their start, no run diverged. */
+SINS_API sins_status SINS_CALL sins_ensemble_reset(sins_ensemble *ensemble);
+
+/*
+ * Lets one output of every run fail, or clears its failure: as sins_set_failure().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_set_failure(
+    sins_ensemble *ensemble, int32_t sensor, int32_t axis, const struct sins_failure *failure);
+
+/* Reads the numbers of the first run and of the runs; either may be NULL. */
+SINS_API sins_status SINS_CALL sins_ensemble_get_runs(sins_ensemble *ensemble, uint64_t *first_run, size_t *runs);
+
+/*
+ * Reads the truth, which all runs share: as sins_get_truth().
+ *
+ * SINS_NEED_SAMPLE: no sample yet.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_truth(sins_ensemble *ensemble, struct sins_navigation *truth);
+
+/*
+ * Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
+ * sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_navigation(
+    sins_ensemble *ensemble, uint64_t run, struct sins_navigation *navigation);
+
+/*
+ * Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
+ * while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_errors(
+    sins_ensemble *ensemble, uint64_t run, int32_t source, struct sins_errors *errors);
+
+/*
+ * Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+ *
+ * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, uint64_t run, struct sins_imu *imu);
+
+/*
+ * Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensemble, size_t index, uint64_t *run);
+
+/*
+ * Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of this
+ * ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+ * the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_statistics(
+    sins_ensemble *ensemble, int32_t source, struct sins_statistics *statistics);
+
+/*
+ * Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
+ * gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero but
+ * struct_size, which is that of no run.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs; into
+ * is as it was.
+ */
+SINS_API sins_status SINS_CALL sins_statistics_merge(
+    struct sins_statistics *into, const struct sins_statistics *from);
+
+/*
+ * Computes what statistics say.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
+ */
+SINS_API sins_status SINS_CALL sins_statistics_figures(
+    const struct sins_statistics *statistics, struct sins_figures *figures);
+
+/* The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator. */
+SINS_API sins_status SINS_CALL sins_ensemble_snapshot_size(sins_ensemble *ensemble, size_t *size);
+
+/*
+ * Saves the whole ensemble, at any moment: as sins_snapshot_save(). written (may be NULL) gets the size. The same state gives the
+ * same bytes. No allocation, no system call.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are as they were.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_snapshot_save(
+    sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written);
+
+/*
+ * Makes the ensemble the one that was saved, whatever it was before: its runs and options too, so that one of any simulator and one
+ * run will do. From there it goes on to the same bits as the saved one did. size is what sins_ensemble_snapshot_save() wrote. Not for
+ * a real-time frame: it allocates.
+ *
+ * SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed, and
+ * sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(
+    sins_ensemble *ensemble, const void *snapshot, size_t size);
+
+/*
  * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at turn-on
  * with the standard deviations that the source states; what it does not state is 0.
  *
@@ -2139,6 +2399,13 @@ SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *sce
 SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
 
 /*
+ * Destroys a scene. Simulators and flights that were made of it live on.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
+
+/*
  * Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
  * next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
  * interval that starts at their time or later; failures of outputs for which it plans none are left alone.
@@ -2151,11 +2418,12 @@ SINS_API sins_status SINS_CALL sins_scene_prepare(
     const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
 
 /*
- * Destroys a scene. Simulators and flights that were made of it live on.
+ * The same for all runs of an ensemble: as sins_scene_prepare().
  *
- * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ * SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
  */
-SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
+SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(
+    const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, struct sins_flight_sample *sample);
 
 /*
  * Reads the options of the scene.

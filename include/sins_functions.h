@@ -56,6 +56,26 @@
     X(sins_status, sins_snapshot_size, (sins_sim *sim, size_t *size)) \
     X(sins_status, sins_snapshot_save, (sins_sim *sim, void *buffer, size_t capacity, size_t *written)) \
     X(sins_status, sins_snapshot_load, (sins_sim *sim, const void *snapshot, size_t size)) \
+    X(sins_status, sins_ensemble_create, (const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble)) \
+    X(sins_status, sins_ensemble_destroy, (sins_ensemble *ensemble)) \
+    X(sins_status, sins_ensemble_push_sample, (sins_ensemble *ensemble, const sins_flight_sample *sample)) \
+    X(sins_status, sins_ensemble_step, (sins_ensemble *ensemble)) \
+    X(sins_status, sins_ensemble_run, (sins_ensemble *ensemble, const sins_flight_sample *samples, size_t count)) \
+    X(sins_status, sins_ensemble_reposition, (sins_ensemble *ensemble, const sins_flight_sample *sample)) \
+    X(sins_status, sins_ensemble_reset, (sins_ensemble *ensemble)) \
+    X(sins_status, sins_ensemble_set_failure, (sins_ensemble *ensemble, int32_t sensor, int32_t axis, const sins_failure *failure)) \
+    X(sins_status, sins_ensemble_get_runs, (sins_ensemble *ensemble, uint64_t *first_run, size_t *runs)) \
+    X(sins_status, sins_ensemble_get_truth, (sins_ensemble *ensemble, sins_navigation *truth)) \
+    X(sins_status, sins_ensemble_get_navigation, (sins_ensemble *ensemble, uint64_t run, sins_navigation *navigation)) \
+    X(sins_status, sins_ensemble_get_errors, (sins_ensemble *ensemble, uint64_t run, int32_t source, sins_errors *errors)) \
+    X(sins_status, sins_ensemble_get_imu, (sins_ensemble *ensemble, uint64_t run, sins_imu *imu)) \
+    X(sins_status, sins_ensemble_get_diverged, (sins_ensemble *ensemble, size_t index, uint64_t *run)) \
+    X(sins_status, sins_ensemble_get_statistics, (sins_ensemble *ensemble, int32_t source, sins_statistics *statistics)) \
+    X(sins_status, sins_statistics_merge, (sins_statistics *into, const sins_statistics *from)) \
+    X(sins_status, sins_statistics_figures, (const sins_statistics *statistics, sins_figures *figures)) \
+    X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
+    X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \
+    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size)) \
     X(sins_status, sins_gyro_preset, (int32_t grade, sins_gyro_params *params)) \
     X(sins_status, sins_accel_preset, (int32_t grade, sins_accel_params *params)) \
     X(sins_status, sins_flight_create, (const sins_flight_start *start, const sins_manoeuvre *manoeuvres, size_t count, sins_flight **flight)) \
@@ -75,8 +95,9 @@
     X(sins_status, sins_scene_write_keys, (char *buffer, size_t capacity, size_t *needed)) \
     X(sins_status, sins_scene_create_simulator, (const sins_scene *scene, sins_sim **sim)) \
     X(sins_status, sins_scene_create_flight, (const sins_scene *scene, sins_flight **flight)) \
-    X(sins_status, sins_scene_prepare, (const sins_scene *scene, sins_sim *sim, double flight_start_s, sins_flight_sample *sample)) \
     X(sins_status, sins_scene_destroy, (sins_scene *scene)) \
+    X(sins_status, sins_scene_prepare, (const sins_scene *scene, sins_sim *sim, double flight_start_s, sins_flight_sample *sample)) \
+    X(sins_status, sins_scene_prepare_ensemble, (const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, sins_flight_sample *sample)) \
     X(sins_status, sins_scene_get_options, (const sins_scene *scene, sins_options *options)) \
     X(sins_status, sins_scene_set_options, (sins_scene *scene, const sins_options *options)) \
     X(sins_status, sins_scene_get_gyro, (const sins_scene *scene, sins_gyro_params *params)) \

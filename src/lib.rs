@@ -180,6 +180,8 @@ pub mod snapshot;
 #[forbid(unsafe_code)]
 pub mod state;
 #[forbid(unsafe_code)]
+pub mod statistics;
+#[forbid(unsafe_code)]
 pub mod truth;
 #[forbid(unsafe_code)]
 pub mod units;

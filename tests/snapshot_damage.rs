@@ -7,7 +7,7 @@ mod support;
 
 use moments::{Run, reads, runs, snapshot};
 use sins::math::mix;
-use sins::snapshot::seal;
+use sins::snapshot::{SnapshotOf, seal};
 use sins::{ErrorKind, Options, Simulator};
 
 /// A simulator in flight with every effect on.
@@ -82,7 +82,7 @@ fn forged(words: &[u64]) -> Vec<u8> {
         bytes.extend(sizes.to_le_bytes());
         bytes.extend(body);
     }
-    seal(&mut bytes);
+    seal(&mut bytes, SnapshotOf::Simulator);
     bytes
 }
 
@@ -256,11 +256,11 @@ fn noise_with_a_good_header_is_refused() {
     let good = snapshot(&simulator);
     for length in 24..2000 {
         let mut bytes: Vec<u8> = (0..length).map(|_| draws.next() as u8).collect();
-        seal(&mut bytes);
+        seal(&mut bytes, SnapshotOf::Simulator);
         refused(&mut simulator, &bytes);
         // And a piece of a good one that ends too early.
         let mut piece = good[..length].to_vec();
-        seal(&mut piece);
+        seal(&mut piece, SnapshotOf::Simulator);
         refused(&mut simulator, &piece);
     }
     assert!(snapshot(&simulator) == good);

@@ -370,6 +370,9 @@ package Sins is
    type sins_sim_object is limited null record;
    type sins_sim is access all sins_sim_object with Convention => C;
 
+   type sins_ensemble_object is limited null record;
+   type sins_ensemble is access all sins_ensemble_object with Convention => C;
+
    type sins_flight_object is limited null record;
    type sins_flight is access all sins_flight_object with Convention => C;
 
@@ -398,6 +401,8 @@ package Sins is
    SINS_SIZEOF_ACCURACY : constant Unsigned_32 := 256;
    SINS_SIZEOF_TRUTH_SUMMARY : constant Unsigned_32 := 232;
    SINS_SIZEOF_IMU_INCREMENT : constant Unsigned_32 := 264;
+   SINS_SIZEOF_STATISTICS : constant Unsigned_32 := 14920;
+   SINS_SIZEOF_FIGURES : constant Unsigned_32 := 936;
    SINS_SIZEOF_FLIGHT_START : constant Unsigned_32 := 72;
    SINS_SIZEOF_MANOEUVRE : constant Unsigned_32 := 240;
    SINS_SIZEOF_FAULT : constant Unsigned_32 := 288;
@@ -420,7 +425,11 @@ package Sins is
    type sins_double_4 is array (0 .. 3) of double with Convention => C;
    type sins_double_5_3 is array (0 .. 4, 0 .. 2) of double with Convention => C;
    type sins_double_6 is array (0 .. 5) of double with Convention => C;
+   type sins_double_9_9 is array (0 .. 8, 0 .. 8) of double with Convention => C;
    type sins_integer_32_6 is array (0 .. 5) of Integer_32 with Convention => C;
+   type sins_unsigned_32_3501 is array (0 .. 3500) of Unsigned_32 with Convention => C;
+   type sins_unsigned_64_18 is array (0 .. 17) of Unsigned_64 with Convention => C;
+   type sins_unsigned_64_90 is array (0 .. 89) of Unsigned_64 with Convention => C;
 
    --  How a simulator is made. All zero (but struct_size) is the recommended simulator.
    type sins_options is record
@@ -1145,6 +1154,88 @@ package Sins is
    end record with Convention => C;
    type sins_imu_increment_array is array (size_t range <>) of aliased sins_imu_increment with Convention => C;
 
+   --  Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however the runs were
+   --  split and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send it, store it, compare its
+   --  bytes. Its numbers have the byte order of the machine. All zero but struct_size is that of no run. Read it with
+   --  sins_statistics_figures().
+   --
+   --  The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in sins_errors.
+   --  Each is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14
+   --  rad). The ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never exceeded, and the sums of 4294967295
+   --  runs, which is the most, cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
+   type sins_statistics is record
+      --  sizeof(sins_statistics)
+      struct_size : Unsigned_32 := SINS_SIZEOF_STATISTICS;
+      --  Version of what follows: 1; 0 while there is no run.
+      layout : Unsigned_32 := 0;
+      --  Runs, those that were left out of the sums too.
+      runs : Unsigned_64 := 0;
+      --  Runs that have diverged, left out of the sums.
+      diverged : Unsigned_64 := 0;
+      --  Runs with a state or a horizontal radial position error outside its range, left out of the sums.
+      out_of_range : Unsigned_64 := 0;
+      --  Runs within the sums whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY.
+      outside_validity : Unsigned_64 := 0;
+      --  Largest horizontal radial position error, rounded down [2^-22 m].
+      largest_radial : Unsigned_64 := 0;
+      --  Sum of each state, integers of 128 bits.
+      sums : sins_unsigned_64_18 := (others => 0);
+      --  Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row by row.
+      products : sins_unsigned_64_90 := (others => 0);
+      --  Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i + k, for i from 0 to 34 and
+      --  k from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+      histogram : sins_unsigned_32_3501 := (others => 0);
+      --  0
+      reserved : Unsigned_32 := 0;
+   end record with Convention => C;
+   type sins_statistics_array is array (size_t range <>) of aliased sins_statistics with Convention => C;
+
+   --  What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so
+   --  is a covariance of less than two.
+   type sins_figures is record
+      --  sizeof(sins_figures)
+      struct_size : Unsigned_32 := SINS_SIZEOF_FIGURES;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Runs, those that were left out too.
+      runs : Unsigned_64 := 0;
+      --  Runs that have diverged, left out.
+      diverged : Unsigned_64 := 0;
+      --  Runs with an error outside its range, left out.
+      out_of_range : Unsigned_64 := 0;
+      --  Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out.
+      outside_validity : Unsigned_64 := 0;
+      --  Mean position error [m].
+      mean_position_enu_m : sins_double_3 := (others => 0.0);
+      --  Mean velocity error [m/s].
+      mean_velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Mean misalignment [rad].
+      mean_misalignment_enu_rad : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the position error, n - 1 below [m].
+      sigma_position_enu_m : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the velocity error [m/s].
+      sigma_velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the misalignment [rad].
+      sigma_misalignment_enu_rad : sins_double_3 := (others => 0.0);
+      --  Root mean square of the position error [m].
+      rms_position_enu_m : sins_double_3 := (others => 0.0);
+      --  Root mean square of the velocity error [m/s].
+      rms_velocity_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Root mean square of the misalignment [rad].
+      rms_misalignment_enu_rad : sins_double_3 := (others => 0.0);
+      --  Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad.
+      covariance : sins_double_9_9 := (others => (others => 0.0));
+      --  Root mean square of the horizontal radial position error [m].
+      rms_radial_m : double := 0.0;
+      --  Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m].
+      cep50_m : double := 0.0;
+      --  Horizontal radius within which 95 % of the runs are, likewise [m].
+      r95_m : double := 0.0;
+      --  Largest horizontal radial position error [m].
+      largest_radial_m : double := 0.0;
+   end record with Convention => C;
+   type sins_figures_array is array (size_t range <>) of aliased sins_figures with Convention => C;
+
    --  Where an embedded flight begins, level and straight.
    type sins_flight_start is record
       --  sizeof(sins_flight_start)
@@ -1766,6 +1857,158 @@ package Sins is
    function sins_snapshot_load (sim : sins_sim; snapshot : System.Address; size : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_snapshot_load";
 
+   --  Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that was set up (options,
+   --  sensors, initial errors, mounting, gravity, failures) and has taken no sample; it is copied and stays as it is. Run k is, bit
+   --  for bit, the simulator that was set up likewise with sins_options.run = first_run + k. sins_options.run and truth_summary of
+   --  configured have no effect.
+   --
+   --  What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
+   --  and machines, and their statistics merged. The library starts no thread.
+   --
+   --  Each run takes some 40 KB of memory. Not for a real-time frame: it allocates.
+   --
+   --  On an error *ensemble is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_BAD_STATE: configured
+   --  has taken a sample since it was created or reset, or navigates on increments. SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to
+   --  4294967295, or first_run + runs - 1 beyond 2^64 - 1. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles live.
+   function sins_ensemble_create (configured : sins_sim; first_run : Unsigned_64; runs : size_t;
+       ensemble : in out sins_ensemble) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_create";
+
+   --  Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+   --
+   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+   function sins_ensemble_destroy (ensemble : sins_ensemble) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_destroy";
+
+   --  Takes one flight-control sample into the queue (16 samples) of all runs.
+   --
+   --  SINS_GAP and the errors: as sins_push_sample().
+   function sins_ensemble_push_sample (ensemble : sins_ensemble; sample : sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_push_sample";
+
+   --  Flies one sample interval with all runs that have not diverged. No allocation, no system call.
+   --
+   --  A run that cannot make the step, for which sins_step() would answer SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR, has diverged:
+   --  it keeps its solution before the step, takes no further part, and is reported by sins_ensemble_get_diverged() and counted by
+   --  sins_ensemble_get_statistics(). The others go on, and so does the truth, even if no run is left. sins_ensemble_reposition()
+   --  and sins_ensemble_reset() start all runs again.
+   --
+   --  SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_SINGULAR: the truth is within reach of a pole, in geographic axes or
+   --  where the alignment is a gyrocompass; the step is not made.
+   function sins_ensemble_step (ensemble : sins_ensemble) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_step";
+
+   --  Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by
+   --  sample. samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+   --
+   --  SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
+   --  sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it have
+   --  been flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+   function sins_ensemble_run (ensemble : sins_ensemble; samples : sins_flight_sample_array; count : size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_run";
+
+   --  Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
+   --  sins_reposition().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+   function sins_ensemble_reposition (ensemble : sins_ensemble; sample : sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_reposition";
+
+   --  Back to before the first sample: same parameters, no failures, the same draws again from their start, no run diverged.
+   function sins_ensemble_reset (ensemble : sins_ensemble) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_reset";
+
+   --  Lets one output of every run fail, or clears its failure: as sins_set_failure().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
+   function sins_ensemble_set_failure (ensemble : sins_ensemble; sensor : Integer_32; axis : Integer_32;
+       failure : sins_failure) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_set_failure";
+
+   --  Reads the numbers of the first run and of the runs; either may be NULL.
+   function sins_ensemble_get_runs (ensemble : sins_ensemble; first_run : in out Unsigned_64;
+       runs : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_runs";
+
+   --  Reads the truth, which all runs share: as sins_get_truth().
+   --
+   --  SINS_NEED_SAMPLE: no sample yet.
+   function sins_ensemble_get_truth (ensemble : sins_ensemble; truth : in out sins_navigation) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_truth";
+
+   --  Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
+   --  sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+   function sins_ensemble_get_navigation (ensemble : sins_ensemble; run : Unsigned_64;
+       navigation : in out sins_navigation) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_navigation";
+
+   --  Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
+   --  while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
+   function sins_ensemble_get_errors (ensemble : sins_ensemble; run : Unsigned_64; source : Integer_32;
+       errors : in out sins_errors) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_errors";
+
+   --  Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+   --
+   --  SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
+   function sins_ensemble_get_imu (ensemble : sins_ensemble; run : Unsigned_64; imu : in out sins_imu) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_imu";
+
+   --  Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+   function sins_ensemble_get_diverged (ensemble : sins_ensemble; index : size_t; run : in out Unsigned_64) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_diverged";
+
+   --  Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of
+   --  this ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+   --  the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
+   function sins_ensemble_get_statistics (ensemble : sins_ensemble; source : Integer_32;
+       statistics : in out sins_statistics) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_get_statistics";
+
+   --  Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any
+   --  grouping gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may
+   --  be all zero but struct_size, which is that of no run.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs;
+   --  into is as it was.
+   function sins_statistics_merge (into : in out sins_statistics; from : sins_statistics) return sins_status
+     with Import, Convention => C, External_Name => "sins_statistics_merge";
+
+   --  Computes what statistics say.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
+   function sins_statistics_figures (statistics : sins_statistics; figures : in out sins_figures) return sins_status
+     with Import, Convention => C, External_Name => "sins_statistics_figures";
+
+   --  The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator.
+   function sins_ensemble_snapshot_size (ensemble : sins_ensemble; size : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_snapshot_size";
+
+   --  Saves the whole ensemble, at any moment: as sins_snapshot_save(). written (may be NULL) gets the size. The same state gives
+   --  the same bytes. No allocation, no system call.
+   --
+   --  SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are as they were.
+   function sins_ensemble_snapshot_save (ensemble : sins_ensemble; buffer : System.Address; capacity : size_t;
+       written : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_snapshot_save";
+
+   --  Makes the ensemble the one that was saved, whatever it was before: its runs and options too, so that one of any simulator and
+   --  one run will do. From there it goes on to the same bits as the saved one did. size is what sins_ensemble_snapshot_save()
+   --  wrote. Not for a real-time frame: it allocates.
+   --
+   --  SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed,
+   --  and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.
+   function sins_ensemble_snapshot_load (ensemble : sins_ensemble; snapshot : System.Address; size : size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_ensemble_snapshot_load";
+
    --  Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at
    --  turn-on with the standard deviations that the source states; what it does not state is 0.
    --
@@ -1877,6 +2120,12 @@ package Sins is
    function sins_scene_create_flight (scene : sins_scene; flight : in out sins_flight) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_flight";
 
+   --  Destroys a scene. Simulators and flights that were made of it live on.
+   --
+   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+   function sins_scene_destroy (scene : sins_scene) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_destroy";
+
    --  Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
    --  next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the
    --  first interval that starts at their time or later; failures of outputs for which it plans none are left alone. flight_start_s
@@ -1888,11 +2137,12 @@ package Sins is
        sample : in out sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_prepare";
 
-   --  Destroys a scene. Simulators and flights that were made of it live on.
+   --  The same for all runs of an ensemble: as sins_scene_prepare().
    --
-   --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
-   function sins_scene_destroy (scene : sins_scene) return sins_status
-     with Import, Convention => C, External_Name => "sins_scene_destroy";
+   --  SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
+   function sins_scene_prepare_ensemble (scene : sins_scene; ensemble : sins_ensemble; flight_start_s : double;
+       sample : in out sins_flight_sample) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_prepare_ensemble";
 
    --  Reads the options of the scene.
    --

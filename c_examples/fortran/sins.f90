@@ -391,6 +391,8 @@ module sins
   integer(c_int32_t), parameter :: SINS_SIZEOF_ACCURACY = 256
   integer(c_int32_t), parameter :: SINS_SIZEOF_TRUTH_SUMMARY = 232
   integer(c_int32_t), parameter :: SINS_SIZEOF_IMU_INCREMENT = 264
+  integer(c_int32_t), parameter :: SINS_SIZEOF_STATISTICS = 14920
+  integer(c_int32_t), parameter :: SINS_SIZEOF_FIGURES = 936
   integer(c_int32_t), parameter :: SINS_SIZEOF_FLIGHT_START = 72
   integer(c_int32_t), parameter :: SINS_SIZEOF_MANOEUVRE = 240
   integer(c_int32_t), parameter :: SINS_SIZEOF_FAULT = 288
@@ -1105,6 +1107,86 @@ module sins
     !> Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     real(c_double) :: velocity_m_s(3, 5) = 0.0_c_double
   end type sins_imu_increment
+
+  !> Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however the runs were
+  !> split and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send it, store it, compare its
+  !> bytes. Its numbers have the byte order of the machine. All zero but struct_size is that of no run. Read it with
+  !> sins_statistics_figures().
+  !>
+  !> The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in sins_errors.
+  !> Each is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad).
+  !> The ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never exceeded, and the sums of 4294967295 runs, which
+  !> is the most, cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
+  type, bind(C) :: sins_statistics
+    !> sizeof(sins_statistics)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_STATISTICS
+    !> Version of what follows: 1; 0 while there is no run.
+    integer(c_int32_t) :: layout = 0_c_int32_t
+    !> Runs, those that were left out of the sums too.
+    integer(c_int64_t) :: runs = 0_c_int64_t
+    !> Runs that have diverged, left out of the sums.
+    integer(c_int64_t) :: diverged = 0_c_int64_t
+    !> Runs with a state or a horizontal radial position error outside its range, left out of the sums.
+    integer(c_int64_t) :: out_of_range = 0_c_int64_t
+    !> Runs within the sums whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY.
+    integer(c_int64_t) :: outside_validity = 0_c_int64_t
+    !> Largest horizontal radial position error, rounded down [2^-22 m].
+    integer(c_int64_t) :: largest_radial = 0_c_int64_t
+    !> Sum of each state, integers of 128 bits.
+    integer(c_int64_t) :: sums(18) = 0_c_int64_t
+    !> Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row by row.
+    integer(c_int64_t) :: products(90) = 0_c_int64_t
+    !> Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i + k, for i from 0 to 34 and k
+    !> from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+    integer(c_int32_t) :: histogram(3501) = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+  end type sins_statistics
+
+  !> What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so is
+  !> a covariance of less than two.
+  type, bind(C) :: sins_figures
+    !> sizeof(sins_figures)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_FIGURES
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Runs, those that were left out too.
+    integer(c_int64_t) :: runs = 0_c_int64_t
+    !> Runs that have diverged, left out.
+    integer(c_int64_t) :: diverged = 0_c_int64_t
+    !> Runs with an error outside its range, left out.
+    integer(c_int64_t) :: out_of_range = 0_c_int64_t
+    !> Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out.
+    integer(c_int64_t) :: outside_validity = 0_c_int64_t
+    !> Mean position error [m].
+    real(c_double) :: mean_position_enu_m(3) = 0.0_c_double
+    !> Mean velocity error [m/s].
+    real(c_double) :: mean_velocity_enu_m_s(3) = 0.0_c_double
+    !> Mean misalignment [rad].
+    real(c_double) :: mean_misalignment_enu_rad(3) = 0.0_c_double
+    !> Standard deviation of the position error, n - 1 below [m].
+    real(c_double) :: sigma_position_enu_m(3) = 0.0_c_double
+    !> Standard deviation of the velocity error [m/s].
+    real(c_double) :: sigma_velocity_enu_m_s(3) = 0.0_c_double
+    !> Standard deviation of the misalignment [rad].
+    real(c_double) :: sigma_misalignment_enu_rad(3) = 0.0_c_double
+    !> Root mean square of the position error [m].
+    real(c_double) :: rms_position_enu_m(3) = 0.0_c_double
+    !> Root mean square of the velocity error [m/s].
+    real(c_double) :: rms_velocity_enu_m_s(3) = 0.0_c_double
+    !> Root mean square of the misalignment [rad].
+    real(c_double) :: rms_misalignment_enu_rad(3) = 0.0_c_double
+    !> Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad.
+    real(c_double) :: covariance(9, 9) = 0.0_c_double
+    !> Root mean square of the horizontal radial position error [m].
+    real(c_double) :: rms_radial_m = 0.0_c_double
+    !> Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m].
+    real(c_double) :: cep50_m = 0.0_c_double
+    !> Horizontal radius within which 95 % of the runs are, likewise [m].
+    real(c_double) :: r95_m = 0.0_c_double
+    !> Largest horizontal radial position error [m].
+    real(c_double) :: largest_radial_m = 0.0_c_double
+  end type sins_figures
 
   !> Where an embedded flight begins, level and straight.
   type, bind(C) :: sins_flight_start
@@ -1885,6 +1967,243 @@ module sins
       integer(sins_status) :: sins_snapshot_load
     end function sins_snapshot_load
 
+    !> Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that was set up (options,
+    !> sensors, initial errors, mounting, gravity, failures) and has taken no sample; it is copied and stays as it is. Run k is, bit
+    !> for bit, the simulator that was set up likewise with sins_options.run = first_run + k. sins_options.run and truth_summary of
+    !> configured have no effect.
+    !>
+    !> What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
+    !> and machines, and their statistics merged. The library starts no thread.
+    !>
+    !> Each run takes some 40 KB of memory. Not for a real-time frame: it allocates.
+    !>
+    !> On an error *ensemble is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_BAD_STATE: configured
+    !> has taken a sample since it was created or reset, or navigates on increments. SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to
+    !> 4294967295, or first_run + runs - 1 beyond 2^64 - 1. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles live.
+    function sins_ensemble_create(configured, first_run, runs, ensemble) bind(C, name="sins_ensemble_create")
+      import
+      type(c_ptr), value :: configured
+      integer(c_int64_t), value :: first_run
+      integer(c_size_t), value :: runs
+      type(c_ptr), intent(inout) :: ensemble
+      integer(sins_status) :: sins_ensemble_create
+    end function sins_ensemble_create
+
+    !> Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    function sins_ensemble_destroy(ensemble) bind(C, name="sins_ensemble_destroy")
+      import
+      type(c_ptr), value :: ensemble
+      integer(sins_status) :: sins_ensemble_destroy
+    end function sins_ensemble_destroy
+
+    !> Takes one flight-control sample into the queue (16 samples) of all runs.
+    !>
+    !> SINS_GAP and the errors: as sins_push_sample().
+    function sins_ensemble_push_sample(ensemble, sample) bind(C, name="sins_ensemble_push_sample")
+      import
+      type(c_ptr), value :: ensemble
+      type(sins_flight_sample), intent(in) :: sample
+      integer(sins_status) :: sins_ensemble_push_sample
+    end function sins_ensemble_push_sample
+
+    !> Flies one sample interval with all runs that have not diverged. No allocation, no system call.
+    !>
+    !> A run that cannot make the step, for which sins_step() would answer SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR, has diverged:
+    !> it keeps its solution before the step, takes no further part, and is reported by sins_ensemble_get_diverged() and counted by
+    !> sins_ensemble_get_statistics(). The others go on, and so does the truth, even if no run is left. sins_ensemble_reposition()
+    !> and sins_ensemble_reset() start all runs again.
+    !>
+    !> SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_SINGULAR: the truth is within reach of a pole, in geographic axes or
+    !> where the alignment is a gyrocompass; the step is not made.
+    function sins_ensemble_step(ensemble) bind(C, name="sins_ensemble_step")
+      import
+      type(c_ptr), value :: ensemble
+      integer(sins_status) :: sins_ensemble_step
+    end function sins_ensemble_step
+
+    !> Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by
+    !> sample. samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+    !>
+    !> SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
+    !> sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it have
+    !> been flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+    function sins_ensemble_run(ensemble, samples, count) bind(C, name="sins_ensemble_run")
+      import
+      type(c_ptr), value :: ensemble
+      type(sins_flight_sample), intent(in) :: samples(*)
+      integer(c_size_t), value :: count
+      integer(sins_status) :: sins_ensemble_run
+    end function sins_ensemble_run
+
+    !> Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
+    !> sins_reposition().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+    function sins_ensemble_reposition(ensemble, sample) bind(C, name="sins_ensemble_reposition")
+      import
+      type(c_ptr), value :: ensemble
+      type(sins_flight_sample), intent(in) :: sample
+      integer(sins_status) :: sins_ensemble_reposition
+    end function sins_ensemble_reposition
+
+    !> Back to before the first sample: same parameters, no failures, the same draws again from their start, no run diverged.
+    function sins_ensemble_reset(ensemble) bind(C, name="sins_ensemble_reset")
+      import
+      type(c_ptr), value :: ensemble
+      integer(sins_status) :: sins_ensemble_reset
+    end function sins_ensemble_reset
+
+    !> Lets one output of every run fail, or clears its failure: as sins_set_failure().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
+    function sins_ensemble_set_failure(ensemble, sensor, axis, failure) bind(C, name="sins_ensemble_set_failure")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_int32_t), value :: sensor
+      integer(c_int32_t), value :: axis
+      type(sins_failure), intent(in) :: failure
+      integer(sins_status) :: sins_ensemble_set_failure
+    end function sins_ensemble_set_failure
+
+    !> Reads the numbers of the first run and of the runs; either may be NULL.
+    function sins_ensemble_get_runs(ensemble, first_run, runs) bind(C, name="sins_ensemble_get_runs")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_int64_t), intent(inout) :: first_run
+      integer(c_size_t), intent(inout) :: runs
+      integer(sins_status) :: sins_ensemble_get_runs
+    end function sins_ensemble_get_runs
+
+    !> Reads the truth, which all runs share: as sins_get_truth().
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet.
+    function sins_ensemble_get_truth(ensemble, truth) bind(C, name="sins_ensemble_get_truth")
+      import
+      type(c_ptr), value :: ensemble
+      type(sins_navigation), intent(inout) :: truth
+      integer(sins_status) :: sins_ensemble_get_truth
+    end function sins_ensemble_get_truth
+
+    !> Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
+    !> sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+    function sins_ensemble_get_navigation(ensemble, run, navigation) bind(C, name="sins_ensemble_get_navigation")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_int64_t), value :: run
+      type(sins_navigation), intent(inout) :: navigation
+      integer(sins_status) :: sins_ensemble_get_navigation
+    end function sins_ensemble_get_navigation
+
+    !> Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
+    !> while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
+    function sins_ensemble_get_errors(ensemble, run, source, errors) bind(C, name="sins_ensemble_get_errors")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_int64_t), value :: run
+      integer(c_int32_t), value :: source
+      type(sins_errors), intent(inout) :: errors
+      integer(sins_status) :: sins_ensemble_get_errors
+    end function sins_ensemble_get_errors
+
+    !> Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+    !>
+    !> SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
+    function sins_ensemble_get_imu(ensemble, run, imu) bind(C, name="sins_ensemble_get_imu")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_int64_t), value :: run
+      type(sins_imu), intent(inout) :: imu
+      integer(sins_status) :: sins_ensemble_get_imu
+    end function sins_ensemble_get_imu
+
+    !> Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+    function sins_ensemble_get_diverged(ensemble, index, run) bind(C, name="sins_ensemble_get_diverged")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_size_t), value :: index
+      integer(c_int64_t), intent(inout) :: run
+      integer(sins_status) :: sins_ensemble_get_diverged
+    end function sins_ensemble_get_diverged
+
+    !> Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of
+    !> this ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+    !> the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
+    function sins_ensemble_get_statistics(ensemble, source, statistics) bind(C, name="sins_ensemble_get_statistics")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_int32_t), value :: source
+      type(sins_statistics), intent(inout) :: statistics
+      integer(sins_status) :: sins_ensemble_get_statistics
+    end function sins_ensemble_get_statistics
+
+    !> Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any
+    !> grouping gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may
+    !> be all zero but struct_size, which is that of no run.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs;
+    !> into is as it was.
+    function sins_statistics_merge(into, from) bind(C, name="sins_statistics_merge")
+      import
+      type(sins_statistics), intent(inout) :: into
+      type(sins_statistics), intent(in) :: from
+      integer(sins_status) :: sins_statistics_merge
+    end function sins_statistics_merge
+
+    !> Computes what statistics say.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
+    function sins_statistics_figures(statistics, figures) bind(C, name="sins_statistics_figures")
+      import
+      type(sins_statistics), intent(in) :: statistics
+      type(sins_figures), intent(inout) :: figures
+      integer(sins_status) :: sins_statistics_figures
+    end function sins_statistics_figures
+
+    !> The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator.
+    function sins_ensemble_snapshot_size(ensemble, size) bind(C, name="sins_ensemble_snapshot_size")
+      import
+      type(c_ptr), value :: ensemble
+      integer(c_size_t), intent(inout) :: size
+      integer(sins_status) :: sins_ensemble_snapshot_size
+    end function sins_ensemble_snapshot_size
+
+    !> Saves the whole ensemble, at any moment: as sins_snapshot_save(). written (may be NULL) gets the size. The same state gives
+    !> the same bytes. No allocation, no system call.
+    !>
+    !> SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are as they were.
+    function sins_ensemble_snapshot_save(ensemble, buffer, capacity, written) bind(C, name="sins_ensemble_snapshot_save")
+      import
+      type(c_ptr), value :: ensemble
+      type(c_ptr), value :: buffer
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: written
+      integer(sins_status) :: sins_ensemble_snapshot_save
+    end function sins_ensemble_snapshot_save
+
+    !> Makes the ensemble the one that was saved, whatever it was before: its runs and options too, so that one of any simulator and
+    !> one run will do. From there it goes on to the same bits as the saved one did. size is what sins_ensemble_snapshot_save()
+    !> wrote. Not for a real-time frame: it allocates.
+    !>
+    !> SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed,
+    !> and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.
+    function sins_ensemble_snapshot_load(ensemble, snapshot, size) bind(C, name="sins_ensemble_snapshot_load")
+      import
+      type(c_ptr), value :: ensemble
+      type(c_ptr), value :: snapshot
+      integer(c_size_t), value :: size
+      integer(sins_status) :: sins_ensemble_snapshot_load
+    end function sins_ensemble_snapshot_load
+
     !> Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at
     !> turn-on with the standard deviations that the source states; what it does not state is 0.
     !>
@@ -2061,6 +2380,15 @@ module sins
       integer(sins_status) :: sins_scene_create_flight
     end function sins_scene_create_flight
 
+    !> Destroys a scene. Simulators and flights that were made of it live on.
+    !>
+    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    function sins_scene_destroy(scene) bind(C, name="sins_scene_destroy")
+      import
+      type(c_ptr), value :: scene
+      integer(sins_status) :: sins_scene_destroy
+    end function sins_scene_destroy
+
     !> Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
     !> next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the
     !> first interval that starts at their time or later; failures of outputs for which it plans none are left alone. flight_start_s
@@ -2077,14 +2405,17 @@ module sins
       integer(sins_status) :: sins_scene_prepare
     end function sins_scene_prepare
 
-    !> Destroys a scene. Simulators and flights that were made of it live on.
+    !> The same for all runs of an ensemble: as sins_scene_prepare().
     !>
-    !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
-    function sins_scene_destroy(scene) bind(C, name="sins_scene_destroy")
+    !> SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
+    function sins_scene_prepare_ensemble(scene, ensemble, flight_start_s, sample) bind(C, name="sins_scene_prepare_ensemble")
       import
       type(c_ptr), value :: scene
-      integer(sins_status) :: sins_scene_destroy
-    end function sins_scene_destroy
+      type(c_ptr), value :: ensemble
+      real(c_double), value :: flight_start_s
+      type(sins_flight_sample), intent(inout) :: sample
+      integer(sins_status) :: sins_scene_prepare_ensemble
+    end function sins_scene_prepare_ensemble
 
     !> Reads the options of the scene.
     !>

@@ -603,6 +603,10 @@ class sim(_Handle):
     _destroy = "sins_destroy"
 
 
+class ensemble(_Handle):
+    _destroy = "sins_ensemble_destroy"
+
+
 class flight(_Handle):
     _destroy = "sins_flight_destroy"
 
@@ -1428,6 +1432,98 @@ class imu_increment(_Struct):
         ("reserved2", c_uint32),
         ("angle_rad", c_double * 15),
         ("velocity_m_s", c_double * 15),
+    ]
+
+
+class statistics(_Struct):
+    """Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however
+    the runs were split and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send
+    it, store it, compare its bytes. Its numbers have the byte order of the machine. All zero but struct_size is that
+    of no run. Read it with sins.statistics_figures().
+
+    The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in
+    sins.errors. Each is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9
+    nm/s), 2^-45 rad (2.8e-14 rad). The ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never
+    exceeded, and the sums of 4294967295 runs, which is the most, cannot overflow. Integers of 128 bits are two words,
+    the low one first, in two's complement.
+
+    layout: Version of what follows: 1; 0 while there is no run.
+    runs: Runs, those that were left out of the sums too.
+    diverged: Runs that have diverged, left out of the sums.
+    out_of_range: Runs with a state or a horizontal radial position error outside its range, left out of the sums.
+    outside_validity: Runs within the sums whose error model is flagged sins.ERRORS_OUTSIDE_VALIDITY.
+    largest_radial: Largest horizontal radial position error, rounded down [2^-22 m].
+    sums[18]: Sum of each state, integers of 128 bits.
+    products[90]: Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row
+        by row.
+    histogram[3501]: Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i
+        + k, for i from 0 to 34 and k from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("layout", c_uint32),
+        ("runs", c_uint64),
+        ("diverged", c_uint64),
+        ("out_of_range", c_uint64),
+        ("outside_validity", c_uint64),
+        ("largest_radial", c_uint64),
+        ("sums", c_uint64 * 18),
+        ("products", c_uint64 * 90),
+        ("histogram", c_uint32 * 3501),
+        ("reserved", c_uint32),
+    ]
+
+
+class figures(_Struct):
+    """What statistics say. The states are as in sins.statistics: position, velocity, misalignment. Figures of no run are
+    0, and so is a covariance of less than two.
+
+    runs: Runs, those that were left out too.
+    diverged: Runs that have diverged, left out.
+    out_of_range: Runs with an error outside its range, left out.
+    outside_validity: Runs whose error model is flagged sins.ERRORS_OUTSIDE_VALIDITY, not left out.
+    mean_position_enu_m[3]: Mean position error [m].
+    mean_velocity_enu_m_s[3]: Mean velocity error [m/s].
+    mean_misalignment_enu_rad[3]: Mean misalignment [rad].
+    sigma_position_enu_m[3]: Standard deviation of the position error, n - 1 below [m].
+    sigma_velocity_enu_m_s[3]: Standard deviation of the velocity error [m/s].
+    sigma_misalignment_enu_rad[3]: Standard deviation of the misalignment [rad].
+    rms_position_enu_m[3]: Root mean square of the position error [m].
+    rms_velocity_enu_m_s[3]: Root mean square of the velocity error [m/s].
+    rms_misalignment_enu_rad[3]: Root mean square of the misalignment [rad].
+    covariance[81]: Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states
+        i and j, in m, m/s and rad.
+    rms_radial_m: Root mean square of the horizontal radial position error [m].
+    cep50_m: Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself,
+        or to 0.5 mm [m].
+    r95_m: Horizontal radius within which 95 % of the runs are, likewise [m].
+    largest_radial_m: Largest horizontal radial position error [m].
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("runs", c_uint64),
+        ("diverged", c_uint64),
+        ("out_of_range", c_uint64),
+        ("outside_validity", c_uint64),
+        ("mean_position_enu_m", c_double * 3),
+        ("mean_velocity_enu_m_s", c_double * 3),
+        ("mean_misalignment_enu_rad", c_double * 3),
+        ("sigma_position_enu_m", c_double * 3),
+        ("sigma_velocity_enu_m_s", c_double * 3),
+        ("sigma_misalignment_enu_rad", c_double * 3),
+        ("rms_position_enu_m", c_double * 3),
+        ("rms_velocity_enu_m_s", c_double * 3),
+        ("rms_misalignment_enu_rad", c_double * 3),
+        ("covariance", c_double * 81),
+        ("rms_radial_m", c_double),
+        ("cep50_m", c_double),
+        ("r95_m", c_double),
+        ("largest_radial_m", c_double),
     ]
 
 
@@ -2281,6 +2377,198 @@ def snapshot_load(sim, snapshot):
     """
 
 
+@_function(status, sim, c_uint64, c_size_t, _New(ensemble))
+def ensemble_create(configured, first_run, runs, ensemble):
+    """Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that was set up
+    (options, sensors, initial errors, mounting, gravity, failures) and has taken no sample; it is copied and stays as
+    it is. Run k is, bit for bit, the simulator that was set up likewise with sins.options.run = first_run + k.
+    sins.options.run and truth_summary of configured have no effect.
+
+    What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads,
+    processes and machines, and their statistics merged. The library starts no thread.
+
+    Each run takes some 40 KB of memory. Not for a real-time frame: it allocates.
+
+    On an error *ensemble is untouched, and sins.last_error(NULL, ...) on this thread tells why. sins.ERROR_BAD_STATE:
+    configured has taken a sample since it was created or reset, or navigates on increments.
+    sins.ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 beyond 2^64 - 1.
+    sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles live.
+    """
+
+
+@_function(status, ensemble)
+def ensemble_destroy(ensemble):
+    """Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+
+    sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    """
+
+
+@_function(status, ensemble, POINTER(flight_sample))
+def ensemble_push_sample(ensemble, sample):
+    """Takes one flight-control sample into the queue (16 samples) of all runs.
+
+    sins.GAP and the errors: as sins.push_sample().
+    """
+
+
+@_function(status, ensemble)
+def ensemble_step(ensemble):
+    """Flies one sample interval with all runs that have not diverged. No allocation, no system call.
+
+    A run that cannot make the step, for which sins.step() would answer sins.ERROR_DIVERGED or sins.ERROR_SINGULAR,
+    has diverged: it keeps its solution before the step, takes no further part, and is reported by
+    sins.ensemble_get_diverged() and counted by sins.ensemble_get_statistics(). The others go on, and so does the
+    truth, even if no run is left. sins.ensemble_reposition() and sins.ensemble_reset() start all runs again.
+
+    sins.NEED_SAMPLE: no complete interval waits. sins.ERROR_SINGULAR: the truth is within reach of a pole, in
+    geographic axes or where the alignment is a gyrocompass; the step is not made.
+    """
+
+
+@_function(status, ensemble, _Array(flight_sample, is_input=True))
+def ensemble_run(ensemble, samples):
+    """Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping
+    sample by sample. samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+
+    sins.GAP: all samples were flown, and at least one of them ended a gap. Any error of sins.ensemble_push_sample()
+    or sins.ensemble_step() stops the run at the sample that it concerns, which sins.last_error() names: the samples
+    before it have been flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+    """
+
+
+@_function(status, ensemble, POINTER(flight_sample))
+def ensemble_reposition(ensemble, sample):
+    """Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
+    sins.reposition().
+
+    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
+    """
+
+
+@_function(status, ensemble)
+def ensemble_reset(ensemble):
+    """Back to before the first sample: same parameters, no failures, the same draws again from their start, no run
+    diverged.
+    """
+
+
+@_function(status, ensemble, c_int32, c_int32, POINTER(failure))
+def ensemble_set_failure(ensemble, sensor, axis, failure):
+    """Lets one output of every run fail, or clears its failure: as sins.set_failure().
+
+    sins.ERROR_INVALID_ARGUMENT: as sins.set_failure().
+    """
+
+
+@_function(status, ensemble, POINTER(c_uint64), POINTER(c_size_t))
+def ensemble_get_runs(ensemble, first_run, runs):
+    """Reads the numbers of the first run and of the runs; either may be NULL."""
+
+
+@_function(status, ensemble, POINTER(navigation))
+def ensemble_get_truth(ensemble, truth):
+    """Reads the truth, which all runs share: as sins.get_truth().
+
+    sins.NEED_SAMPLE: no sample yet.
+    """
+
+
+@_function(status, ensemble, c_uint64, POINTER(navigation))
+def ensemble_get_navigation(ensemble, run, navigation):
+    """Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins.get_navigation().
+
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such run. sins.ERROR_DIVERGED: the run has
+    diverged, and the sentence has the time of its last good solution; or as sins.get_navigation().
+    sins.ERROR_SINGULAR: as sins.get_navigation().
+    """
+
+
+@_function(status, ensemble, c_uint64, c_int32, POINTER(errors))
+def ensemble_get_errors(ensemble, run, source, errors):
+    """Reads the errors of the navigated solution of a run: as sins.get_errors(); source is of enum sins.errors_source.
+
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such run or source. sins.ERROR_BAD_STATE:
+    sins.ERRORS_MODEL while the error model is off. sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as
+    sins.ensemble_get_navigation().
+    """
+
+
+@_function(status, ensemble, c_uint64, POINTER(imu))
+def ensemble_get_imu(ensemble, run, imu):
+    """Reads ideal and measured signals of the last interval of a run: as sins.get_imu().
+
+    sins.NEED_SAMPLE: no interval yet. sins.ERROR_INVALID_ARGUMENT: no such run. sins.ERROR_DIVERGED: the run has
+    diverged.
+    """
+
+
+@_function(status, ensemble, c_size_t, POINTER(c_uint64))
+def ensemble_get_diverged(ensemble, index, run):
+    """Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins.statistics.diverged
+    counts them.
+
+    sins.ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+    """
+
+
+@_function(status, ensemble, c_int32, POINTER(statistics))
+def ensemble_get_statistics(ensemble, source, statistics):
+    """Reads the statistics of the errors of all runs at this moment; source is of enum sins.errors_source. Those of
+    other runs, of this ensemble at no other moment, are added by sins.statistics_merge(). No allocation, no system
+    call.
+
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such source. sins.ERROR_BAD_STATE:
+    sins.ERRORS_MODEL while the error model is off. sins.ERROR_SINGULAR: before the first step, no run can start at
+    the first sample.
+    """
+
+
+@_function(status, POINTER(statistics), POINTER(statistics))
+def statistics_merge(into, from):
+    """Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and
+    any grouping gives the same bits, so that work may be split over threads, processes, machines and restarts in any
+    way. into may be all zero but struct_size, which is that of no run.
+
+    sins.ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than
+    4294967295 runs; into is as it was.
+    """
+
+
+@_function(status, POINTER(statistics), POINTER(figures))
+def statistics_figures(statistics, figures):
+    """Computes what statistics say.
+
+    sins.ERROR_INVALID_ARGUMENT: they are damaged or of another release.
+    """
+
+
+@_function(status, ensemble, POINTER(c_size_t))
+def ensemble_snapshot_size(ensemble, size):
+    """The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator."""
+
+
+@_function(status, ensemble, _Array(c_char), POINTER(c_size_t))
+def ensemble_snapshot_save(ensemble, buffer, written):
+    """Saves the whole ensemble, at any moment: as sins.snapshot_save(). written (may be NULL) gets the size. The same
+    state gives the same bytes. No allocation, no system call.
+
+    sins.ERROR_BUFFER_TOO_SMALL: see sins.ensemble_snapshot_size(); buffer and written are as they were.
+    """
+
+
+@_function(status, ensemble, _Array(c_char, is_input=True))
+def ensemble_snapshot_load(ensemble, snapshot):
+    """Makes the ensemble the one that was saved, whatever it was before: its runs and options too, so that one of any
+    simulator and one run will do. From there it goes on to the same bits as the saved one did. size is what
+    sins.ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
+
+    sins.ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing
+    has changed, and sins.last_error(NULL, ...) reports which it is. sins.ERROR_OUT_OF_MEMORY: no memory for a second
+    ensemble.
+    """
+
+
 @_function(status, c_int32, POINTER(gyro_params))
 def gyro_preset(grade, params):
     """Fills params with the gyro errors of a grade, of enum sins.grade. Biases, scale factor errors and misalignments
@@ -2423,6 +2711,14 @@ def scene_create_flight(scene, flight):
     """
 
 
+@_function(status, scene)
+def scene_destroy(scene):
+    """Destroys a scene. Simulators and flights that were made of it live on.
+
+    sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    """
+
+
 @_function(status, scene, sim, c_double, POINTER(flight_sample))
 def scene_prepare(scene, sim, flight_start_s, sample):
     """Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step
@@ -2435,11 +2731,11 @@ def scene_prepare(scene, sim, flight_start_s, sample):
     """
 
 
-@_function(status, scene)
-def scene_destroy(scene):
-    """Destroys a scene. Simulators and flights that were made of it live on.
+@_function(status, scene, ensemble, c_double, POINTER(flight_sample))
+def scene_prepare_ensemble(scene, ensemble, flight_start_s, sample):
+    """The same for all runs of an ensemble: as sins.scene_prepare().
 
-    sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    sins.ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins.scene_prepare().
     """
 
 

@@ -64,15 +64,39 @@ pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> R
     unsafe { read_sized(pointer, size) }
 }
 
+/// The same into a place of the caller's: a large struct is not moved about on the stack.
+///
+/// # Safety
+/// As [`read`].
+pub(super) unsafe fn read_into<T: Struct>(
+    pointer: *const T,
+    name: &'static str,
+    value: &mut T,
+) -> Result<(), Failure> {
+    // SAFETY: as this function.
+    let size = unsafe { stated_size(pointer, name)? };
+    // SAFETY: `size` bytes are readable; a `T` is writable, and any bytes are one.
+    unsafe { copy_sized(pointer, size, value) }
+}
+
 /// # Safety
 /// `pointer` points to `size` readable bytes.
 unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Failure> {
-    let known = size_of::<T>();
     let mut value = MaybeUninit::<T>::zeroed();
-    // SAFETY: the shorter of both lengths; the host's bytes and a local do not overlap.
-    unsafe {
-        core::ptr::copy_nonoverlapping(pointer.cast::<u8>(), value.as_mut_ptr().cast::<u8>(), size.min(known))
-    };
+    // SAFETY: as this function; the local is writable.
+    unsafe { copy_sized(pointer, size, value.as_mut_ptr())? };
+    // SAFETY: any bytes are a `T`.
+    Ok(unsafe { value.assume_init() })
+}
+
+/// Copies what is known of a struct; a missing tail stays, a longer one must be zero.
+///
+/// # Safety
+/// `pointer` points to `size` readable bytes, `value` to a writable `T`.
+unsafe fn copy_sized<T: Struct>(pointer: *const T, size: usize, value: *mut T) -> Result<(), Failure> {
+    let known = size_of::<T>();
+    // SAFETY: the shorter of both lengths; the host's bytes and the library's do not overlap.
+    unsafe { core::ptr::copy_nonoverlapping(pointer.cast::<u8>(), value.cast::<u8>(), size.min(known)) };
     for offset in known..size {
         // SAFETY: within the struct's stated size.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
@@ -81,8 +105,7 @@ unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Fai
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
     }
-    // SAFETY: any bytes are a `T`.
-    Ok(unsafe { value.assume_init() })
+    Ok(())
 }
 
 /// A checked place for a struct to be written to.
@@ -189,6 +212,15 @@ pub(super) unsafe fn put_bytes(bytes: &[u8], buffer: *mut u8, capacity: usize) -
     // SAFETY: not more than there is room for; a local and the host's bytes do not overlap.
     unsafe { core::ptr::copy_nonoverlapping(bytes.as_ptr(), buffer, bytes.len()) };
     Ok(())
+}
+
+/// Bytes of the host to be written.
+///
+/// # Safety
+/// `buffer` has `size` writable bytes, which nobody else uses while the slice lives.
+pub(super) unsafe fn bytes_to_fill<'a>(buffer: *mut u8, size: usize) -> &'a mut [u8] {
+    // SAFETY: as this function.
+    unsafe { core::slice::from_raw_parts_mut(buffer, size) }
 }
 
 /// Bytes of the host.

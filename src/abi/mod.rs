@@ -19,6 +19,9 @@ mod altimeter;
 mod boundary;
 mod budget;
 mod budget_answer;
+mod ensemble;
+mod ensemble_read;
+mod ensemble_snapshot;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
@@ -54,12 +57,15 @@ mod scene_failure;
 #[cfg(feature = "scenes")]
 mod scene_flight;
 #[cfg(feature = "scenes")]
+mod scene_prepare;
+#[cfg(feature = "scenes")]
 mod scene_settings;
 mod sensor_failure;
 mod sensor_params;
 mod simulator;
 mod snapshot;
 mod solution;
+mod statistics;
 mod thread;
 mod truth_summary;
 mod version;
@@ -70,6 +76,9 @@ pub use altimeter::*;
 pub use boundary::shielded;
 pub use budget::*;
 pub use budget_answer::*;
+pub use ensemble::*;
+pub use ensemble_read::*;
+pub use ensemble_snapshot::*;
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
@@ -98,12 +107,15 @@ pub use scene_failure::*;
 #[cfg(feature = "scenes")]
 pub use scene_flight::*;
 #[cfg(feature = "scenes")]
+pub use scene_prepare::*;
+#[cfg(feature = "scenes")]
 pub use scene_settings::*;
 pub use sensor_failure::*;
 pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
+pub use statistics::*;
 pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use version::*;
 

@@ -149,12 +149,14 @@ extern "C" {
 #endif
 
 /*
- * A simulator. This and the next three are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
+ * A simulator. This and the next four are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
  * answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight. */
 typedef struct sins_flight sins_flight;
+/* An ensemble of runs. */
+typedef struct sins_ensemble sins_ensemble;
 /* A scene. */
 typedef struct sins_scene sins_scene;
 /* A flight log. */

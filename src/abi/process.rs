@@ -3,6 +3,7 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
+use super::ensemble::ENSEMBLES;
 use super::flight::FLIGHTS;
 #[cfg(feature = "scenes")]
 use super::log::LOGS;
@@ -16,7 +17,7 @@ pub(super) fn is_inside_a_handle() -> bool {
     if SCENES.is_in_use_here() || LOGS.is_in_use_here() {
         return true;
     }
-    SIMULATORS.is_in_use_here() || FLIGHTS.is_in_use_here()
+    SIMULATORS.is_in_use_here() || FLIGHTS.is_in_use_here() || ENSEMBLES.is_in_use_here()
 }
 
 /// Whether the process has given all of it, which is asked for again until it has.
@@ -33,13 +34,14 @@ pub(super) fn is_prepared() -> bool {
 
 #[cfg(unix)]
 mod system {
-    use super::{FLIGHTS, SIMULATORS};
+    use super::{ENSEMBLES, FLIGHTS, SIMULATORS};
     #[cfg(feature = "scenes")]
     use super::{LOGS, SCENES};
 
     extern "C" fn in_child() {
         SIMULATORS.lose_what_others_use();
         FLIGHTS.lose_what_others_use();
+        ENSEMBLES.lose_what_others_use();
         #[cfg(feature = "scenes")]
         {
             SCENES.lose_what_others_use();

@@ -14,7 +14,7 @@ const FREE: usize = 0;
 const NONE: usize = 0;
 
 /// What the handles of each kind are in sentences: [`super::registry::Registry::new`].
-const NAMES: [&str; 8] = ["", "sim", "flight", "scene", "log", "", "", ""];
+const NAMES: [&str; 8] = ["", "sim", "flight", "scene", "log", "ensemble", "", ""];
 
 struct Place {
     /// The name of its thread, or `FREE`. No thread is named 0.
@@ -94,7 +94,7 @@ mod tests {
                     let status = if k % 2 == 0 { SINS_ERROR_BAD_HANDLE } else { SINS_ERROR_BAD_STATE };
                     forget();
                     assert_eq!(last(), None);
-                    for (kind, name) in NAMES.iter().enumerate().skip(1).take(4) {
+                    for (kind, name) in NAMES.iter().enumerate().skip(1).take(5) {
                         refuse(kind, status);
                         std::thread::yield_now();
                         assert_eq!(last(), Some(Failure::of_handle(status, name)));

@@ -68,7 +68,7 @@ impl<T> Slot<T> {
 }
 
 impl<T> Registry<T> {
-    /// An empty table for objects of `kind` (1 to 4).
+    /// An empty table for objects of `kind` (1 to 5).
     pub const fn new(kind: usize) -> Self {
         Self {
             kind,

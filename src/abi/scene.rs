@@ -3,13 +3,12 @@
 use core::ffi::c_char;
 
 use super::boundary::{enter, enter_without_simulator, remember};
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
+use super::failure::{Failure, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
 use super::fault_report::sins_fault;
 use super::flight::{self, sins_flight};
-use super::memory::{Output, bytes_of, put, put_text, read, text_of};
+use super::memory::{Output, bytes_of, put, put_text, text_of};
 use super::registry::Registry;
-use super::sample::sins_flight_sample;
-use super::simulator::{self, on_simulator, sins_sim};
+use super::simulator::{self, sins_sim};
 use crate::error::{Error, Rule, check_integer};
 use crate::memory::probe;
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
@@ -53,7 +52,7 @@ pub(super) fn with_scene(
 }
 
 /// Runs `body` on the scene of a handle without an allocation.
-fn with_sound_scene(
+pub(super) fn with_sound_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
@@ -270,41 +269,6 @@ pub unsafe extern "C" fn sins_scene_create_flight(
         }
         // SAFETY: the host's promise; not null.
         unsafe { flight::hand_out(scene.flight()?, flight) }
-    })
-}
-
-/// Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
-/// next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
-/// interval that starts at their time or later; failures of outputs for which it plans none are left alone.
-/// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
-///
-/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
-/// from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_prepare(
-    scene: *const sins_scene,
-    sim: *mut sins_sim,
-    flight_start_s: f64,
-    sample: *mut sins_flight_sample,
-) -> sins_status {
-    with_sound_scene(scene, |scene| {
-        // SAFETY: the host's promise.
-        let mut prepared = unsafe { read(sample.cast_const(), "sample")? }.to_sample()?;
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(sample, "sample")? };
-        let mut result = Ok(SINS_OK);
-        let status = on_simulator(sim, |simulator| {
-            result = scene.prepare(simulator, flight_start_s, &mut prepared).map(|()| SINS_OK);
-            Ok(result?)
-        });
-        if status == SINS_OK {
-            output.write(&sins_flight_sample::from_sample(&prepared));
-        }
-        match result {
-            Err(error) => Err(error.into()),
-            Ok(_) if status == SINS_ERROR_BAD_HANDLE => Err(Failure::bad_handle("sim")),
-            Ok(_) => Ok(status),
-        }
     })
 }
 

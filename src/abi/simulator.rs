@@ -144,17 +144,29 @@ pub(super) fn push(
     simulator: &mut Simulator,
     sample: &FlightSample,
 ) -> Result<sins_status, crate::error::Error> {
-    Ok(match simulator.push_sample(sample)? {
-        Pushed::Regular | Pushed::FirstVelocity => SINS_OK,
-        Pushed::BehindGap => SINS_GAP,
-    })
+    simulator.push_sample(sample).map(pushed)
 }
 
 pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::error::Error> {
-    Ok(match simulator.step()? {
+    simulator.step().map(stepped)
+}
+
+/// The status of a sample that was taken.
+#[inline]
+pub(super) fn pushed(pushed: Pushed) -> sins_status {
+    match pushed {
+        Pushed::Regular | Pushed::FirstVelocity => SINS_OK,
+        Pushed::BehindGap => SINS_GAP,
+    }
+}
+
+/// The status of a step that did not fail.
+#[inline]
+pub(super) fn stepped(step: Step) -> sins_status {
+    match step {
         Step::Done => SINS_OK,
         Step::NeedSample => SINS_NEED_SAMPLE,
-    })
+    }
 }
 
 /// The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause in

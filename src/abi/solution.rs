@@ -256,6 +256,16 @@ pub(super) fn errors_of(simulator: &Simulator, source: ErrorSource) -> Result<Op
     Ok(errors.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole)))
 }
 
+/// The source that a host names.
+pub(super) fn source_of(source: i32) -> Result<ErrorSource, Failure> {
+    one_of(
+        "source",
+        source,
+        &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
+        "sins_errors_source",
+    )
+}
+
 /// Writes `value`, or answers that there is none yet.
 pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
     match value {
@@ -324,12 +334,6 @@ pub unsafe extern "C" fn sins_get_errors(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };
-        let source = one_of(
-            "source",
-            source,
-            &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
-            "sins_errors_source",
-        )?;
-        Ok(write_or_need(&output, errors_of(simulator, source)?))
+        Ok(write_or_need(&output, errors_of(simulator, source_of(source)?)?))
     })
 }

@@ -3,6 +3,7 @@
 //! Run k of an ensemble is, to the bit, the [`Simulator`] with `options.key.run = first_run + k`.
 
 mod read;
+mod snapshot;
 
 use crate::error::{Error, Rule, check_integer};
 use crate::sensors::{Failure, SensorOutput};
@@ -91,7 +92,7 @@ impl Ensemble {
             }
             if let Err(error) = run.step() {
                 // No run could align here, so that this is the first of them.
-                if is_first && error.field == "cosine of sample.latitude_rad" {
+                if is_of_truth(&error) {
                     return Err(error);
                 }
                 *diverged = true;
@@ -147,6 +148,11 @@ fn living<'a>(
     diverged: &'a [bool],
 ) -> impl Iterator<Item = &'a mut Simulator> + use<'a> {
     runs.iter_mut().zip(diverged).filter(|(_, diverged)| !**diverged).map(|(run, _)| run)
+}
+
+/// Whether an error of a run's start is one of the place, where no run can align.
+fn is_of_truth(error: &Error) -> bool {
+    error.field == "cosine of sample.latitude_rad"
 }
 
 /// Sets what the host set of `template`.

@@ -22,6 +22,7 @@ pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
 pub use fault::{Fault, MAX_FAULTS, nearest};
 pub use list::{KeyKind, KeyLine, keys, keys_text};
+pub use schedule::TakesFailures;
 pub use write::ChangedKey;
 
 use crate::error::{Error, Rule, check_range};

@@ -2,6 +2,7 @@
 
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
+use crate::ensemble::Ensemble;
 use crate::error::{Error, Rule, check_range};
 use crate::sensors::{Failure, SensorOutput};
 use crate::truth::FlightSample;
@@ -52,6 +53,35 @@ const LATEST_START_S: f64 = 2e10;
 /// What rounding of time stamps may leave of the time of a failure, in intervals.
 const ROUNDING: f64 = 1e-9;
 
+/// What flies a scene: one simulator, or an ensemble of them.
+pub trait TakesFailures {
+    /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
+    fn last_sample_time_s(&self) -> Option<f64>;
+    /// The failure of an output; `None`: it is sound.
+    fn failure(&self, output: SensorOutput) -> Option<Failure>;
+    /// Lets an output fail, or clears its failure.
+    fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error>;
+}
+
+macro_rules! takes_failures {
+    ($($type:ty),*) => {
+        $(impl TakesFailures for $type {
+            fn last_sample_time_s(&self) -> Option<f64> {
+                self.last_sample_time_s()
+            }
+
+            fn failure(&self, output: SensorOutput) -> Option<Failure> {
+                self.failure(output)
+            }
+
+            fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
+                self.set_failure(output, failure)
+            }
+        })*
+    };
+}
+takes_failures!(Simulator, Ensemble);
+
 impl Scene {
     /// Makes ready for the interval that `sample` ends: call it for each sample before that is pushed, and step before the next.
     /// `start_s` is the time stamp of the flight's first sample. The sample gets the scene's temperature; a failure
@@ -59,7 +89,7 @@ impl Scene {
     /// are left alone.
     pub fn prepare(
         &self,
-        simulator: &mut Simulator,
+        flown: &mut dyn TakesFailures,
         start_s: f64,
         sample: &mut FlightSample,
     ) -> Result<(), Error> {
@@ -69,7 +99,7 @@ impl Scene {
             sample.temperature_c = Some(temperature.at(sample.time_s - start_s));
         }
         // A flight's first sample ends no interval; its failures begin with the interval behind it.
-        let Some(begin_s) = simulator.last_sample_time_s() else { return Ok(()) };
+        let Some(begin_s) = flown.last_sample_time_s() else { return Ok(()) };
         let time_s = begin_s - start_s + ROUNDING * (sample.time_s - begin_s);
         for output in SensorOutput::ALL {
             let mut planned = self.failures.iter().filter(|planned| planned.output == output).peekable();
@@ -77,8 +107,8 @@ impl Scene {
                 continue;
             }
             let due = planned.find(|planned| planned.failing.has(time_s)).map(|planned| planned.failure);
-            if simulator.failure(output) != due {
-                simulator.set_failure(output, due)?;
+            if flown.failure(output) != due {
+                flown.set_failure(output, due)?;
             }
         }
         Ok(())

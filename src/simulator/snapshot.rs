@@ -8,7 +8,7 @@ use super::navigator::Navigator;
 use super::{Mode, Options, Simulator};
 use crate::earth::Geodetic;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::snapshot::{Reader, Stored, Writer};
+use crate::snapshot::{Reader, SnapshotOf, Stored, Writer};
 use crate::state::Navigation;
 
 /// Numbers of the modes in a snapshot.
@@ -39,46 +39,63 @@ impl Simulator {
     /// [`ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
         let damaged = |error| Error { kind: ErrorKind::Snapshot, ..error };
-        let mut from = Reader::new(snapshot)?;
-        let mut options = Options::default();
-        options.load(&mut from).and_then(|()| options.validate()).map_err(damaged)?;
-        let mut memory = heap_simulator(&options)?;
+        let mut from = Reader::new(snapshot, SnapshotOf::Simulator)?;
+        let mut memory = Self::load_from(&mut from).map_err(|error| match error.kind {
+            ErrorKind::OutOfMemory => error,
+            _ => damaged(error),
+        })?;
+        from.finish()?;
         let [loaded] = &mut *memory else { return Ok(()) };
-        loaded.read_snapshot(from).map_err(damaged)?;
         core::mem::swap(self, loaded);
         Ok(())
     }
 
+    /// The simulator that [`Self::save_to`] wrote.
+    pub(crate) fn load_from(from: &mut Reader<'_>) -> Result<Box<[Self]>, Error> {
+        let mut options = Options::default();
+        options.load(from).and_then(|()| options.validate())?;
+        let mut memory = heap_simulator(&options)?;
+        if let [loaded] = &mut *memory {
+            loaded.read_snapshot(from)?;
+        }
+        Ok(memory)
+    }
+
     /// The length of the snapshot, of which as much is written as `buffer` has room for.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
+        let mut to = Writer::new(buffer, SnapshotOf::Simulator);
+        self.save_to(&mut to);
+        to.finish()
+    }
+
+    /// Writes the words of the simulator.
+    pub(crate) fn save_to(&self, to: &mut Writer<'_>) {
         let Self { options, earth: _, intake, sensors, signals: _, summary, mode } = self;
-        let mut to = Writer::new(buffer);
-        options.save(&mut to);
-        sensors.save(&mut to);
-        intake.save(&mut to);
+        options.save(to);
+        sensors.save(to);
+        intake.save(to);
         match mode {
             Mode::Waiting => {
                 to.count(WAITING);
-                summary.iter().for_each(|summary| summary.save(&mut to));
+                summary.iter().for_each(|summary| summary.save(to));
             }
             Mode::Flying(chain) => {
                 to.count(FLYING);
-                chain.save(&mut to);
+                chain.save(to);
             }
             Mode::Navigating(navigator) => {
                 to.count(NAVIGATING);
-                navigator.save(&mut to);
+                navigator.save(to);
             }
         }
-        to.finish()
     }
 
     /// Takes the state over that stands behind the options, which this simulator was made with. Not inlined: its stack
     /// is not needed while memory for the simulator is made.
     #[inline(never)]
-    fn read_snapshot(&mut self, mut from: Reader<'_>) -> Result<(), Error> {
-        self.sensors.load(&mut from)?;
-        self.intake.load(&mut from)?;
+    fn read_snapshot(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.sensors.load(from)?;
+        self.intake.load(from)?;
         let behind = self.intake.behind();
         let flown = behind.iter().flatten().count();
         from.enter("snapshot: mode");
@@ -86,13 +103,13 @@ impl Simulator {
         let samples = if mode == NAVIGATING { flown + self.intake.waiting() } else { flown };
         match mode {
             FLYING => {
-                let current = Chain::flown_to(&behind, &mut from)?;
+                let current = Chain::flown_to(&behind, from)?;
                 // Made in its place: chains take much of a stack.
                 self.mode = Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.sensors));
                 if let Mode::Flying(chain) = &mut self.mode {
                     chain.signals = core::mem::take(&mut self.signals);
                     chain.set_summary(self.summary);
-                    chain.load(&mut from)?;
+                    chain.load(from)?;
                     chain.look_back(&behind);
                 }
             }
@@ -105,19 +122,19 @@ impl Simulator {
                 let anywhere =
                     Navigation::new(Geodetic::default(), Vector3::zeros(), upright, self.options.axes);
                 let mut navigator = Navigator::new(&self.options, self.earth, 0.0, &anywhere);
-                navigator.load(&mut from)?;
+                navigator.load(from)?;
                 self.mode = Mode::Navigating(navigator);
             }
             _ => {
                 if let Some(summary) = &mut self.summary {
-                    summary.load(&mut from)?;
+                    summary.load(from)?;
                 }
             }
         }
         if self.sensors.depend_on_temperature() {
             self.check_temperatures()?;
         }
-        from.finish()
+        Ok(())
     }
 }
 

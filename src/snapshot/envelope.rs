@@ -6,7 +6,23 @@ use crate::math::{SPLIT_MIX_STEP, mix};
 /// Version of the format that this library writes, the only one so far.
 pub const FORMAT_VERSION: u32 = 1;
 
-const MAGIC: [u8; 8] = *b"SINSsnap";
+/// What a snapshot is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SnapshotOf {
+    /// One simulator.
+    Simulator,
+    /// An ensemble.
+    Ensemble,
+}
+
+impl SnapshotOf {
+    fn magic(self) -> [u8; 8] {
+        match self {
+            Self::Simulator => *b"SINSsnap",
+            Self::Ensemble => *b"SINSruns",
+        }
+    }
+}
 
 /// Of magic, version, length and checksum.
 pub(super) const HEADER_BYTES: usize = 24;
@@ -16,10 +32,10 @@ const CHECKSUM: core::ops::Range<usize> = 16..24;
 
 /// Writes magic, version, length and checksum into the first 24 bytes of a snapshot whose words stand behind them: what a
 /// test needs that alters words. Fewer bytes stay as they are.
-pub fn seal(snapshot: &mut [u8]) {
+pub fn seal(snapshot: &mut [u8], of: SnapshotOf) {
     let length = snapshot.len() as u32;
     let Some(header) = snapshot.get_mut(..HEADER_BYTES) else { return };
-    header[..8].copy_from_slice(&MAGIC);
+    header[..8].copy_from_slice(&of.magic());
     header[8..12].copy_from_slice(&FORMAT_VERSION.to_le_bytes());
     header[12..16].copy_from_slice(&length.to_le_bytes());
     let checksum = checksum(snapshot);
@@ -27,27 +43,32 @@ pub fn seal(snapshot: &mut [u8]) {
 }
 
 /// The words of a snapshot with a good header.
-pub(super) fn open(snapshot: &[u8]) -> Result<&[u8], Error> {
+pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value, rule));
     let Some(header) = snapshot.get(..HEADER_BYTES) else {
         let rule = Rule::AtLeast("is cut off; the header alone has bytes:", HEADER_BYTES as f64);
         return damaged("snapshot size", snapshot.len(), rule);
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
-    if header[..8] != MAGIC {
-        return Err(Error {
-            kind: ErrorKind::Snapshot,
-            ..Error::bad_state("snapshot: these bytes are something else")
-        });
+    if header[..8] != of.magic() {
+        let is_of = |other: SnapshotOf| header[..8] == other.magic();
+        let words = if is_of(SnapshotOf::Simulator) {
+            "snapshot: it is one of a simulator, not of an ensemble"
+        } else if is_of(SnapshotOf::Ensemble) {
+            "snapshot: it is one of an ensemble, not of a simulator"
+        } else {
+            "snapshot: these bytes are something else"
+        };
+        return Err(Error { kind: ErrorKind::Snapshot, ..Error::bad_state(words) });
     }
     let version = number(8) as usize;
     if version != FORMAT_VERSION as usize {
         let rule = Rule::Exactly("is of another release; this one reads version", f64::from(FORMAT_VERSION));
         return damaged("snapshot format version", version, rule);
     }
-    let length = number(12) as usize;
-    if length != snapshot.len() {
-        let rule = Rule::Exactly("is not the size that was saved:", length as f64);
+    let length = number(12);
+    if length != snapshot.len() as u32 {
+        let rule = Rule::Exactly("is not the size that was saved:", length.into());
         return damaged("snapshot size", snapshot.len(), rule);
     }
     if header[CHECKSUM] != checksum(snapshot).to_le_bytes() {
@@ -87,21 +108,23 @@ mod tests {
     fn the_header_is_as_documented_and_seals_what_is_behind_it() {
         let mut bytes = vec![0; 27];
         bytes[24..].copy_from_slice(&[7, 8, 9]);
-        seal(&mut bytes);
+        seal(&mut bytes, SnapshotOf::Simulator);
         assert_eq!(&bytes[..16], b"SINSsnap\x01\0\0\0\x1b\0\0\0");
-        assert_eq!(open(&bytes), Ok(&[7, 8, 9][..]));
+        assert_eq!(open(&bytes, SnapshotOf::Simulator), Ok(&[7, 8, 9][..]));
     }
 
     #[test]
     fn each_damage_has_its_words() {
         let mut good = vec![0; 40];
-        seal(&mut good);
+        seal(&mut good, SnapshotOf::Simulator);
         let altered = |at: usize, change: u8| {
             let mut bytes = good.clone();
             bytes[at] ^= change;
-            open(&bytes).unwrap_err().to_string()
+            open(&bytes, SnapshotOf::Simulator).unwrap_err().to_string()
         };
         assert_eq!(altered(0, 1), "snapshot: these bytes are something else");
+        let other = open(&good, SnapshotOf::Ensemble).unwrap_err();
+        assert_eq!(other.to_string(), "snapshot: it is one of a simulator, not of an ensemble");
         assert_eq!(
             altered(8, 3),
             "snapshot format version = 2: is of another release; this one reads version 1"
@@ -110,7 +133,7 @@ mod tests {
         for at in 16..40 {
             assert_eq!(altered(at, 0x80), "snapshot: its checksum does not fit; bytes were altered");
         }
-        let cut = |length: usize| open(&good[..length]).unwrap_err().to_string();
+        let cut = |length: usize| open(&good[..length], SnapshotOf::Simulator).unwrap_err().to_string();
         assert_eq!(cut(39), "snapshot size = 39: is not the size that was saved: 40");
         assert_eq!(cut(23), "snapshot size = 23: is cut off; the header alone has bytes: 24");
     }

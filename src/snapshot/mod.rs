@@ -1,16 +1,17 @@
-//! Snapshots: the state of a simulator as bytes that mean the same on every machine.
+//! Snapshots: the state of a simulator, or of an ensemble, as bytes that mean the same on every machine.
 //!
 //! ```text
-//!  0   8  "SINSsnap"
+//!  0   8  "SINSsnap", of an ensemble "SINSruns"
 //!  8   4  version of the format
-//! 12   4  length of the whole [bytes]
+//! 12   4  length of the whole [bytes], its lowest 32 bits
 //! 16   8  checksum of all the other bytes
 //! 24      words of 64 bits
 //! ```
 //! The least significant byte comes first. Sixteen bits go before each eight words, two for each, lowest first: 0 for a word
 //! that is zero and left out, 1 for one below 256, of which a byte follows, 2 for one that follows whole. So what is off costs
 //! two bits. Numbers are their IEEE 754 bits.
-//! Behind the header stand the options, the sensors' parameters and state, the samples, and the chain, each part in the
+//! An ensemble is its options, samples, first run and number of runs, then each run as a simulator. Of a simulator, behind the
+//! header stand the options, the sensors' parameters and state, the samples, and the chain, each part in the
 //! order in which its `stored!` names the fields. What follows from something else is not stored but made again.
 //!
 //! Checked is everything: the header, each number against a limit, options, parameters and samples as if the host had given
@@ -23,7 +24,7 @@ mod reader;
 mod stored;
 mod writer;
 
-pub use envelope::{FORMAT_VERSION, seal};
+pub use envelope::{FORMAT_VERSION, SnapshotOf, seal};
 pub(crate) use numbers::{ANY, CLOCK_S, COUNT, NO_SQUARE, Numbers, SIGNALS, moved_clock};
 pub(crate) use reader::Reader;
 pub(crate) use stored::{Stored, codes, stored, variants};

@@ -1,6 +1,6 @@
 //! Bytes back to words.
 
-use super::envelope::open;
+use super::envelope::{SnapshotOf, open};
 use super::writer::{BYTE, GROUP, NOTHING, WHOLE};
 use crate::error::{Error, ErrorKind, Rule, Value};
 
@@ -17,8 +17,8 @@ pub(crate) struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     /// Of a snapshot with a good header.
-    pub fn new(snapshot: &'a [u8]) -> Result<Self, Error> {
-        Ok(Self { rest: open(snapshot)?, sizes: 0, left: 0, field: "" })
+    pub fn new(snapshot: &'a [u8], of: SnapshotOf) -> Result<Self, Error> {
+        Ok(Self { rest: open(snapshot, of)?, sizes: 0, left: 0, field: "" })
     }
 
     /// What is read next, by its name in messages.
@@ -65,7 +65,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The end: nothing may be left.
-    pub fn finish(self) -> Result<(), Error> {
+    pub fn finish(&self) -> Result<(), Error> {
         if self.rest.is_empty() && self.sizes == 0 {
             return Ok(());
         }

@@ -1,6 +1,6 @@
 //! Words to bytes.
 
-use super::envelope::{HEADER_BYTES, seal};
+use super::envelope::{HEADER_BYTES, SnapshotOf, seal};
 
 /// Words between their sizes and the next sizes.
 pub(super) const GROUP: usize = 8;
@@ -16,6 +16,7 @@ const GROUP_BYTES: usize = SIZES_BYTES + GROUP * WORD_BYTES;
 
 /// Writes a snapshot; what does not fit is counted.
 pub(crate) struct Writer<'a> {
+    of: SnapshotOf,
     out: &'a mut [u8],
     len: usize,
     /// Words that wait for their sizes.
@@ -24,8 +25,8 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub fn new(out: &'a mut [u8]) -> Self {
-        Self { out, len: HEADER_BYTES, group: [0; GROUP], waiting: 0 }
+    pub fn new(out: &'a mut [u8], of: SnapshotOf) -> Self {
+        Self { of, out, len: HEADER_BYTES, group: [0; GROUP], waiting: 0 }
     }
 
     #[inline]
@@ -70,7 +71,7 @@ impl<'a> Writer<'a> {
             self.flush();
         }
         if let Some(snapshot) = self.out.get_mut(..self.len) {
-            seal(snapshot);
+            seal(snapshot, self.of);
         }
         self.len
     }

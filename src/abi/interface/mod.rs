@@ -20,7 +20,7 @@ use std::path::Path;
 use model::Interface;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 32] = [
+const SOURCES: [&str; 38] = [
     "version",
     "failure",
     "options",
@@ -41,10 +41,16 @@ const SOURCES: [&str; 32] = [
     "record",
     "navigator",
     "snapshot",
+    "ensemble",
+    "ensemble_read",
+    "../statistics/layout",
+    "statistics",
+    "ensemble_snapshot",
     "preset",
     "manoeuvre",
     "flight",
     "scene",
+    "scene_prepare",
     "fault_report",
     "scene_settings",
     "scene_flight",

@@ -143,12 +143,13 @@ impl Type {
         }
     }
 
-    /// Numbers of rows and columns of an array, row by row, of one row if it is no matrix: matrices are 3 by 3, and the parts of
+    /// Numbers of rows and columns of an array, row by row, of one row if it is no matrix: matrices are 3 by 3 or 9 by 9, and the parts of
     /// an increment 5 rows of x, y, z.
     pub fn shape(count: usize) -> (usize, usize) {
         match count {
             9 => (3, 3),
             15 => (5, 3),
+            81 => (9, 9),
             _ => (1, count),
         }
     }

@@ -22,7 +22,7 @@ fn thawed(snapshot: &[u8]) -> Option<Simulator> {
 
 fuzz_target!(|bytes: &[u8]| {
     let mut forged = bytes.to_vec();
-    sins::snapshot::seal(&mut forged);
+    sins::snapshot::seal(&mut forged, sins::snapshot::SnapshotOf::Simulator);
     let Some(mut simulator) = thawed(&forged) else { return };
     let mut again = vec![0; simulator.snapshot_size()];
     simulator.save_snapshot(&mut again).expect("room for it");

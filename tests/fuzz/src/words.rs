@@ -41,6 +41,6 @@ pub fn snapshot_of(words: &[u64]) -> Vec<u8> {
         snapshot.extend(u16::to_le_bytes(sizes));
         snapshot.extend(bytes);
     }
-    sins::snapshot::seal(&mut snapshot);
+    sins::snapshot::seal(&mut snapshot, sins::snapshot::SnapshotOf::Simulator);
     snapshot
 }

@@ -1,0 +1,116 @@
+//! What is read of an ensemble.
+
+use super::ensemble::{sins_ensemble, with_ensemble};
+use super::failure::{SINS_OK, sins_status};
+use super::memory::{Output, put};
+use super::solution::{sins_errors, sins_imu, sins_navigation, source_of, write_or_need};
+use crate::error::{Error, Rule};
+
+/// Reads the numbers of the first run and of the runs; either may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_runs(
+    ensemble: *mut sins_ensemble,
+    first_run: *mut u64,
+    runs: *mut usize,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        if !first_run.is_null() {
+            // SAFETY: the host's promise.
+            unsafe { put(first_run, ensemble.first_run(), "first_run")? };
+        }
+        if !runs.is_null() {
+            // SAFETY: the host's promise.
+            unsafe { put(runs, ensemble.runs(), "runs")? };
+        }
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads the truth, which all runs share: as sins_get_truth().
+///
+/// SINS_NEED_SAMPLE: no sample yet.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_truth(
+    ensemble: *mut sins_ensemble,
+    truth: *mut sins_navigation,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(truth, "truth")? };
+        Ok(write_or_need(&output, ensemble.truth().map(|truth| sins_navigation::from_solution(&truth))))
+    })
+}
+
+/// Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
+/// sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_navigation(
+    ensemble: *mut sins_ensemble,
+    run: u64,
+    navigation: *mut sins_navigation,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(navigation, "navigation")? };
+        let solution = ensemble.navigation(run)?;
+        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+    })
+}
+
+/// Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
+/// while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_errors(
+    ensemble: *mut sins_ensemble,
+    run: u64,
+    source: i32,
+    errors: *mut sins_errors,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(errors, "errors")? };
+        let found = ensemble.errors_and_pole(run, source_of(source)?)?;
+        let found = found.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole));
+        Ok(write_or_need(&output, found))
+    })
+}
+
+/// Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+///
+/// SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_imu(
+    ensemble: *mut sins_ensemble,
+    run: u64,
+    imu: *mut sins_imu,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(imu, "imu")? };
+        Ok(write_or_need(&output, ensemble.imu(run)?.map(|imu| sins_imu::from(&imu))))
+    })
+}
+
+/// Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_diverged(
+    ensemble: *mut sins_ensemble,
+    index: usize,
+    run: *mut u64,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        let Some(diverged) = ensemble.diverged().nth(index) else {
+            let rule = Rule::Below(ensemble.diverged().count() as f64);
+            return Err(Error::invalid("index", index, rule).into());
+        };
+        // SAFETY: the host's promise.
+        unsafe { put(run, diverged, "run")? };
+        Ok(SINS_OK)
+    })
+}

@@ -1,0 +1,81 @@
+//! What a scene plans over time, made ready for a simulator or an ensemble.
+
+use super::ensemble::{ENSEMBLES, sins_ensemble};
+use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use super::memory::{Output, read};
+use super::sample::sins_flight_sample;
+use super::scene::{sins_scene, with_sound_scene};
+use super::simulator::{on_simulator, sins_sim};
+use crate::scene::TakesFailures;
+
+/// Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
+/// next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
+/// interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+/// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+///
+/// SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
+/// from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_prepare(
+    scene: *const sins_scene,
+    sim: *mut sins_sim,
+    flight_start_s: f64,
+    sample: *mut sins_flight_sample,
+) -> sins_status {
+    // SAFETY: the host's promise.
+    unsafe {
+        prepare(scene, flight_start_s, sample, "sim", |make_ready| {
+            on_simulator(sim, |simulator| make_ready(simulator))
+        })
+    }
+}
+
+/// The same for all runs of an ensemble: as sins_scene_prepare().
+///
+/// SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_prepare_ensemble(
+    scene: *const sins_scene,
+    ensemble: *mut sins_ensemble,
+    flight_start_s: f64,
+    sample: *mut sins_flight_sample,
+) -> sins_status {
+    // SAFETY: the host's promise.
+    unsafe {
+        prepare(scene, flight_start_s, sample, "ensemble", |make_ready| {
+            ENSEMBLES.with(ensemble.addr(), |ensemble| make_ready(ensemble))
+        })
+    }
+}
+
+/// Makes ready what `on_handle` finds behind the handle of the argument `name`, and the sample.
+///
+/// # Safety
+/// As the exported functions.
+unsafe fn prepare(
+    scene: *const sins_scene,
+    flight_start_s: f64,
+    sample: *mut sins_flight_sample,
+    name: &'static str,
+    on_handle: impl FnOnce(&mut dyn FnMut(&mut dyn TakesFailures) -> Result<sins_status, Failure>) -> sins_status,
+) -> sins_status {
+    with_sound_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let mut prepared = unsafe { read(sample.cast_const(), "sample")? }.to_sample()?;
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(sample, "sample")? };
+        let mut result = Ok(SINS_OK);
+        let status = on_handle(&mut |flown| {
+            result = scene.prepare(flown, flight_start_s, &mut prepared).map(|()| SINS_OK);
+            Ok(result?)
+        });
+        if status == SINS_OK {
+            output.write(&sins_flight_sample::from_sample(&prepared));
+        }
+        match result {
+            Err(error) => Err(error.into()),
+            Ok(_) if status == SINS_ERROR_BAD_HANDLE => Err(Failure::bad_handle(name)),
+            Ok(_) => Ok(status),
+        }
+    })
+}

@@ -1,0 +1,162 @@
+//! `sins_statistics` and what they say. The struct itself is `src/statistics/layout.rs`.
+
+use super::boundary::enter_without_simulator;
+use super::ensemble::{sins_ensemble, with_ensemble};
+use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::memory::{Output, interface_struct, read_into};
+use super::solution::source_of;
+use crate::statistics::{Figures, Statistics};
+
+pub use crate::statistics::Statistics as sins_statistics;
+
+interface_struct!(sins_statistics, "statistics", 14920);
+
+/// What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so is a
+/// covariance of less than two.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_figures {
+    /// sizeof(sins_figures)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Runs, those that were left out too.
+    pub runs: u64,
+    /// Runs that have diverged, left out.
+    pub diverged: u64,
+    /// Runs with an error outside its range, left out.
+    pub out_of_range: u64,
+    /// Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out.
+    pub outside_validity: u64,
+    /// Mean position error [m].
+    pub mean_position_enu_m: [f64; 3],
+    /// Mean velocity error [m/s].
+    pub mean_velocity_enu_m_s: [f64; 3],
+    /// Mean misalignment [rad].
+    pub mean_misalignment_enu_rad: [f64; 3],
+    /// Standard deviation of the position error, n - 1 below [m].
+    pub sigma_position_enu_m: [f64; 3],
+    /// Standard deviation of the velocity error [m/s].
+    pub sigma_velocity_enu_m_s: [f64; 3],
+    /// Standard deviation of the misalignment [rad].
+    pub sigma_misalignment_enu_rad: [f64; 3],
+    /// Root mean square of the position error [m].
+    pub rms_position_enu_m: [f64; 3],
+    /// Root mean square of the velocity error [m/s].
+    pub rms_velocity_enu_m_s: [f64; 3],
+    /// Root mean square of the misalignment [rad].
+    pub rms_misalignment_enu_rad: [f64; 3],
+    /// Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad.
+    pub covariance: [f64; 81],
+    /// Root mean square of the horizontal radial position error [m].
+    pub rms_radial_m: f64,
+    /// Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m].
+    pub cep50_m: f64,
+    /// Horizontal radius within which 95 % of the runs are, likewise [m].
+    pub r95_m: f64,
+    /// Largest horizontal radial position error [m].
+    pub largest_radial_m: f64,
+}
+
+interface_struct!(sins_figures, "figures", 936);
+
+impl From<&Figures> for sins_figures {
+    fn from(figures: &Figures) -> Self {
+        let three = |of: &dyn Fn(usize) -> f64, first: usize| core::array::from_fn(|k| of(first + k));
+        let mean = |state: usize| figures.mean[state];
+        let sigma = |state: usize| figures.covariance[(state, state)].sqrt();
+        let rms = |state: usize| figures.rms[state];
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            runs: figures.runs,
+            diverged: figures.diverged,
+            out_of_range: figures.out_of_range,
+            outside_validity: figures.outside_validity,
+            mean_position_enu_m: three(&mean, 0),
+            mean_velocity_enu_m_s: three(&mean, 3),
+            mean_misalignment_enu_rad: three(&mean, 6),
+            sigma_position_enu_m: three(&sigma, 0),
+            sigma_velocity_enu_m_s: three(&sigma, 3),
+            sigma_misalignment_enu_rad: three(&sigma, 6),
+            rms_position_enu_m: three(&rms, 0),
+            rms_velocity_enu_m_s: three(&rms, 3),
+            rms_misalignment_enu_rad: three(&rms, 6),
+            covariance: core::array::from_fn(|k| figures.covariance[(k / 9, k % 9)]),
+            rms_radial_m: figures.radial_rms_m,
+            cep50_m: figures.cep50_m,
+            r95_m: figures.r95_m,
+            largest_radial_m: figures.largest_radial_m,
+        }
+    }
+}
+
+/// Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of this
+/// ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
+/// the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_ensemble_get_statistics(
+    ensemble: *mut sins_ensemble,
+    source: i32,
+    statistics: *mut sins_statistics,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(statistics, "statistics")? };
+        let source = source_of(source)?;
+        if ensemble.truth().is_none() {
+            return Ok(SINS_NEED_SAMPLE);
+        }
+        let mut found = Statistics::EMPTY;
+        ensemble.add_to(&mut found, source)?;
+        output.write(&found);
+        Ok(SINS_OK)
+    })
+}
+
+/// Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
+/// gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero but
+/// struct_size, which is that of no run.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs; into
+/// is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_statistics_merge(
+    into: *mut sins_statistics,
+    from: *const sins_statistics,
+) -> sins_status {
+    enter_without_simulator(|| {
+        let (mut sum, mut more) = (Statistics::EMPTY, Statistics::EMPTY);
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(into, "into")? };
+        // SAFETY: the host's promise.
+        unsafe {
+            read_into(into.cast_const(), "into", &mut sum)?;
+            read_into(from, "from", &mut more)?;
+        }
+        sum.merge(&more)?;
+        output.write(&sum);
+        Ok(SINS_OK)
+    })
+}
+
+/// Computes what statistics say.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_statistics_figures(
+    statistics: *const sins_statistics,
+    figures: *mut sins_figures,
+) -> sins_status {
+    enter_without_simulator(|| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(figures, "figures")? };
+        let mut read = Statistics::EMPTY;
+        // SAFETY: the host's promise.
+        unsafe { read_into(statistics, "statistics", &mut read)? };
+        output.write(&sins_figures::from(&read.figures()?));
+        Ok(SINS_OK)
+    })
+}

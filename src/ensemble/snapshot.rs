@@ -1,0 +1,108 @@
+//! The whole ensemble as a snapshot, and back.
+
+use super::Ensemble;
+use crate::error::{Error, ErrorKind, Rule};
+use crate::memory::room_for_one_more;
+use crate::simulator::{Options, Simulator};
+use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer};
+use crate::truth::Intake;
+
+impl Ensemble {
+    /// Bytes that a snapshot takes now.
+    pub fn snapshot_size(&self) -> usize {
+        self.write_snapshot(&mut [])
+    }
+
+    /// Writes a snapshot into `buffer` and gives its length; it can be saved at any moment. No allocation.
+    pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
+        let capacity = buffer.len();
+        let length = self.write_snapshot(buffer);
+        if length <= capacity {
+            return Ok(length);
+        }
+        let rule = Rule::AtLeast("is too small for the snapshot; needed:", length as f64);
+        Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
+    }
+
+    /// Becomes the ensemble of a snapshot, whatever this one was: the runs go on to the same bits. Allocates.
+    ///
+    /// [`ErrorKind::Snapshot`]: not a snapshot of an ensemble, not whole, altered, or of a newer release; then nothing has
+    /// changed.
+    pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
+        let mut from = Reader::new(snapshot, SnapshotOf::Ensemble)?;
+        let loaded = Self::read_snapshot(&mut from).map_err(|error| match error.kind {
+            ErrorKind::OutOfMemory => error,
+            _ => Error { kind: ErrorKind::Snapshot, ..error },
+        })?;
+        from.finish()?;
+        *self = loaded;
+        Ok(())
+    }
+
+    /// The length of the snapshot, of which as much is written as `buffer` has room for.
+    fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
+        let Self { first_run, options, intake, intervals, runs, diverged } = self;
+        let mut to = Writer::new(buffer, SnapshotOf::Ensemble);
+        options.save(&mut to);
+        intake.save(&mut to);
+        Numbers::save(first_run, &mut to);
+        Numbers::save(intervals, &mut to);
+        to.count(runs.len());
+        for (run, diverged) in runs.iter().zip(diverged) {
+            to.flag(*diverged);
+            run.save_to(&mut to);
+        }
+        to.finish()
+    }
+
+    fn read_snapshot(from: &mut Reader<'_>) -> Result<Self, Error> {
+        let mut options = Options::default();
+        options.load(from)?;
+        options.validate()?;
+        let mut intake = Intake::new(options.earth(), options.axes, options.intake)?;
+        intake.load(from)?;
+        let (mut first_run, mut intervals) = (0_u64, 0_u64);
+        from.enter("snapshot: Ensemble.first_run");
+        Numbers::load(&mut first_run, from, ANY)?;
+        from.enter("snapshot: Ensemble.intervals");
+        Numbers::load(&mut intervals, from, COUNT)?;
+        from.enter("snapshot: Ensemble.runs");
+        let count = from.count(super::MAX_RUNS as usize)?;
+        let fits = count > 0 && first_run.checked_add(count as u64 - 1).is_some();
+        from.require(fits, count as f64, "is no number of runs")?;
+
+        // As much memory as there are bytes for, whatever the number says.
+        let (mut runs, mut diverged) = (Vec::new(), Vec::new());
+        for run in (first_run..=u64::MAX).take(count) {
+            from.enter("snapshot: Ensemble.diverged");
+            let has_diverged = from.flag()?;
+            let simulator = Simulator::load_from(from)?;
+            from.enter("snapshot: a run of the ensemble");
+            let same = same_flight(&simulator, &options, run, has_diverged, (&intake, intervals));
+            from.require(same, run as f64, "is not one of this ensemble")?;
+            room_for_one_more(&mut runs)?;
+            runs.extend(simulator);
+            room_for_one_more(&mut diverged)?;
+            diverged.push(has_diverged);
+        }
+        Ok(Self { first_run, options, intake, intervals, runs, diverged })
+    }
+}
+
+/// Whether a simulator has the options of run `run`, and unless it has diverged flies the ensemble's samples.
+fn same_flight(
+    simulator: &[Simulator],
+    options: &Options,
+    run: u64,
+    has_diverged: bool,
+    (intake, intervals): (&Intake, u64),
+) -> bool {
+    let [simulator] = simulator else { return false };
+    let mut of_run = Options { truth_summary: false, ..*options };
+    of_run.key.run = run;
+    *simulator.options() == of_run
+        && (has_diverged
+            || simulator.waiting_samples() == intake.waiting()
+                && simulator.intervals() == intervals
+                && simulator.last_sample_time_s() == intake.newest().map(|point| point.sample.time_s))
+}

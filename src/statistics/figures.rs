@@ -1,0 +1,90 @@
+//! What statistics say: means, covariances, radii.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::check::product_of;
+use super::wide::at;
+use super::{FRACTION_BITS, STATES, Statistics, resolution};
+use crate::error::Error;
+
+/// Figures of many runs at one instant. States: position east, north, up \[m\]; velocity \[m/s\]; misalignment \[rad\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Figures {
+    /// Runs, those left out of the other figures too.
+    pub runs: u64,
+    /// Runs that have diverged.
+    pub diverged: u64,
+    /// Runs with an error outside its range.
+    pub out_of_range: u64,
+    /// Runs in the figures whose error model is outside its validity.
+    pub outside_validity: u64,
+    /// Mean of each state; 0 without a run.
+    pub mean: SVector<f64, STATES>,
+    /// Covariance of the states, about their means, with n - 1 below; 0 for less than two runs.
+    pub covariance: SMatrix<f64, STATES, STATES>,
+    /// Root mean square of each state; 0 without a run.
+    pub rms: SVector<f64, STATES>,
+    /// Root mean square of the horizontal radial position error [m].
+    pub radial_rms_m: f64,
+    /// Horizontal radius within which half of the runs are [m], to [`super::RADIAL_ERROR`] of itself or 0.5 mm.
+    pub cep50_m: f64,
+    /// Horizontal radius within which 95 % of the runs are [m], likewise.
+    pub r95_m: f64,
+    /// Largest horizontal radial position error [m].
+    pub largest_radial_m: f64,
+}
+
+impl Statistics {
+    /// The figures of these statistics.
+    ///
+    /// [`crate::ErrorKind::InvalidArgument`]: they are damaged or of another release.
+    pub fn figures(&self) -> Result<Figures, Error> {
+        self.check()?;
+        let good = self.good();
+        let n = good as f64;
+        let unit = FRACTION_BITS.map(resolution);
+        let over = |sum: f64, count: f64| if count > 0.0 { sum / count } else { 0.0 };
+        let mean_square = |state: usize| {
+            over(at(&self.products, product_of(state, state)) as f64, n) * unit[state] * unit[state]
+        };
+        let mean = SVector::from_fn(|state, _| over(at(&self.sums, state) as f64, n) * unit[state]);
+        let covariance = SMatrix::from_fn(|row, column| {
+            let (row, column) = (row.min(column), row.max(column));
+            over(self.scatter(row, column), n - 1.0) * unit[row] * unit[column]
+        });
+        Ok(Figures {
+            runs: self.runs,
+            diverged: self.diverged,
+            out_of_range: self.out_of_range,
+            outside_validity: self.outside_validity,
+            mean,
+            covariance,
+            rms: SVector::from_fn(|state, _| mean_square(state).sqrt()),
+            radial_rms_m: (mean_square(0) + mean_square(1)).sqrt(),
+            cep50_m: self.radius(50),
+            r95_m: self.radius(95),
+            largest_radial_m: self.largest_radial as f64 * unit[0],
+        })
+    }
+
+    /// Σ (x - mean of x)(y - mean of y) of two states, `row` not behind `column` [resolutions].
+    ///
+    /// With the integers mx next below the mean and rx = Σx - n mx, 0 <= rx < n, it is Σ(x - mx)(y - my) - rx ry/n. The first sum is
+    /// an integer of less than 127 bits, the steps to it may wrap; so nothing is lost where means are large and scatter small.
+    pub(super) fn scatter(&self, row: usize, column: usize) -> f64 {
+        let n = i128::from(self.good());
+        if n == 0 {
+            return 0.0;
+        }
+        let [(mx, rx), (my, ry)] = [row, column].map(|state| {
+            let sum = at(&self.sums, state);
+            (sum.div_euclid(n), sum.rem_euclid(n))
+        });
+        let about_integers = at(&self.products, product_of(row, column))
+            .wrapping_sub(n.wrapping_mul(mx).wrapping_mul(my))
+            .wrapping_sub(mx.wrapping_mul(ry))
+            .wrapping_sub(my.wrapping_mul(rx));
+        let (whole, rest) = ((rx * ry) / n, (rx * ry) % n);
+        about_integers.wrapping_sub(whole) as f64 - rest as f64 / n as f64
+    }
+}
