@@ -3,9 +3,12 @@
 //! A loop over many runs is compiled once for each set: [`InstructionSet::run`] calls the work in a function that may use its
 //! instructions, and all that is inlined into that function may, too. No set fuses or reorders operations: the bits are the same.
 
-/// Vector instructions that a loop may use.
+/// Vector instructions that a loop may use, of those that this processor has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum InstructionSet {
+pub(crate) struct InstructionSet(Kind);
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
     /// Those of the build: two numbers at a time with SSE2 and NEON.
     Baseline,
     /// Four numbers at a time.
@@ -22,37 +25,33 @@ pub(crate) trait Work {
 }
 
 impl InstructionSet {
-    /// All that this processor has, the widest last.
-    pub fn of_processor() -> impl Iterator<Item = Self> {
-        let sets = [
-            Some(Self::Baseline),
-            #[cfg(target_arch = "x86_64")]
-            std::arch::is_x86_feature_detected!("avx2").then_some(Self::Avx2),
-            #[cfg(target_arch = "x86_64")]
-            (std::arch::is_x86_feature_detected!("avx512f")
-                && std::arch::is_x86_feature_detected!("avx512dq")
-                && std::arch::is_x86_feature_detected!("avx512vl"))
-            .then_some(Self::Avx512),
-        ];
-        sets.into_iter().flatten()
+    /// The widest that this processor has for up to `width` numbers at a time.
+    pub fn up_to(width: usize) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            use std::arch::is_x86_feature_detected as has;
+            if width >= 8 && has!("avx512f") && has!("avx512dq") && has!("avx512vl") {
+                return Self(Kind::Avx512);
+            }
+            if width >= 4 && has!("avx2") {
+                return Self(Kind::Avx2);
+            }
+        }
+        let _ = width;
+        Self(Kind::Baseline)
     }
 
-    /// The widest that this processor has.
-    pub fn widest() -> Self {
-        Self::of_processor().last().unwrap_or(Self::Baseline)
-    }
-
-    /// Does the work with the instructions of this set, which is of [`Self::of_processor`].
+    /// Does the work with the instructions of this set.
     #[inline]
     pub fn run(self, work: impl Work) {
-        match self {
-            Self::Baseline => baseline(work),
-            // SAFETY: a value of these is made by `of_processor` alone, where the processor has the instructions.
+        match self.0 {
+            Kind::Baseline => baseline(work),
+            // SAFETY: made by `up_to` alone, where the processor has these instructions.
             #[cfg(target_arch = "x86_64")]
-            Self::Avx2 => unsafe { avx2(work) },
+            Kind::Avx2 => unsafe { avx2(work) },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Self::Avx512 => unsafe { avx512(work) },
+            Kind::Avx512 => unsafe { avx512(work) },
         }
     }
 }

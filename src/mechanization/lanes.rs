@@ -15,7 +15,9 @@ use nalgebra::Vector3;
 
 use super::branches::{Any, Usual};
 use super::earth_fixed::EarthFixed;
-use super::{Axes, BodyMotion, MAX_SUBSAMPLES, Mechanization, Scheme, VerticalCorrection, VerticalLoop};
+use super::{
+    Axes, BodyMotion, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalCorrection, VerticalLoop,
+};
 use crate::earth::{Earth, GravityModel};
 use crate::math::RotationSeries;
 use crate::mechanization::{Frame, WELL_WITHIN_M};
@@ -112,7 +114,7 @@ impl Scratch {
 }
 
 impl NavigatorBlock {
-    /// A block like `navigator`, of which nothing is kept yet.
+    /// A block of navigators that nothing is known of yet.
     pub fn new() -> Self {
         Self {
             axes: [[0.0; RUNS]; EarthFixed::NUMBERS],
@@ -132,12 +134,10 @@ impl NavigatorBlock {
         self.residual_m[lane] = self.vertical.residual_m;
     }
 
-    /// The navigator at `lane`; `like` has the rest of it.
-    pub fn get(&self, lane: usize, like: &Mechanization) -> Mechanization {
-        let mut navigator = *like;
-        navigator.solution.axes = Axes::EarthFixed(self.axes(lane));
-        navigator.solution.vertical = self.vertical_at(lane);
-        navigator
+    /// The navigator at `lane`.
+    pub fn get(&self, lane: usize, earth: &Earth, scheme: Scheme) -> Mechanization {
+        let axes = Axes::EarthFixed(self.axes(lane));
+        Mechanization { earth: *earth, scheme, solution: Solution { axes, vertical: self.vertical_at(lane) } }
     }
 
     /// The navigator at `lane` goes back to what it was in `before`.

@@ -64,36 +64,43 @@ impl Count {
     }
 }
 
-/// Between a run by itself and its lane of a block.
-pub(super) struct Mover<'a> {
-    rows: &'a mut StateRows,
-    lane: usize,
-    /// From the run to the lane, else back.
-    into: bool,
-    next: Count,
+/// Lays them into a lane.
+pub(super) struct Into<'a> {
+    pub rows: &'a mut StateRows,
+    pub lane: usize,
+    pub next: Count,
 }
 
-impl<'a> Mover<'a> {
-    pub fn new(rows: &'a mut StateRows, lane: usize, into: bool) -> Self {
-        Self { rows, lane, into, next: Count::default() }
-    }
-}
-
-impl Visitor for Mover<'_> {
+impl Visitor for Into<'_> {
     fn number(&mut self, number: &mut f64) {
-        let kept = &mut self.rows.numbers[self.next.numbers][self.lane];
-        self.next.numbers += 1;
-        if self.into { *kept = *number } else { *number = *kept }
+        self.rows.numbers[self.next.numbers][self.lane] = *number;
+        self.next.number(number);
     }
 
     fn stream(&mut self, stream: &mut Stream) {
         let rows = &mut self.rows.streams[self.next.streams].0;
-        self.next.streams += 1;
-        if self.into {
-            rows.iter_mut().zip(stream.words()).for_each(|(row, word)| row[self.lane] = word);
-        } else {
-            *stream = Stream::of_words([0, 1, 2, 3].map(|i: usize| rows[i][self.lane]));
-        }
+        rows.iter_mut().zip(stream.words()).for_each(|(row, word)| row[self.lane] = word);
+        self.next.stream(stream);
+    }
+}
+
+/// Takes them from a lane.
+pub(super) struct From<'a> {
+    pub rows: &'a StateRows,
+    pub lane: usize,
+    pub next: Count,
+}
+
+impl Visitor for From<'_> {
+    fn number(&mut self, number: &mut f64) {
+        *number = self.rows.numbers[self.next.numbers][self.lane];
+        self.next.number(number);
+    }
+
+    fn stream(&mut self, stream: &mut Stream) {
+        let rows = &self.rows.streams[self.next.streams].0;
+        *stream = Stream::of_words([0, 1, 2, 3].map(|i: usize| rows[i][self.lane]));
+        self.next.stream(stream);
     }
 }
 

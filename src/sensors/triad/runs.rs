@@ -6,7 +6,7 @@ use super::super::bias::Bias;
 use super::super::input::Input;
 use super::super::linear::Linear;
 use super::super::plan::Effect;
-use super::super::states::{Count, Mover, StateRows, Visitor};
+use super::super::states::{Count, From, Into, StateRows, Visitor};
 use super::{Sensor, Triad};
 use crate::error::Error;
 use crate::memory::room;
@@ -72,12 +72,21 @@ impl Triad {
 
     /// Lays what this run keeps into a lane.
     pub(crate) fn put_into(&mut self, rows: &mut StateRows, lane: usize) {
-        self.visit(&mut Mover::new(rows, lane, true));
+        self.visit(&mut Into { rows, lane, next: Count::default() });
     }
 
     /// Takes what this run keeps from a lane.
-    pub(crate) fn take_from(&mut self, rows: &mut StateRows, lane: usize) {
-        self.visit(&mut Mover::new(rows, lane, false));
+    pub(crate) fn take_from(&mut self, rows: &StateRows, lane: usize) {
+        self.visit(&mut From { rows, lane, next: Count::default() });
+    }
+
+    /// What follows the signals is as in `other`, which got the same.
+    pub(crate) fn follow_as(&mut self, other: &Self) {
+        self.size_effect.clone_from(&other.size_effect);
+        self.bandwidth.clone_from(&other.bandwidth);
+        self.temperature.clone_from(&other.temperature);
+        self.dt.clone_from(&other.dt);
+        self.set_interval(*other.dt);
     }
 
     /// An interval with the increments `ideal`, each over `dt` [s]: what it brings to all runs alike.
