@@ -159,6 +159,7 @@ pub mod log;
 pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
+mod instruction_set;
 mod memory;
 #[forbid(unsafe_code)]
 pub mod mounting;

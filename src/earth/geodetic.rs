@@ -40,6 +40,20 @@ pub struct VerticalTrack {
 
 stored!(VerticalTrack { centre_z: 1e6, centre_p: 1e6 });
 
+impl VerticalTrack {
+    /// Made of what [`Self::numbers`] gives.
+    #[inline(always)]
+    pub(crate) fn from_numbers([centre_z, centre_p]: [f64; 2]) -> Self {
+        Self { centre_z, centre_p }
+    }
+
+    /// The numbers of which it is made.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [f64; 2] {
+        [self.centre_z, self.centre_p]
+    }
+}
+
 /// Sine and cosine of a latitude; the solution of the meridian ellipse keeps to them, so that nothing is singular.
 #[derive(Debug, Clone, Copy)]
 struct Latitude {
@@ -144,7 +158,7 @@ impl Earth {
     }
 
     /// The vertical at an Earth-fixed position [m] at most some kilometres from the last one that `track` followed.
-    #[inline]
+    #[inline(always)]
     pub fn follow(&self, track: &mut VerticalTrack, r_e: &Vector3<f64>) -> Vertical {
         let p = hypot(r_e.x, r_e.y);
         let latitude = Latitude::of(r_e.z + track.centre_z, p - track.centre_p);

@@ -84,6 +84,7 @@ impl NormalField {
     /// Closed form in ellipsoidal-harmonic coordinates u, β: `r_e` = (v cos β cos λ, v cos β sin λ, u sin β) with
     /// v² = u² + E². cos β cos λ = x/v and sin β = z/u put it into Cartesian components that are regular on
     /// the axis.
+    #[inline(always)]
     fn closed_form(&self, r_e: &Vector3<f64>) -> Vector3<f64> {
         let p2 = r_e.x * r_e.x + r_e.y * r_e.y;
         let z2 = r_e.z * r_e.z;
@@ -114,12 +115,18 @@ impl Earth {
     #[inline]
     pub fn gravity(&self, r_e: &Vector3<f64>) -> Vector3<f64> {
         match self.gravity_model {
-            GravityModel::Normal => self.field.closed_form(r_e),
+            GravityModel::Normal => self.normal_gravity(r_e),
             GravityModel::Somigliana => {
                 let vertical = self.vertical(r_e);
                 -vertical.up_e * self.somigliana(vertical.up_e.z * vertical.up_e.z, vertical.height_m)
             }
         }
+    }
+
+    /// Gravity of the model [`GravityModel::Normal`].
+    #[inline(always)]
+    pub(crate) fn normal_gravity(&self, r_e: &Vector3<f64>) -> Vector3<f64> {
+        self.field.closed_form(r_e)
     }
 
     /// Somigliana's gravity [m/s²] at sin²L = `sin2` and height `h` [m]:

@@ -2,13 +2,16 @@
 //!
 //! Run k of an ensemble is, to the bit, the [`Simulator`] with `options.key.run = first_run + k`.
 
+mod one_by_one;
 mod read;
 mod snapshot;
 
 use crate::error::{Error, Rule, check_integer};
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{Options, Simulator, Step, push_simulator};
+use crate::instruction_set::InstructionSet;
+use crate::simulator::{Options, SideBySide, Simulator, Step};
 use crate::truth::{FlightSample, Intake, Pushed};
+use one_by_one::OneByOne;
 
 /// Runs of an ensemble at the most.
 pub const MAX_RUNS: u32 = u32::MAX;
@@ -25,15 +28,30 @@ pub struct Ensemble {
     /// The truth, which goes on whatever becomes of the runs.
     intake: Intake,
     intervals: u64,
-    runs: Vec<Simulator>,
-    /// Of each run.
-    diverged: Vec<bool>,
+    runs: Runs,
+}
+
+/// The runs.
+#[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "one in an ensemble")]
+enum Runs {
+    /// Side by side, which is many times as fast, where what differs from run to run allows it.
+    SideBySide(SideBySide),
+    /// One after the other.
+    OneByOne(OneByOne),
 }
 
 impl Ensemble {
     /// Runs `first_run` to `first_run + runs - 1` with the options, the seed and the settings of `template`, which was set up and
     /// has neither samples nor a step.
     pub fn new(template: &Simulator, first_run: u64, runs: usize) -> Result<Self, Error> {
+        Self::of_width(template, first_run, runs, usize::MAX)
+    }
+
+    /// The same with instructions for up to `width` numbers at a time: to compare their bits and their times.
+    #[doc(hidden)]
+    pub fn of_width(template: &Simulator, first_run: u64, runs: usize, width: usize) -> Result<Self, Error> {
+        let set = InstructionSet::up_to(width);
         if template.has_started() || template.waiting_samples() > 0 {
             return Err(Error::bad_state(
                 "an ensemble is made of a simulator before its first sample, or after a reset",
@@ -44,20 +62,14 @@ impl Ensemble {
         if first_run > last_first {
             return Err(Error::invalid("first_run", first_run, Rule::Between(0.0, last_first as f64)));
         }
-        let mut simulators = crate::memory::room(runs)?;
-        let mut diverged = crate::memory::room(runs)?;
-        diverged.resize(runs, false);
-        for run in (first_run..=u64::MAX).take(runs) {
-            let mut options = Options { truth_summary: false, ..*template.options() };
-            options.key.run = run;
-            push_simulator(&mut simulators, &options)?;
-            if let Some(simulator) = simulators.last_mut() {
-                set_up(simulator, template)?;
-            }
-        }
         let options = *template.options();
+        let runs = if SideBySide::is_for(template) {
+            Runs::SideBySide(SideBySide::new(template, first_run, runs, set)?)
+        } else {
+            Runs::OneByOne(OneByOne::new(template, first_run, runs)?)
+        };
         let intake = Intake::new(options.earth(), options.axes, options.intake)?;
-        Ok(Self { first_run, options, intake, intervals: 0, runs: simulators, diverged })
+        Ok(Self { first_run, options, intake, intervals: 0, runs })
     }
 
     /// Number of the first run.
@@ -67,15 +79,23 @@ impl Ensemble {
 
     /// How many runs.
     pub fn runs(&self) -> usize {
-        self.runs.len()
+        match &self.runs {
+            Runs::SideBySide(runs) => runs.runs(),
+            Runs::OneByOne(runs) => runs.simulators.len(),
+        }
     }
 
     /// Takes one flight-control sample in, for all runs.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.check_temperature(sample)?;
         let pushed = self.intake.push(sample)?;
-        for run in living(&mut self.runs, &self.diverged) {
-            run.push_sample(sample)?;
+        match &mut self.runs {
+            Runs::SideBySide(runs) => {
+                if let (Pushed::FirstVelocity, Some(current)) = (pushed, self.intake.current()) {
+                    runs.take_first_velocity(current);
+                }
+            }
+            Runs::OneByOne(runs) => runs.push_sample(sample)?,
         }
         Ok(pushed)
     }
@@ -86,17 +106,9 @@ impl Ensemble {
         let recent = if is_first { self.intake.first_interval() } else { self.intake.recent() };
         let Some(recent) = recent else { return Ok(Step::NeedSample) };
         self.options.check_truth(recent.next)?;
-        for (run, diverged) in self.runs.iter_mut().zip(&mut self.diverged) {
-            if *diverged {
-                continue;
-            }
-            if let Err(error) = run.step() {
-                // No run could align here, so that this is the first of them.
-                if is_of_truth(&error) {
-                    return Err(error);
-                }
-                *diverged = true;
-            }
+        match &mut self.runs {
+            Runs::SideBySide(runs) => runs.step(&recent)?,
+            Runs::OneByOne(runs) => runs.step()?,
         }
         if is_first {
             self.intake.take();
@@ -111,10 +123,10 @@ impl Ensemble {
         self.check_temperature(sample)?;
         self.intake.restart(sample)?;
         self.intervals = 0;
-        for run in &mut self.runs {
-            run.reposition(sample)?;
+        match &mut self.runs {
+            Runs::SideBySide(runs) => runs.reposition(),
+            Runs::OneByOne(runs) => runs.reposition(sample)?,
         }
-        self.diverged.fill(false);
         Ok(())
     }
 
@@ -122,14 +134,31 @@ impl Ensemble {
     pub fn reset(&mut self) {
         self.intake.clear();
         self.intervals = 0;
-        self.runs.iter_mut().for_each(Simulator::reset);
-        self.diverged.fill(false);
+        match &mut self.runs {
+            Runs::SideBySide(runs) => runs.reset(),
+            Runs::OneByOne(runs) => runs.reset(),
+        }
     }
 
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
-        // Refused, if at all, by the first.
-        self.runs.iter_mut().try_for_each(|run| run.set_failure(output, failure))
+        failure.map_or(Ok(()), |failure| failure.validate(output))?;
+        if let (Runs::SideBySide(runs), Some(_)) = (&self.runs, failure) {
+            self.runs = Runs::OneByOne(OneByOne::of(runs, &self.intake)?);
+        }
+        match &mut self.runs {
+            Runs::SideBySide(_) => Ok(()),
+            Runs::OneByOne(runs) => runs.set_failure(output, failure),
+        }
+    }
+
+    /// Bytes that each run takes, if they go side by side.
+    #[doc(hidden)]
+    pub fn bytes_of_run(&self) -> Option<usize> {
+        match &self.runs {
+            Runs::SideBySide(runs) => Some(runs.bytes_of_run()),
+            Runs::OneByOne(_) => None,
+        }
     }
 
     /// Intervals flown since the start or the last reposition.
@@ -138,32 +167,9 @@ impl Ensemble {
     }
 
     fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
-        self.runs.first().map_or(Ok(()), |run| run.check_temperature(sample))
+        match &self.runs {
+            Runs::SideBySide(runs) => runs.check_temperature(sample),
+            Runs::OneByOne(runs) => runs.first().map_or(Ok(()), |run| run.check_temperature(sample)),
+        }
     }
-}
-
-/// The runs that have not diverged.
-fn living<'a>(
-    runs: &'a mut [Simulator],
-    diverged: &'a [bool],
-) -> impl Iterator<Item = &'a mut Simulator> + use<'a> {
-    runs.iter_mut().zip(diverged).filter(|(_, diverged)| !**diverged).map(|(run, _)| run)
-}
-
-/// Whether an error of a run's start is one of the place, where no run can align.
-fn is_of_truth(error: &Error) -> bool {
-    error.field == "cosine of sample.latitude_rad"
-}
-
-/// Sets what the host set of `template`.
-fn set_up(simulator: &mut Simulator, template: &Simulator) -> Result<(), Error> {
-    simulator.set_gyro(template.gyro())?;
-    simulator.set_accel(template.accel())?;
-    simulator.set_altimeter(template.altimeter())?;
-    simulator.set_initial_errors(template.initial_errors())?;
-    simulator.set_mounting(&template.mounting())?;
-    simulator.set_gravity_disturbance(template.gravity_disturbance())?;
-    SensorOutput::ALL
-        .into_iter()
-        .try_for_each(|output| simulator.set_failure(output, template.failure(output)))
 }

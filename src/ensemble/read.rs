@@ -1,18 +1,24 @@
 //! What is read of an ensemble.
 
-use super::{Ensemble, is_of_truth};
+use super::{Ensemble, Runs};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
+use crate::simulator::{ErrorSource, ImuInterval, Solution, is_of_truth};
 use crate::statistics::Statistics;
 
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.
     pub fn truth(&self) -> Option<Solution> {
-        let living = self.runs.iter().zip(&self.diverged).find(|(_, diverged)| !**diverged);
-        if let Some((run, _)) = living {
-            return run.truth().ok().flatten();
+        let flown = match &self.runs {
+            Runs::SideBySide(runs) => self.intake.current().and_then(|point| runs.truth(point)),
+            Runs::OneByOne(runs) => {
+                let living = runs.simulators.iter().zip(&runs.diverged).find(|(_, diverged)| !**diverged);
+                living.and_then(|(run, _)| run.truth().ok().flatten())
+            }
+        };
+        if flown.is_some() {
+            return flown;
         }
         let point = self.intake.current().or(self.intake.front())?;
         Some(Solution::of_truth(&self.options, &self.options.earth(), point))
@@ -20,13 +26,17 @@ impl Ensemble {
 
     /// The navigated solution of a run; `None` before the first sample. [`ErrorKind::Diverged`]: the run has diverged.
     pub fn navigation(&self, run: u64) -> Result<Option<Solution>, Error> {
-        self.run(run)?.navigation()
+        let place = self.place_of(run)?;
+        match &self.runs {
+            Runs::SideBySide(runs) => runs.navigation(place, &self.intake),
+            Runs::OneByOne(runs) => runs.simulators[place].navigation(),
+        }
     }
 
     /// Time [s] and errors of the navigated solution of a run; `None` before the first sample. [`ErrorKind::Diverged`]: the run
     /// has diverged.
     pub fn errors(&self, run: u64, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
-        self.run(run)?.errors(source)
+        Ok(self.errors_and_pole(run, source)?.map(|(time_s, errors, _)| (time_s, errors)))
     }
 
     /// The same, with whether the truth is near a pole.
@@ -35,18 +45,23 @@ impl Ensemble {
         run: u64,
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
-        self.run(run)?.errors_and_pole(source)
+        self.errors_at(self.place_of(run)?, source)
     }
 
     /// Ideal and measured signals of the last interval of a run; `None` before the first. [`ErrorKind::Diverged`]: the run has
     /// diverged.
     pub fn imu(&self, run: u64) -> Result<Option<ImuInterval>, Error> {
-        Ok(self.run(run)?.imu())
+        let place = self.place_of(run)?;
+        Ok(match &self.runs {
+            Runs::SideBySide(runs) => runs.imu(place),
+            Runs::OneByOne(runs) => runs.simulators[place].imu(),
+        })
     }
 
     /// The runs that have diverged, in the order of their numbers.
     pub fn diverged(&self) -> impl Iterator<Item = u64> + '_ {
-        (self.first_run..=u64::MAX).zip(&self.diverged).filter(|(_, diverged)| **diverged).map(|(run, _)| run)
+        let places = (0..self.runs()).filter(|&place| self.diverged_s(place).is_some());
+        places.map(|place| self.first_run + place as u64)
     }
 
     /// Statistics of the errors of all runs at this moment; runs that have diverged are counted. Before the first step a run that
@@ -61,13 +76,13 @@ impl Ensemble {
 
     /// The same, added to `statistics`, which may be empty. On an error they are of no use.
     pub(crate) fn add_to(&self, statistics: &mut Statistics, source: ErrorSource) -> Result<(), Error> {
-        for (run, diverged) in self.runs.iter().zip(&self.diverged) {
-            if *diverged {
+        for place in 0..self.runs() {
+            if self.diverged_s(place).is_some() {
                 statistics.add_diverged()?;
                 continue;
             }
-            match run.errors(source) {
-                Ok(Some((_, errors))) => statistics.add(&errors)?,
+            match self.errors_at(place, source) {
+                Ok(Some((_, errors, _))) => statistics.add(&errors)?,
                 Ok(None) => return Err(Error::bad_state("no sample yet")),
                 Err(error)
                     if matches!(error.kind, ErrorKind::Diverged | ErrorKind::Singular)
@@ -83,7 +98,10 @@ impl Ensemble {
 
     /// The failure of an output, which all runs share; `None`: it is sound.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
-        self.runs.first().and_then(|run| run.failure(output))
+        match &self.runs {
+            Runs::SideBySide(_) => None,
+            Runs::OneByOne(runs) => runs.first().and_then(|run| run.failure(output)),
+        }
     }
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
@@ -91,20 +109,39 @@ impl Ensemble {
         self.intake.newest().map(|point| point.sample.time_s)
     }
 
-    /// A run by its number, unless it has diverged.
-    fn run(&self, run: u64) -> Result<&Simulator, Error> {
+    /// Time [s] and errors of the run at `place`, and whether the truth is near a pole.
+    fn errors_at(
+        &self,
+        place: usize,
+        source: ErrorSource,
+    ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
+        match &self.runs {
+            Runs::SideBySide(runs) => runs.errors_and_pole(place, &self.intake, source),
+            Runs::OneByOne(runs) => runs.simulators[place].errors_and_pole(source),
+        }
+    }
+
+    /// Time of the last good solution of the run at `place`, if it has diverged [s].
+    pub(super) fn diverged_s(&self, place: usize) -> Option<f64> {
+        match &self.runs {
+            Runs::SideBySide(runs) => runs.diverged_s(place),
+            Runs::OneByOne(runs) => runs.diverged[place]
+                .then(|| runs.simulators[place].truth().ok().flatten().map_or(0.0, |truth| truth.time_s)),
+        }
+    }
+
+    /// Where a run is, unless it has diverged.
+    fn place_of(&self, run: u64) -> Result<usize, Error> {
         let place = run.checked_sub(self.first_run).and_then(|place| usize::try_from(place).ok());
-        let found = place.and_then(|place| Some((self.runs.get(place)?, self.diverged.get(place)?)));
-        match found {
-            Some((simulator, false)) => Ok(simulator),
-            Some((simulator, true)) => {
-                let time_s = simulator.truth().ok().flatten().map_or(0.0, |truth| truth.time_s);
+        let Some(place) = place.filter(|&place| place < self.runs()) else {
+            let last = self.first_run + (self.runs() as u64 - 1);
+            return Err(Error::invalid("run", run, Rule::Between(self.first_run as f64, last as f64)));
+        };
+        match self.diverged_s(place) {
+            None => Ok(place),
+            Some(time_s) => {
                 let rule = Rule::WordsAnd("has diverged; its last good solution was at time_s =", time_s);
                 Err(Error::of(ErrorKind::Diverged, "run", run, rule))
-            }
-            None => {
-                let last = self.first_run + (self.runs.len() as u64 - 1);
-                Err(Error::invalid("run", run, Rule::Between(self.first_run as f64, last as f64)))
             }
         }
     }

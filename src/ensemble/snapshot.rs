@@ -1,9 +1,11 @@
 //! The whole ensemble as a snapshot, and back.
 
-use super::Ensemble;
+use super::one_by_one::OneByOne;
+use super::{Ensemble, Runs};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::memory::room_for_one_more;
-use crate::simulator::{Options, Simulator};
+use crate::instruction_set::InstructionSet;
+use crate::simulator::{Options, SideBySide, Simulator};
 use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer};
 use crate::truth::Intake;
 
@@ -41,16 +43,19 @@ impl Ensemble {
 
     /// The length of the snapshot, of which as much is written as `buffer` has room for.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
-        let Self { first_run, options, intake, intervals, runs, diverged } = self;
+        let Self { first_run, options, intake, intervals, runs } = self;
         let mut to = Writer::new(buffer, SnapshotOf::Ensemble);
         options.save(&mut to);
         intake.save(&mut to);
         Numbers::save(first_run, &mut to);
         Numbers::save(intervals, &mut to);
-        to.count(runs.len());
-        for (run, diverged) in runs.iter().zip(diverged) {
-            to.flag(*diverged);
-            run.save_to(&mut to);
+        to.count(self.runs());
+        for place in 0..self.runs() {
+            to.flag(self.diverged_s(place).is_some());
+            match runs {
+                Runs::SideBySide(runs) => runs.save_run(place, intake, &mut to),
+                Runs::OneByOne(runs) => runs.simulators[place].save_to(&mut to),
+            }
         }
         to.finish()
     }
@@ -72,21 +77,35 @@ impl Ensemble {
         from.require(fits, count as f64, "is no number of runs")?;
 
         // As much memory as there are bytes for, whatever the number says.
-        let (mut runs, mut diverged) = (Vec::new(), Vec::new());
+        let mut runs = OneByOne::default();
         for run in (first_run..=u64::MAX).take(count) {
             from.enter("snapshot: Ensemble.diverged");
             let has_diverged = from.flag()?;
-            let simulator = Simulator::load_from(from)?;
+            let mut simulator = Simulator::load_from(from)?;
             from.enter("snapshot: a run of the ensemble");
             let same = same_flight(&simulator, &options, run, has_diverged, (&intake, intervals));
             from.require(same, run as f64, "is not one of this ensemble")?;
-            room_for_one_more(&mut runs)?;
-            runs.extend(simulator);
-            room_for_one_more(&mut diverged)?;
-            diverged.push(has_diverged);
+            room_for_one_more(&mut runs.simulators)?;
+            runs.simulators.extend(core::mem::take(&mut simulator));
+            room_for_one_more(&mut runs.diverged)?;
+            runs.diverged.push(has_diverged);
         }
-        Ok(Self { first_run, options, intake, intervals, runs, diverged })
+        let runs = side_by_side(runs, first_run)?;
+        Ok(Self { first_run, options, intake, intervals, runs })
     }
+}
+
+/// The runs side by side, if they can be.
+fn side_by_side(mut runs: OneByOne, first_run: u64) -> Result<Runs, Error> {
+    if !runs.simulators.iter().all(SideBySide::is_for) {
+        return Ok(Runs::OneByOne(runs));
+    }
+    let Some(first) = runs.first() else { return Ok(Runs::OneByOne(runs)) };
+    let mut made = SideBySide::new(first, first_run, runs.simulators.len(), InstructionSet::up_to(usize::MAX))?;
+    for (place, (simulator, diverged)) in runs.simulators.iter_mut().zip(runs.diverged).enumerate() {
+        made.put_simulator(place, simulator, diverged);
+    }
+    Ok(Runs::SideBySide(made))
 }
 
 /// Whether a simulator has the options of run `run`, and unless it has diverged flies the ensemble's samples.

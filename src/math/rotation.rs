@@ -28,11 +28,8 @@ impl RotationSeries {
         // Taylor series: the closed forms cancel at 0. Dropped terms are below 1e-17 of the sum: n² / 16! in the long one,
         // up to 0.5 rad, n² / 10! in the short one, up to 0.06 rad, which most intervals need.
         let x = n2;
-        if n2 < SHORT_SERIES {
-            Self {
-                square: 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40_320.0))),
-                cubic: 1.0 / 6.0 - x * (1.0 / 120.0 - x * (1.0 / 5_040.0 - x * (1.0 / 362_880.0))),
-            }
+        if Self::is_short(n2) {
+            Self::short(n2)
         } else if n2 < 0.25 {
             let tail = 1.0 / 3_628_800.0
                 - x * (1.0 / 479_001_600.0 - x * (1.0 / 87_178_291_200.0 - x / 20_922_789_888_000.0));
@@ -46,6 +43,21 @@ impl RotationSeries {
             let n = n2.sqrt();
             let (half_sin, _) = sin_cos(0.5 * n);
             Self { square: 2.0 * half_sin * half_sin / n2, cubic: (n - sin_cos(n).0) / (n2 * n) }
+        }
+    }
+
+    /// Whether [`Self::short`] holds for the squared angle `n2` [rad²].
+    #[inline(always)]
+    pub fn is_short(n2: f64) -> bool {
+        n2 < SHORT_SERIES
+    }
+
+    /// The coefficients for a squared angle `x` [rad²] that is short.
+    #[inline(always)]
+    pub fn short(x: f64) -> Self {
+        Self {
+            square: 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40_320.0))),
+            cubic: 1.0 / 6.0 - x * (1.0 / 120.0 - x * (1.0 / 5_040.0 - x * (1.0 / 362_880.0))),
         }
     }
 
@@ -112,33 +124,64 @@ pub fn rotation_matrix(q: &Quaternion<f64>) -> Matrix3<f64> {
     )
 }
 
-/// (q_z(`angle`) - 1) `q`: what a turn by `angle` [rad] about the z axis of the outer frame adds to `q`.
-#[inline]
-pub fn axis_turn_increment(q: &Quaternion<f64>, angle: f64) -> Quaternion<f64> {
-    let h = 0.5 * angle;
-    let h2 = h * h;
-    // The Earth turns by 1e-6 to 1e-3 rad in an interval; the dropped terms are below 1e-17 there.
-    let (sine, cosine_less_one) = if h2 < 1e-5 {
-        (h * (1.0 - h2 * (1.0 / 6.0 - h2 / 120.0)), -0.5 * h2 * (1.0 - h2 / 12.0))
-    } else {
-        let (quarter_sine, _) = sin_cos(0.5 * h);
-        (sin_cos(h).0, -2.0 * quarter_sine * quarter_sine)
-    };
-    Quaternion::new(
-        cosine_less_one * q.w - sine * q.k,
-        cosine_less_one * q.i - sine * q.j,
-        cosine_less_one * q.j + sine * q.i,
-        cosine_less_one * q.k + sine * q.w,
-    )
+/// A turn about the z axis of the outer frame.
+#[derive(Debug, Clone, Copy)]
+pub struct AxisTurn {
+    sine: f64,
+    cosine_less_one: f64,
+}
+
+impl AxisTurn {
+    /// By `angle` [rad].
+    #[inline]
+    pub fn new(angle: f64) -> Self {
+        let h = 0.5 * angle;
+        let h2 = h * h;
+        // The Earth turns by 1e-6 to 1e-3 rad in an interval; the dropped terms are below 1e-17 there.
+        let (sine, cosine_less_one) = if h2 < 1e-5 {
+            (h * (1.0 - h2 * (1.0 / 6.0 - h2 / 120.0)), -0.5 * h2 * (1.0 - h2 / 12.0))
+        } else {
+            let (quarter_sine, _) = sin_cos(0.5 * h);
+            (sin_cos(h).0, -2.0 * quarter_sine * quarter_sine)
+        };
+        Self { sine, cosine_less_one }
+    }
+
+    /// (q_z - 1) `q`: what the turn adds to `q`.
+    #[inline(always)]
+    pub fn increment(&self, q: &Quaternion<f64>) -> Quaternion<f64> {
+        let Self { sine, cosine_less_one } = *self;
+        Quaternion::new(
+            cosine_less_one * q.w - sine * q.k,
+            cosine_less_one * q.i - sine * q.j,
+            cosine_less_one * q.j + sine * q.i,
+            cosine_less_one * q.k + sine * q.w,
+        )
+    }
 }
 
 /// Quaternion of the rotation vector `phi` [rad], less the identity: small rotations keep all their digits.
 #[inline]
 pub fn rotation_increment(phi: &Vector3<f64>) -> Quaternion<f64> {
-    let quarter = 0.25 * phi.norm_squared();
-    let series = RotationSeries::new(quarter);
+    rotation_increment_by(phi, RotationSeries::new)
+}
+
+/// The same with the coefficients that `series` gives.
+#[inline(always)]
+pub fn rotation_increment_by(
+    phi: &Vector3<f64>,
+    series: impl FnOnce(f64) -> RotationSeries,
+) -> Quaternion<f64> {
+    let quarter = quarter_square(phi);
+    let series = series(quarter);
     let imaginary = phi * (0.5 * (1.0 - quarter * series.cubic));
     Quaternion::from_parts(-quarter * series.square, imaginary)
+}
+
+/// Square of half the angle of the rotation vector `phi`, for which [`rotation_increment`] needs its coefficients [rad²].
+#[inline(always)]
+pub fn quarter_square(phi: &Vector3<f64>) -> f64 {
+    0.25 * phi.norm_squared()
 }
 
 /// Quaternion of the rotation vector `phi` [rad].
@@ -315,7 +358,7 @@ mod tests {
         for angle in [0.0, 7.3e-7, 6.3e-3, 6.4e-3, 2.0, -3.0] {
             let expected = rotation_increment(&Vector3::new(0.0, 0.0, angle)) * q;
             let scale = 1e-300 + angle.abs();
-            assert!(distance(&axis_turn_increment(&q, angle), &expected) < 4.0 * f64::EPSILON * scale);
+            assert!(distance(&AxisTurn::new(angle).increment(&q), &expected) < 4.0 * f64::EPSILON * scale);
         }
     }
 

@@ -3,7 +3,9 @@
 
 use nalgebra::Vector3;
 
-use crate::math::RotationSeries;
+use super::Scheme;
+use super::branches::{Any, Branches};
+use crate::math::quarter_square;
 use crate::signal::Increment;
 
 /// Subsamples of an update at the most.
@@ -68,7 +70,7 @@ struct ConingAndSculling {
 }
 
 impl ConingAndSculling {
-    #[inline]
+    #[inline(always)]
     fn of(increments: &[Increment]) -> Self {
         let sum = Increment::sum(increments);
         let (mut rotation, mut sculling) = (sum.angle, Vector3::zeros());
@@ -88,7 +90,7 @@ impl ConingAndSculling {
 }
 
 /// ∫ (u - ½) of rate and force.
-#[inline]
+#[inline(always)]
 fn first_moment(increments: &[Increment]) -> Increment {
     let weights = FIRST_MOMENT[increments.len().clamp(1, MAX_SUBSAMPLES) - 1];
     increments.iter().zip(weights).fold(Increment::ZERO, |sum, (increment, &weight)| Increment {
@@ -98,6 +100,16 @@ fn first_moment(increments: &[Increment]) -> Increment {
 }
 
 impl BodyMotion {
+    /// By `scheme`.
+    #[inline]
+    pub fn of(scheme: Scheme, increments: &[Increment]) -> Self {
+        match scheme {
+            Scheme::Exact => Self::exact(increments),
+            Scheme::Paper => Self::paper(increments),
+            Scheme::Polynomial => Self::polynomial(increments),
+        }
+    }
+
     /// With the full rotation of the velocity increment (Savage 1998), for constant rate and force to all orders:
     /// V + (1 - cos a)/a² θ×V + (1 - sin a / a)/a² θ×(θ×V) + sculling; the last term but one, which textbook two-sample
     /// formulas drop, is their largest error. And with the first moments Θ, Φ = ∫ (u - ½) of rate and force what the triple
@@ -108,8 +120,15 @@ impl BodyMotion {
     /// from 2.7e-5 to 7e-7 m, of order 4 instead of 3.
     #[inline]
     pub fn exact(increments: &[Increment]) -> Self {
+        Self::exact_by(increments, Any).0
+    }
+
+    /// The same, and the squared angles [rad²] whose coefficients it and an update by it need.
+    #[inline(always)]
+    pub(super) fn exact_by(increments: &[Increment], branches: impl Branches) -> (Self, [f64; 2]) {
         let ConingAndSculling { sum, rotation, sculling } = ConingAndSculling::of(increments);
-        let series = RotationSeries::new(sum.angle.norm_squared());
+        let angle2 = sum.angle.norm_squared();
+        let series = branches.series(angle2);
         let cross = sum.angle.cross(&sum.velocity);
         let moment = first_moment(increments);
         let s1 = sum.velocity
@@ -131,7 +150,7 @@ impl BodyMotion {
             s3 += turned * SECOND_MOMENT[n - 1][i];
             angle += increment.angle;
         }
-        Self { rotation, s1, s2, s3 }
+        (Self { rotation, s1, s2, s3 }, [angle2, quarter_square(&rotation)])
     }
 
     /// The paper's: rotation compensation ½ θ×V, force constant over the update.

@@ -1,12 +1,14 @@
 //! The navigation-frame part in Earth-fixed axes: regular everywhere, and the navigation axes turn at the constant
 //! Earth rate W alone.
 
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, Vector3, Vector4};
 
+use super::branches::{Any, Branches};
 use super::{BodyMotion, MAX_NORM_ERROR, MAX_SPEED_M_S, StateDifference, VerticalCorrection, renormalize};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{
-    Compensated, axis_cross, axis_turn_increment, rotate, rotated_z, rotation_increment, rotation_matrix,
+    AxisTurn, Compensated, axis_cross, rotate, rotated_z, rotation_increment, rotation_increment_by,
+    rotation_matrix,
 };
 use crate::snapshot::stored;
 use crate::state::EarthFixedState;
@@ -56,6 +58,25 @@ impl EarthFixed {
     /// g is gravity at the mean position r̄ of the update, Δg its change since the update before. The Coriolis integral
     /// is exact: ∫ v dt is Δr.
     pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
+        self.update_by(earth, body, t, &Self::earth_turn(earth, t), Any);
+    }
+
+    /// How the axes turn back in an update of length `t` [s].
+    #[inline]
+    pub(super) fn earth_turn(earth: &Earth, t: f64) -> AxisTurn {
+        AxisTurn::new(-earth.rate_rad_s * t)
+    }
+
+    /// The same with `turn` of [`Self::earth_turn`]; whether the norm of the attitude is left to the caller.
+    #[inline(always)]
+    pub(super) fn update_by(
+        &mut self,
+        earth: &Earth,
+        body: &BodyMotion,
+        t: f64,
+        turn: &AxisTurn,
+        branches: impl Branches,
+    ) -> bool {
         let w = earth.rate_rad_s;
         let (q, v) = (self.q(), self.v_e.value);
         let to_earth = rotation_matrix(&q);
@@ -65,17 +86,18 @@ impl EarthFixed {
             s1 - axis_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) * (1.0 / 6.0);
         let acceleration_t = s1 + (self.gravity_e - axis_cross(2.0 * w, &v)) * t;
         let to_mean_position = (v * 0.5 + acceleration_t * (1.0 / 6.0)) * t;
-        let gravity_e = earth.gravity(&(self.r_e.value + to_mean_position));
+        let gravity_e = branches.gravity(earth, &(self.r_e.value + to_mean_position));
         let gravity_change = gravity_e - self.gravity_e;
 
         let dr = (v + s2 - axis_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change * (1.0 / 12.0)) * t
             - axis_cross(2.0 * w, &to_mean_position))
             * t;
         let dv = dv_gravity_free + gravity_e * t - axis_cross(2.0 * w, &dr);
-        let turned = q * rotation_increment(&body.rotation);
-        let dq = turned + axis_turn_increment(&(q + turned), -w * t);
-        self.add(&dr, &dv, &dq);
+        let turned = q * rotation_increment_by(&body.rotation, |n2| branches.series(n2));
+        let dq = turned + turn.increment(&(q + turned));
+        self.sum_up(&dr, &dv, &dq);
         self.gravity_e = gravity_e;
+        branches.renormalize(&mut self.q_eb)
     }
 
     /// One update of the paper's approximations: Φ - Cᵀ W T as the rotation vector, factor I - ½ T W×, Coriolis and
@@ -88,22 +110,68 @@ impl EarthFixed {
         let dv = s1 - axis_cross(0.5 * w * t, &s1) + (gravity_e - axis_cross(2.0 * w, &v)) * t;
         let rotation = body.rotation - rotated_z(&q.conjugate()) * (w * t);
         let dq = q * rotation_increment(&rotation);
-        self.add(&(v * t), &dv, &dq);
+        self.sum_up(&(v * t), &dv, &dq);
         self.gravity_e = gravity_e;
+        self.renormalize();
     }
 
-    fn add(&mut self, dr: &Vector3<f64>, dv: &Vector3<f64>, dq: &Quaternion<f64>) {
+    #[inline(always)]
+    fn sum_up(&mut self, dr: &Vector3<f64>, dv: &Vector3<f64>, dq: &Quaternion<f64>) {
         self.r_e.add(dr);
         self.v_e.add(dv);
         self.q_eb.add(&dq.coords);
+    }
+
+    /// Brings the norm of the attitude to 1.
+    #[inline]
+    pub(super) fn renormalize(&mut self) {
         renormalize(&mut self.q_eb);
     }
 
+    /// Numbers of which it is made.
+    pub(super) const NUMBERS: usize = 25;
+
+    /// Made of the numbers that `number` gives.
+    #[inline(always)]
+    pub(super) fn from_numbers(number: impl Fn(usize) -> f64) -> Self {
+        let vector = |first: usize| Vector3::from_fn(|i, _| number(first + i));
+        let quaternion = |first: usize| Vector4::from_fn(|i, _| number(first + i));
+        Self {
+            r_e: Compensated { value: vector(0), carry: vector(3) },
+            v_e: Compensated { value: vector(6), carry: vector(9) },
+            q_eb: Compensated { value: quaternion(12), carry: quaternion(16) },
+            gravity_e: vector(20),
+            track: VerticalTrack::from_numbers([number(23), number(24)]),
+        }
+    }
+
+    /// Gives its numbers to `put`.
+    #[inline(always)]
+    pub(super) fn put_numbers(&self, mut put: impl FnMut(usize, f64)) {
+        let Self { r_e, v_e, q_eb, gravity_e, track } = self;
+        for i in 0..3 {
+            put(i, r_e.value[i]);
+            put(3 + i, r_e.carry[i]);
+            put(6 + i, v_e.value[i]);
+            put(9 + i, v_e.carry[i]);
+            put(20 + i, gravity_e[i]);
+        }
+        for i in 0..4 {
+            put(12 + i, q_eb.value[i]);
+            put(16 + i, q_eb.carry[i]);
+        }
+        let [centre_z, centre_p] = track.numbers();
+        put(23, centre_z);
+        put(24, centre_p);
+    }
+
+    #[inline(always)]
     fn q(&self) -> Quaternion<f64> {
         Quaternion::from(self.q_eb.value)
     }
 
     /// Up, height above the ellipsoid [m] and velocity up [m/s].
+    #[inline(always)]
     pub fn observe_vertical(&mut self, earth: &Earth) -> (Vector3<f64>, f64, f64) {
         let vertical = earth.follow(&mut self.track, &self.r_e.value);
         (vertical.up_e, vertical.height_m, vertical.up_e.dot(&self.v_e.value))
@@ -111,6 +179,7 @@ impl EarthFixed {
 
     /// Shifts along `up` the height [m] and velocity up [m/s]; the place on the ellipsoid stays. The displacement that the velocity
     /// correction stands for takes its Coriolis integral and its share in the turn of the vertical with it.
+    #[inline(always)]
     pub fn shift_vertical(&mut self, earth: &Earth, up: &Vector3<f64>, correction: &VerticalCorrection) {
         let mut dv = up * correction.velocity_up_m_s;
         if correction.displacement_m != 0.0 {
@@ -138,6 +207,7 @@ impl EarthFixed {
 
 /// (2 W + w_en)×up times a `displacement` [m] along `up`: what a wrong velocity up does to the horizontal velocity [m/s] at
 /// the true velocity `v_e`. The vertical turns with v/a, to 0.3 %.
+#[inline]
 pub(crate) fn displaced_vertical(
     earth: &Earth,
     up: &Vector3<f64>,

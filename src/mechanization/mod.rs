@@ -4,13 +4,16 @@
 //! A body-frame piece ([`BodyMotion`]) and a navigation-frame piece (Earth-fixed or geographic); each scheme is a pair.
 
 mod body;
+mod branches;
 mod earth_fixed;
 mod geographic;
+mod lanes;
 mod polynomial;
 mod vertical;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
+pub(crate) use lanes::{AidOfEach, NavigatorBlock, Scratch, is_for_lanes};
 use vertical::KeptLoop;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
 
@@ -183,11 +186,7 @@ impl Mechanization {
 
     /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.
     pub fn update(&mut self, increments: &[Increment], t: f64) {
-        let body = match self.scheme {
-            Scheme::Exact => BodyMotion::exact(increments),
-            Scheme::Paper => BodyMotion::paper(increments),
-            Scheme::Polynomial => BodyMotion::polynomial(increments),
-        };
+        let body = BodyMotion::of(self.scheme, increments);
         match (self.scheme, &mut self.solution.axes) {
             (Scheme::Paper, Axes::EarthFixed(axes)) => axes.update_paper(&self.earth, &body, t),
             (Scheme::Paper, Axes::Geographic(axes)) => axes.update_paper(&self.earth, &body, t),
@@ -299,9 +298,21 @@ fn diverged(height: f64, speed2: f64, norm_error: f64) -> Result<(), Error> {
 #[inline]
 fn renormalize(q: &mut Compensated<4>) {
     let lack = 1.0 - q.value.norm_squared();
-    if lack.abs() > SMALL_NORM_ERROR {
+    if lacks_much(lack) {
         *q = Compensated::new(q.value / q.value.norm_squared().sqrt());
     } else {
-        q.add(&(q.value * (0.5 * lack)));
+        correct_norm(q, lack);
     }
+}
+
+/// Whether the first order of the correction is not enough.
+#[inline(always)]
+fn lacks_much(lack: f64) -> bool {
+    lack.abs() > SMALL_NORM_ERROR
+}
+
+/// Adds what the squared norm lacks, to the first order.
+#[inline(always)]
+fn correct_norm(q: &mut Compensated<4>, lack: f64) {
+    q.add(&(q.value * (0.5 * lack)));
 }

@@ -89,9 +89,9 @@ impl VerticalAid {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalLoop {
     /// d, the estimate of the vertical channel's constant error [m/s²].
-    bias_m_s2: f64,
+    pub(super) bias_m_s2: f64,
     /// e at the last sample, as corrected [m].
-    residual_m: f64,
+    pub(super) residual_m: f64,
     /// Length of the interval [s] that the gains are for; 0: there was no residual before, and there are no gains.
     t: f64,
     /// Rows for the corrections of height [m] and velocity [m/s] and for the change of d [m/s²], of e0, e1 and d.
@@ -151,13 +151,33 @@ impl VerticalLoop {
     /// Corrections for a residual `residual_m` = height - barometric height at the end of an interval `t` [s].
     #[inline]
     pub fn correct(&mut self, residual_m: f64, t: f64) -> VerticalCorrection {
+        if self.begin(t) {
+            self.residual_m = residual_m;
+        }
+        self.answer(residual_m)
+    }
+
+    /// Takes the length `t` [s] of the interval that ends; whether there was no residual before.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, t: f64) -> bool {
         // Time stamps differ in their last digits.
-        if (t - self.t).abs() > 1e-7 * t {
-            if self.t == 0.0 {
-                self.residual_m = residual_m;
-            }
+        let is_other = (t - self.t).abs() > 1e-7 * t;
+        let is_first = is_other && self.t == 0.0;
+        if is_other {
             self.set_interval(t);
         }
+        is_first
+    }
+
+    /// The same interval and gains, with another state.
+    #[inline(always)]
+    pub(super) fn with(&self, bias_m_s2: f64, residual_m: f64) -> Self {
+        Self { bias_m_s2, residual_m, ..*self }
+    }
+
+    /// The corrections, once [`Self::begin`] has had the interval.
+    #[inline(always)]
+    pub(super) fn answer(&mut self, residual_m: f64) -> VerticalCorrection {
         let [height_m, velocity_up_m_s, bias_m_s2] = self
             .gains
             .map(|[start, end, bias]| start * self.residual_m + end * residual_m + bias * self.bias_m_s2);

@@ -162,6 +162,11 @@ impl Altimeter {
         self.failing.has_failed()
     }
 
+    /// The heights are as in `other`, which got the same and is ideal.
+    pub(crate) fn follow_as(&mut self, other: &Self) {
+        self.heights.clone_from(&other.heights);
+    }
+
     /// The truth jumped to `height_m`: the lag settles there at once, and nothing has been shown.
     pub fn reposition(&mut self, height_m: f64) {
         *self.heights = Heights { true_m: height_m, lagged_m: height_m, indicated_m: None };

@@ -4,7 +4,9 @@ use nalgebra::Vector3;
 
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
+use super::states::{States, Visitor};
 use super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::{IncrementRows, RUNS};
 
 /// ε_b = bias + σ z, z drawn once a run (the paper's random constant).
 ///
@@ -38,5 +40,29 @@ impl Bias {
     pub fn apply(&self, dt: f64, mut outputs: Outputs<'_>) {
         let integral = self.value * dt;
         outputs.iter_mut().for_each(|output| *output += integral);
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.value.iter_mut());
+    }
+
+    /// [`Self::apply`] for the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(
+        states: &mut States<'_>,
+        dt: f64,
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
+        let value = states.numbers::<3>();
+        for output in outputs {
+            for axis in 0..3 {
+                for lane in 0..count.min(RUNS) {
+                    output[first + axis][lane] += value[axis][lane] * dt;
+                }
+            }
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::xoshiro::Xoshiro256PlusPlus;
 use crate::math::{exp, ln};
+use crate::signal::{RUNS, Row};
 
 /// Evenly from 0 up to but not 1, in steps of 2^-53.
 #[inline]
@@ -10,7 +11,7 @@ pub(super) fn even(word: u64) -> f64 {
 }
 
 /// Evenly from `power`, of two, up to but not its double: the upper 52 bits of the word.
-#[inline]
+#[inline(always)]
 fn octave(power: f64, word: u64) -> f64 {
     f64::from_bits(power.to_bits() | (word >> 12))
 }
@@ -22,27 +23,77 @@ fn octave(power: f64, word: u64) -> f64 {
 /// asks `num-traits` for its `std`.
 #[inline]
 pub(super) fn normal(generator: &mut Xoshiro256PlusPlus) -> f64 {
-    let (layer, u) = layer_and_share(generator.next_u64());
-    let x = u * X[layer];
-    if x.abs() < X[layer + 1] {
+    let word = generator.next_u64();
+    let (x, is_inside) = of_word(word);
+    if is_inside {
         return x;
     }
     // By value, or the state of the generator would be in memory throughout.
-    let (x, later) = at_an_edge(layer, u, generator.clone());
+    let (x, later) = at_an_edge(word, generator.clone());
     *generator = later;
     x
 }
 
+/// The number that a word makes alone, and whether it does.
+#[inline(always)]
+fn of_word(word: u64) -> (f64, bool) {
+    let (layer, u) = layer_and_share(word);
+    let x = u * X[layer];
+    (x, x.abs() < X[layer + 1])
+}
+
+/// The next normal number of each of the first `count` generators, whose states are in four rows.
+#[inline(always)]
+pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4], count: usize) -> Row {
+    let (mut numbers, mut words, mut edges) = ([0.0; RUNS], [0; RUNS], 0);
+    let count = count.min(RUNS);
+    for lane in 0..count {
+        let mut generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
+        words[lane] = generator.next_u64();
+        let state = generator.words();
+        for i in 0..4 {
+            states[i][lane] = state[i];
+        }
+        let (x, is_inside) = of_word(words[lane]);
+        numbers[lane] = x;
+        edges |= u64::from(!is_inside);
+    }
+    if edges != 0 {
+        at_the_edges(states, &words, count, &mut numbers);
+    }
+    numbers
+}
+
+/// Draws anew where the first of `words` does not decide the number.
+#[cold]
+#[inline(never)]
+fn at_the_edges(
+    states: &mut [[u64; RUNS]; 4],
+    words: &[u64; RUNS],
+    count: usize,
+    numbers: &mut Row,
+) {
+    for lane in (0..count).filter(|&lane| !of_word(words[lane]).1) {
+        let generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
+        let (x, later) = at_an_edge(words[lane], generator);
+        numbers[lane] = x;
+        for (row, word) in states.iter_mut().zip(later.words()) {
+            row[lane] = word;
+        }
+    }
+}
+
 /// A layer, and a place in it from -1 up to but not 1 of its half width.
-#[inline]
+#[inline(always)]
 fn layer_and_share(word: u64) -> (usize, f64) {
     ((word & 0xff) as usize, octave(2.0, word) - 3.0)
 }
 
-/// The number whose first word, of `layer` and `u`, does not decide it, and the generator behind it: one draw in 67.
+/// The number whose first word does not decide it, and the generator behind it: one draw in 67.
 #[cold]
 #[inline(never)]
-fn at_an_edge(mut layer: usize, mut u: f64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256PlusPlus) {
+fn at_an_edge(word: u64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256PlusPlus) {
+    let (mut layer, mut u) = layer_and_share(word);
     loop {
         let x = u * X[layer];
         if x.abs() < X[layer + 1] {

@@ -5,7 +5,9 @@ use nalgebra::Vector3;
 use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
 use super::parameters::{Sensor, TriadParameters};
+use super::states::{States, Visitor};
 use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
+use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
 /// Correlation times of the processes [s]: one a decade.
@@ -77,11 +79,41 @@ impl Flicker {
         for axis in 0..3 {
             if self.instability[axis] != 0.0 {
                 let stream = &mut self.streams[axis];
-                let mut integral = self.own * stream.normal();
-                for ((deviation, step), x) in DEVIATIONS.iter().zip(&self.steps).zip(&mut self.x[axis]) {
-                    integral += deviation * step.advance_shared(x, stream.normal());
-                }
+                let own = self.own * stream.normal();
+                let processes = DEVIATIONS.iter().zip(&self.steps).zip(&mut self.x[axis]);
+                let integral = processes.fold(own, |integral, ((deviation, step), x)| {
+                    integral + deviation * step.advance_shared(x, stream.normal())
+                });
                 measured[axis] += self.instability[axis] * integral;
+            }
+        }
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.x.as_flattened_mut());
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+
+    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+        let streams = states.streams::<3>();
+        for axis in 0..3 {
+            let x = states.numbers::<{ TIMES_S.len() }>();
+            if self.instability[axis] != 0.0 {
+                for output in outputs.iter_mut() {
+                    let mut integrals = streams[axis].normal(count).map(|draw| self.own * draw);
+                    for ((deviation, step), x) in DEVIATIONS.iter().zip(&self.steps).zip(x.iter_mut()) {
+                        let draws = streams[axis].normal(count);
+                        for lane in 0..count.min(RUNS) {
+                            integrals[lane] += deviation * step.advance_shared(&mut x[lane], draws[lane]);
+                        }
+                    }
+                    for lane in 0..count.min(RUNS) {
+                        output[first + axis][lane] += self.instability[axis] * integrals[lane];
+                    }
+                }
             }
         }
     }

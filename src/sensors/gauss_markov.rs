@@ -6,7 +6,9 @@ use super::kept::Kept;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
+use super::states::{States, Visitor};
 use crate::math::{exp_m1, tanh};
+use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
 /// Exact discretisation of x' = -x/τ + white noise, stationary variance 1, over a step of a = dt/τ:
@@ -50,16 +52,15 @@ impl MarkovStep {
         }
     }
 
-    /// Moves `x` one step on and gives its integral over the step.
-    #[inline]
-    pub fn advance_integral(&self, x: &mut f64, stream: &mut Stream) -> f64 {
-        let (n1, n2) = (stream.normal(), stream.normal());
+    /// Moves `x` one step on by two draws and gives its integral over the step.
+    #[inline(always)]
+    pub fn advance_integral(&self, x: &mut f64, [n1, n2]: [f64; 2]) -> f64 {
         self.advance_shared(x, n1) + self.integral_own * n2
     }
 
     /// Moves `x` one step on by the draw `n1` and gives the part of its integral that follows from them; the rest is
     /// [`Self::integral_own`] times another draw.
-    #[inline]
+    #[inline(always)]
     pub fn advance_shared(&self, x: &mut f64, n1: f64) -> f64 {
         let integral = self.integral * *x + self.integral_shared * n1;
         *x = self.decay * *x + self.diffusion * n1;
@@ -126,9 +127,34 @@ impl GaussMarkov {
             let (sigma, step, mut stream) = (self.sigma[axis], self.steps[axis], self.streams[axis].kept());
             if sigma != 0.0 {
                 for output in outputs.iter_mut() {
-                    output[axis] += sigma * step.advance_integral(&mut self.x[axis], &mut stream);
+                    let draws = [stream.normal(), stream.normal()];
+                    output[axis] += sigma * step.advance_integral(&mut self.x[axis], draws);
                 }
                 *self.streams[axis] = stream;
+            }
+        }
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.x.iter_mut());
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+
+    /// [`Self::apply`] for the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+        let (x, streams) = (states.numbers::<3>(), states.streams::<3>());
+        for axis in 0..3 {
+            let (sigma, step) = (self.sigma[axis], self.steps[axis]);
+            if sigma != 0.0 {
+                for output in outputs.iter_mut() {
+                    let (n1, n2) = (streams[axis].normal(count), streams[axis].normal(count));
+                    for lane in 0..count.min(RUNS) {
+                        let integral = step.advance_integral(&mut x[axis][lane], [n1[lane], n2[lane]]);
+                        output[first + axis][lane] += sigma * integral;
+                    }
+                }
             }
         }
     }

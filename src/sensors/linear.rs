@@ -4,7 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::input::Input;
 use super::parameters::{Sensor, TriadParameters};
+use super::states::{States, Visitor};
 use super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::{IncrementRows, RUNS};
 
 /// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)), each element with
 /// σ z more, z drawn once a run.
@@ -37,6 +39,38 @@ impl Linear {
     /// Error [u s].
     #[inline]
     pub fn error(&self, input: &Input) -> Vector3<f64> {
-        self.matrix * input.signal
+        Self::error_by(&self.matrix, input)
+    }
+
+    #[inline(always)]
+    fn error_by(matrix: &Matrix3<f64>, input: &Input) -> Vector3<f64> {
+        matrix * input.signal
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.matrix.iter_mut());
+    }
+
+    /// Adds [`Self::error`] of the inputs of the increments, for the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(
+        states: &mut States<'_>,
+        inputs: &[Input],
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
+        let matrices = states.numbers::<9>();
+        for (input, output) in inputs.iter().zip(outputs) {
+            for lane in 0..count.min(RUNS) {
+                // Column by column, as they are kept.
+                let matrix = Matrix3::from_fn(|row, column| matrices[3 * column + row][lane]);
+                let error = Self::error_by(&matrix, input);
+                for axis in 0..3 {
+                    output[first + axis][lane] += error[axis];
+                }
+            }
+        }
     }
 }

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 
 use super::kept::Kept;
 use super::parameters::TriadParameters;
+use super::states::{States, Visitor};
+use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::{SIGNALS, stored};
 
 /// The output is a whole number of pulses of q [u s], to the nearest; what is left over, at most q/2, is carried to the next
@@ -37,9 +39,36 @@ impl Quantization {
         for axis in 0..3 {
             let pulse = self.pulse[axis];
             if pulse != 0.0 {
-                let all = measured[axis] + self.residual[axis];
-                measured[axis] = (all / pulse).round() * pulse;
-                self.residual[axis] = all - measured[axis];
+                Self::quantize(pulse, &mut measured[axis], &mut self.residual[axis]);
+            }
+        }
+    }
+
+    /// Makes whole pulses of `measured`, with what was left over before.
+    #[inline(always)]
+    fn quantize(pulse: f64, measured: &mut f64, residual: &mut f64) {
+        let all = *measured + *residual;
+        *measured = (all / pulse).round() * pulse;
+        *residual = all - *measured;
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.residual.iter_mut());
+    }
+
+    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+        let residuals = states.numbers::<3>();
+        for output in outputs {
+            for axis in 0..3 {
+                let pulse = self.pulse[axis];
+                if pulse != 0.0 {
+                    for lane in 0..count.min(RUNS) {
+                        Self::quantize(pulse, &mut output[first + axis][lane], &mut residuals[axis][lane]);
+                    }
+                }
             }
         }
     }

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 
 use super::kept::Kept;
 use super::parameters::TriadParameters;
+use super::states::{States, Visitor};
+use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
 /// b = R t, t since the run began or the ramp was set; ∫b dt over dt = (b + R dt/2) dt (IEEE Std 952, C.1.6).
@@ -37,9 +39,44 @@ impl Ramp {
     /// Adds the integral over `dt` [s].
     #[inline]
     pub fn apply(&mut self, dt: f64, measured: &mut Vector3<f64>) {
-        let change = self.slope * dt;
-        *measured += (*self.value + change * 0.5) * dt;
-        *self.value += change;
+        *measured += Self::advance(&self.slope, &mut self.value, dt);
+    }
+
+    /// Moves `value` over `dt` [s] and gives its integral.
+    #[inline(always)]
+    fn advance(slope: &Vector3<f64>, value: &mut Vector3<f64>, dt: f64) -> Vector3<f64> {
+        let change = slope * dt;
+        let integral = (*value + change * 0.5) * dt;
+        *value += change;
+        integral
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.value.iter_mut());
+    }
+
+    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(
+        &self,
+        states: &mut States<'_>,
+        dt: f64,
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
+        let values = states.numbers::<3>();
+        for output in outputs {
+            for lane in 0..count.min(RUNS) {
+                let mut value = Vector3::from_fn(|i, _| values[i][lane]);
+                let integral = Self::advance(&self.slope, &mut value, dt);
+                for axis in 0..3 {
+                    values[axis][lane] = value[axis];
+                    output[first + axis][lane] += integral[axis];
+                }
+            }
+        }
     }
 
     /// An interval begins, which [`Self::undo`] takes back.

@@ -5,7 +5,9 @@ use nalgebra::Vector3;
 use super::kept::Kept;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
+use super::states::{States, Visitor};
 use super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
 /// w: its integral over dt is N √dt n, n standard normal, independent from one increment to the next; the density N
@@ -49,6 +51,28 @@ impl RandomWalk {
             if step != 0.0 {
                 outputs.iter_mut().for_each(|output| output[axis] += step * stream.normal());
                 *self.streams[axis] = stream;
+            }
+        }
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+
+    /// [`Self::apply`] for the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+        let streams = states.streams::<3>();
+        for axis in 0..3 {
+            let step = self.step[axis];
+            if step != 0.0 {
+                for output in outputs.iter_mut() {
+                    let draws = streams[axis].normal(count);
+                    for lane in 0..count.min(RUNS) {
+                        output[first + axis][lane] += step * draws[lane];
+                    }
+                }
             }
         }
     }

@@ -4,7 +4,9 @@ use nalgebra::Vector3;
 
 use super::kept::Kept;
 use super::parameters::{Sensor, TriadParameters};
+use super::states::{States, Visitor};
 use super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
 /// b' = K w, w white noise of density 1 [1/√s], b = 0 at the start of a run. Over dt, n1 and n2 standard normal,
@@ -62,10 +64,48 @@ impl RateRandomWalk {
     pub fn apply(&mut self, dt: f64, measured: &mut Vector3<f64>) {
         for axis in 0..3 {
             if self.density[axis] != 0.0 {
-                let (n1, n2) = (self.streams[axis].normal(), self.streams[axis].normal());
+                let draws = [self.streams[axis].normal(), self.streams[axis].normal()];
                 let step = self.density[axis] * self.root;
-                measured[axis] += (self.value[axis] + step * (0.5 * n1 + INTEGRAL_OWN * n2)) * dt;
-                self.value[axis] += step * n1;
+                measured[axis] += Self::advance(&mut self.value[axis], step, dt, draws);
+            }
+        }
+    }
+
+    /// Moves `value` one step on by two draws and gives its integral over the step.
+    #[inline(always)]
+    fn advance(value: &mut f64, step: f64, dt: f64, [n1, n2]: [f64; 2]) -> f64 {
+        let integral = (*value + step * (0.5 * n1 + INTEGRAL_OWN * n2)) * dt;
+        *value += step * n1;
+        integral
+    }
+
+    /// What is kept of a run.
+    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.value.iter_mut());
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+
+    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    #[inline(always)]
+    pub fn apply_each(
+        &self,
+        states: &mut States<'_>,
+        dt: f64,
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
+        let (value, streams) = (states.numbers::<3>(), states.streams::<3>());
+        for axis in 0..3 {
+            if self.density[axis] != 0.0 {
+                let step = self.density[axis] * self.root;
+                for output in outputs.iter_mut() {
+                    let (n1, n2) = (streams[axis].normal(count), streams[axis].normal(count));
+                    for lane in 0..count.min(RUNS) {
+                        let draws = [n1[lane], n2[lane]];
+                        output[first + axis][lane] += Self::advance(&mut value[axis][lane], step, dt, draws);
+                    }
+                }
             }
         }
     }

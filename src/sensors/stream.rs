@@ -66,6 +66,18 @@ impl Stream {
         [0, 1, 2].map(|axis| Self::new(key, source, axis, purpose))
     }
 
+    /// A stream in this state, which is one that [`Self::words`] gave.
+    #[inline(always)]
+    pub fn of_words(words: [u64; 4]) -> Self {
+        Self { generator: Xoshiro256PlusPlus::of_words(words) }
+    }
+
+    /// Its state.
+    #[inline(always)]
+    pub fn words(&self) -> [u64; 4] {
+        self.generator.words()
+    }
+
     /// The next number, evenly from 0 up to but not 1, in steps of 2^-53.
     pub fn uniform(&mut self) -> f64 {
         even(self.generator.next_u64())

@@ -1,7 +1,10 @@
 //! Three sensors and the effects that are active in them.
 
+mod runs;
 mod sense;
 mod steady;
+
+pub(crate) use runs::SharedInput;
 
 use super::asymmetry::Asymmetry;
 use super::bandwidth::Bandwidth;

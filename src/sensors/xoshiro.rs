@@ -23,6 +23,18 @@ impl Xoshiro256PlusPlus {
         Self { state: [0, 1, 2, 3].map(|k: u64| mix(seed.wrapping_add(k.wrapping_mul(SPLIT_MIX_STEP)))) }
     }
 
+    /// In this state, which is one that [`Self::words`] gave.
+    #[inline(always)]
+    pub fn of_words(state: [u64; 4]) -> Self {
+        Self { state }
+    }
+
+    /// The state.
+    #[inline(always)]
+    pub fn words(&self) -> [u64; 4] {
+        self.state
+    }
+
     /// A state whose next word is `word`: the sum rotl(a + d, 23) + a with a of 0.
     #[cfg(test)]
     pub fn about_to_give(word: u64, others: &mut Self) -> Self {
@@ -30,7 +42,7 @@ impl Xoshiro256PlusPlus {
     }
 
     /// The next word. Its upper bits are the better ones.
-    #[inline]
+    #[inline(always)]
     pub fn next_u64(&mut self) -> u64 {
         let [a, b, c, d] = &mut self.state;
         let number = a.wrapping_add(*d).rotate_left(23).wrapping_add(*a);

@@ -9,10 +9,12 @@
 
 mod generator;
 mod motion;
+mod rows;
 
 pub(crate) use generator::DERIVATIVES;
 pub use generator::SignalGenerator;
 pub use motion::{IntervalMotion, MotionNode, Turning};
+pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of};
 
 use nalgebra::Vector3;
 
@@ -37,6 +39,7 @@ impl Increment {
     pub const ZERO: Self = Self { angle: Vector3::new(0.0, 0.0, 0.0), velocity: Vector3::new(0.0, 0.0, 0.0) };
 
     /// Sum of increments: the integrals over all of their time.
+    #[inline]
     pub fn sum(increments: &[Self]) -> Self {
         increments.iter().fold(Self::ZERO, |sum, increment| Self {
             angle: sum.angle + increment.angle,

@@ -3,6 +3,7 @@
 mod beside;
 mod fly;
 mod moved;
+pub(super) mod side_by_side;
 mod snapshot;
 
 use core::ops::Range;

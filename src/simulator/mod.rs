@@ -27,6 +27,8 @@ pub(crate) use heap::{heap_simulator, push_simulator};
 pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
+pub(crate) use chain::side_by_side::SideBySide;
+pub(crate) use start::is_of_truth;
 
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
@@ -336,11 +338,7 @@ impl Simulator {
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
         self.refuse_while_navigating()?;
-        if source == ErrorSource::Model && !self.options.error_model {
-            return Err(Error::bad_state(
-                "the error model is off, as it is by default: create the simulator with options.error_model",
-            ));
-        }
+        self.options.check_source(source)?;
         let errors = self.read(|chain, truth| {
             let near_pole = truth.is_near_pole();
             chain.errors(source, truth).map(|errors| (truth.time_s, errors, near_pole))

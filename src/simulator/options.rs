@@ -1,6 +1,6 @@
 //! What a simulator is made with.
 
-use super::singular;
+use super::{ErrorSource, singular};
 use crate::earth::{Earth, Ellipsoid, GravityModel};
 use crate::error::{Error, Rule, check_range};
 use crate::math::sin_cos;
@@ -103,6 +103,16 @@ impl Options {
             }
         }
         check_range("options.max_acceleration_m_s2", self.intake.max_acceleration_m_s2, 1e-3, 1e6)
+    }
+
+    /// Refuses a source of errors that is off.
+    pub(super) fn check_source(&self, source: ErrorSource) -> Result<(), Error> {
+        if source == ErrorSource::Model && !self.error_model {
+            return Err(Error::bad_state(
+                "the error model is off, as it is by default: create the simulator with options.error_model",
+            ));
+        }
+        Ok(())
     }
 
     /// Whether the mechanization can follow the truth to `next`.

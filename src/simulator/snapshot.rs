@@ -5,16 +5,37 @@ use nalgebra::{Quaternion, Vector3};
 use super::chain::Chain;
 use super::heap::heap_simulator;
 use super::navigator::Navigator;
-use super::{Mode, Options, Simulator};
+use super::{Mode, Options, SensorSuite, Simulator};
 use crate::earth::Geodetic;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::snapshot::{Reader, SnapshotOf, Stored, Writer};
 use crate::state::Navigation;
+use crate::truth::Intake;
 
 /// Numbers of the modes in a snapshot.
 const WAITING: usize = 0;
 const FLYING: usize = 1;
 const NAVIGATING: usize = 2;
+
+/// Writes the words of a simulator that waits, or flies `chain`.
+pub(super) fn save_flight(
+    options: &Options,
+    sensors: &SensorSuite,
+    intake: &Intake,
+    chain: Option<&Chain>,
+    to: &mut Writer<'_>,
+) {
+    options.save(to);
+    sensors.save(to);
+    intake.save(to);
+    match chain {
+        None => to.count(WAITING),
+        Some(chain) => {
+            to.count(FLYING);
+            chain.save(to);
+        }
+    }
+}
 
 impl Simulator {
     /// Bytes that a snapshot takes now; they change with what is set and with the samples that wait.
@@ -71,19 +92,16 @@ impl Simulator {
     /// Writes the words of the simulator.
     pub(crate) fn save_to(&self, to: &mut Writer<'_>) {
         let Self { options, earth: _, intake, sensors, signals: _, summary, mode } = self;
-        options.save(to);
-        sensors.save(to);
-        intake.save(to);
         match mode {
             Mode::Waiting => {
-                to.count(WAITING);
+                save_flight(options, sensors, intake, None, to);
                 summary.iter().for_each(|summary| summary.save(to));
             }
-            Mode::Flying(chain) => {
-                to.count(FLYING);
-                chain.save(to);
-            }
+            Mode::Flying(chain) => save_flight(options, sensors, intake, Some(chain), to),
             Mode::Navigating(navigator) => {
+                options.save(to);
+                sensors.save(to);
+                intake.save(to);
                 to.count(NAVIGATING);
                 navigator.save(to);
             }

@@ -14,6 +14,11 @@ use crate::truth::TruthPoint;
 /// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
 const MIN_GYROCOMPASS_COS: f64 = 0.01;
 
+/// Whether an error of a run's start is one of the place, where no run can align.
+pub(crate) fn is_of_truth(error: &Error) -> bool {
+    error.field == "cosine of sample.latitude_rad"
+}
+
 /// How an INS starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Start {

@@ -144,6 +144,24 @@ impl SensorSuite {
         fresh
     }
 
+    /// The sensors of another run: what the host set of these, failures too, and all processes and streams at their start.
+    pub fn of_run(&self, options: &Options) -> Self {
+        let mut other = self.restarted(options);
+        for output in SensorOutput::ALL {
+            if let Some(failure) = self.failure(output) {
+                other.set_failure(output, Some(failure), None);
+            }
+        }
+        other
+    }
+
+    /// What follows the signals is as in `other`, whose sensors got the same.
+    pub fn follow_as(&mut self, other: &Self) {
+        self.gyro.follow_as(&other.gyro);
+        self.accel.follow_as(&other.accel);
+        self.altimeter.follow_as(&other.altimeter);
+    }
+
     pub fn set_gyro(&mut self, parameters: &TriadParameters) {
         self.gyro_parameters = *parameters;
         self.gyro.set(parameters);

@@ -25,11 +25,8 @@ impl Triad {
     /// active effects act one after the other, each on all increments. [`Self::undo`] takes an interval back.
     #[inline]
     pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
-        // Time stamps differ in their last digits; what that changes of a variance is far below anything visible.
         self.dt.keep();
-        if (dt - *self.dt).abs() > 1e-7 * dt {
-            self.set_interval(dt);
-        }
+        self.follow_length(dt);
         if self.plan.acts_on_signal() {
             self.act_on_signal(ideal, dt, measured);
         }
@@ -53,24 +50,45 @@ impl Triad {
             }
         }
         for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
-            for step in self.plan.before_input() {
-                match self.plan.effect(step) {
-                    Effect::Size => self.size_effect.apply(&ideal.angle, dt, output),
-                    Effect::Bandwidth => self.bandwidth.apply(dt, output),
-                    _ => {}
-                }
-            }
+            self.feel(ideal, dt, output);
             let input = Input { signal: *output, force: ideal.velocity, dt };
             for step in self.plan.of_input() {
-                match self.plan.effect(step) {
-                    Effect::Linear => *output += self.linear.error(&input),
-                    Effect::Asymmetry => *output += self.asymmetry.error(&input),
-                    Effect::Quadratic => *output += self.quadratic.error(&input),
-                    Effect::GSensitivity => *output += self.g_sensitivity.error(&input),
-                    Effect::Temperature => *output += self.temperature.error(&input),
-                    _ => {}
-                }
+                *output += self.error_of_input(self.plan.effect(step), &input);
             }
+        }
+    }
+
+    /// Increments have the length `dt` [s]. Time stamps differ in their last digits; what that changes of a variance is far below
+    /// anything visible.
+    #[inline]
+    pub(super) fn follow_length(&mut self, dt: f64) {
+        if (dt - *self.dt).abs() > 1e-7 * dt {
+            self.set_interval(dt);
+        }
+    }
+
+    /// Makes of the triad's part of `ideal` the input of its sensors.
+    #[inline(always)]
+    pub(super) fn feel(&mut self, ideal: &Increment, dt: f64, felt: &mut Vector3<f64>) {
+        for step in self.plan.before_input() {
+            match self.plan.effect(step) {
+                Effect::Size => self.size_effect.apply(&ideal.angle, dt, felt),
+                Effect::Bandwidth => self.bandwidth.apply(dt, felt),
+                _ => {}
+            }
+        }
+    }
+
+    /// Error of an effect that follows the input.
+    #[inline(always)]
+    pub(super) fn error_of_input(&self, effect: Effect, input: &Input) -> Vector3<f64> {
+        match effect {
+            Effect::Linear => self.linear.error(input),
+            Effect::Asymmetry => self.asymmetry.error(input),
+            Effect::Quadratic => self.quadratic.error(input),
+            Effect::GSensitivity => self.g_sensitivity.error(input),
+            Effect::Temperature => self.temperature.error(input),
+            _ => Vector3::zeros(),
         }
     }
 

@@ -7,7 +7,7 @@ use super::beside::conditions;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, check_state};
-use crate::signal::Increment;
+use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::signals::Signals;
@@ -132,14 +132,21 @@ impl Chain {
             }
             model.advance(&motion, next, &errors, &aid, self.block.as_ref());
         }
-        let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
-        self.closure.advance(&self.earth, next, &inconsistency);
-        self.intervals += 1;
+        self.conclude(&motion, recent);
         if self.accuracy.is_due(next.time_s) {
             let errors = *self.navigation_errors(next);
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())
+    }
+
+    /// What the truth of an interval was.
+    #[inline]
+    pub(super) fn conclude(&mut self, motion: &IntervalMotion<'_>, recent: &Recent<'_>) {
+        let next = recent.next;
+        let inconsistency = motion.displacement() - (next.state.r_e - recent.current.state.r_e);
+        self.closure.advance(&self.earth, next, &inconsistency);
+        self.intervals += 1;
     }
 
     /// The sensors take the interval back: each of them that took part.

@@ -1,0 +1,76 @@
+//! The instruction sets of a processor, chosen when an ensemble is made.
+//!
+//! A loop over many runs is compiled once for each set: [`InstructionSet::run`] calls the work in a function that may use its
+//! instructions, and all that is inlined into that function may, too. No set fuses or reorders operations: the bits are the same.
+
+/// Vector instructions that a loop may use, of those that this processor has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct InstructionSet(Kind);
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Those of the build: two numbers at a time with SSE2 and NEON.
+    Baseline,
+    /// Four numbers at a time.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// Eight numbers at a time.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+/// Work that is compiled for each set. `run` and what it calls in its loops have to be inlined.
+pub(crate) trait Work {
+    fn run(self);
+}
+
+impl InstructionSet {
+    /// The widest that this processor has for up to `width` numbers at a time.
+    pub fn up_to(width: usize) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            use std::arch::is_x86_feature_detected as has;
+            if width >= 8 && has!("avx512f") && has!("avx512dq") && has!("avx512vl") {
+                return Self(Kind::Avx512);
+            }
+            if width >= 4 && has!("avx2") {
+                return Self(Kind::Avx2);
+            }
+        }
+        let _ = width;
+        Self(Kind::Baseline)
+    }
+
+    /// Does the work with the instructions of this set.
+    #[inline]
+    pub fn run(self, work: impl Work) {
+        match self.0 {
+            Kind::Baseline => baseline(work),
+            // SAFETY: made by `up_to` alone, where the processor has these instructions.
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx2 => unsafe { avx2(work) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx512 => unsafe { avx512(work) },
+        }
+    }
+}
+
+#[inline(never)]
+fn baseline(work: impl Work) {
+    work.run();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline(never)]
+#[target_feature(enable = "avx2")]
+fn avx2(work: impl Work) {
+    work.run();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline(never)]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+fn avx512(work: impl Work) {
+    work.run();
+}

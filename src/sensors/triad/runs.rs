@@ -1,0 +1,192 @@
+//! The triads of many runs: one has the parameters of all and what they share, rows have what each keeps.
+
+use nalgebra::Vector3;
+
+use super::super::bias::Bias;
+use super::super::input::Input;
+use super::super::linear::Linear;
+use super::super::plan::Effect;
+use super::super::states::{Count, From, Into, StateRows, Visitor};
+use super::{Sensor, Triad};
+use crate::error::Error;
+use crate::memory::room;
+use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS};
+
+/// Errors that follow the input and are the same in all runs.
+const SHARED_ERRORS: usize = 4;
+
+/// What an interval brings to the triads of all runs alike.
+#[derive(Debug, Clone)]
+pub(crate) struct SharedInput {
+    inputs: Vec<Input>,
+    errors: Vec<[Vector3<f64>; SHARED_ERRORS]>,
+    error_count: usize,
+}
+
+impl SharedInput {
+    /// Room for the longest interval.
+    pub fn new() -> Result<Self, Error> {
+        Ok(Self { inputs: room(MAX_INCREMENTS)?, errors: room(MAX_INCREMENTS)?, error_count: 0 })
+    }
+}
+
+impl Triad {
+    /// Whether the triads of many runs can go side by side: not those with failures, which differ in what they do.
+    pub(crate) fn goes_side_by_side(&self) -> bool {
+        !self.has_failed()
+    }
+
+    /// Goes over what the active effects keep of this run.
+    fn visit(&mut self, visitor: &mut impl Visitor) {
+        for step in self.plan.steps() {
+            match self.plan.effect(step) {
+                Effect::Linear => self.linear.visit(visitor),
+                Effect::Bias => self.bias.visit(visitor),
+                Effect::GaussMarkov => self.gauss_markov.visit(visitor),
+                Effect::Flicker => self.flicker.visit(visitor),
+                Effect::RateRandomWalk => self.rate_random_walk.visit(visitor),
+                Effect::Ramp => self.ramp.visit(visitor),
+                Effect::RandomWalk => self.random_walk.visit(visitor),
+                Effect::Quantization => self.quantization.visit(visitor),
+                // The same in all runs.
+                Effect::Size
+                | Effect::Bandwidth
+                | Effect::Asymmetry
+                | Effect::Quadratic
+                | Effect::GSensitivity
+                | Effect::Temperature
+                | Effect::DeadZone
+                | Effect::Range => {}
+                // Not side by side.
+                Effect::AddedFailure | Effect::Outage => {}
+            }
+        }
+    }
+
+    /// Rows for what runs with these parameters keep.
+    pub(crate) fn rows(&mut self) -> Result<StateRows, Error> {
+        let mut count = Count::default();
+        self.visit(&mut count);
+        count.rows()
+    }
+
+    /// Lays what this run keeps into a lane.
+    pub(crate) fn put_into(&mut self, rows: &mut StateRows, lane: usize) {
+        self.visit(&mut Into { rows, lane, next: Count::default() });
+    }
+
+    /// Takes what this run keeps from a lane.
+    pub(crate) fn take_from(&mut self, rows: &StateRows, lane: usize) {
+        self.visit(&mut From { rows, lane, next: Count::default() });
+    }
+
+    /// What follows the signals is as in `other`, which got the same.
+    pub(crate) fn follow_as(&mut self, other: &Self) {
+        self.size_effect.clone_from(&other.size_effect);
+        self.bandwidth.clone_from(&other.bandwidth);
+        self.temperature.clone_from(&other.temperature);
+        self.dt.clone_from(&other.dt);
+        self.set_interval(*other.dt);
+    }
+
+    /// An interval with the increments `ideal`, each over `dt` [s]: what it brings to all runs alike.
+    pub(crate) fn share(&mut self, ideal: &[Increment], dt: f64, shared: &mut SharedInput) {
+        self.follow_length(dt);
+        let SharedInput { inputs, errors, error_count } = shared;
+        inputs.clear();
+        errors.clear();
+        for ideal in ideal {
+            let mut signal = match self.sensor {
+                Sensor::Gyro => ideal.angle,
+                Sensor::Accelerometer => ideal.velocity,
+            };
+            self.feel(ideal, dt, &mut signal);
+            let input = Input { signal, force: ideal.velocity, dt };
+            let mut of_input = [Vector3::zeros(); SHARED_ERRORS];
+            let effects = self.plan.of_input().map(|step| self.plan.effect(step));
+            *error_count = 0;
+            for effect in effects.filter(|effect| *effect != Effect::Linear) {
+                of_input[*error_count] = self.error_of_input(effect, &input);
+                *error_count += 1;
+            }
+            inputs.push(input);
+            errors.push(of_input);
+        }
+    }
+
+    /// What the first `count` runs of a block give in the interval that was [shared](Self::share): their part of `outputs`. Runs
+    /// beyond the range are marked.
+    #[inline(always)]
+    pub(crate) fn sense_block(
+        &self,
+        shared: &SharedInput,
+        dt: f64,
+        rows: &mut StateRows,
+        outputs: &mut [IncrementRows],
+        saturated: &mut [u64; RUNS],
+        count: usize,
+    ) {
+        let first = match self.sensor {
+            Sensor::Gyro => 0,
+            Sensor::Accelerometer => 3,
+        };
+        let mut states = rows.states();
+        for (output, input) in outputs.iter_mut().zip(&shared.inputs) {
+            for axis in 0..3 {
+                output[first + axis] = [input.signal[axis]; RUNS];
+            }
+        }
+        for step in self.plan.of_input() {
+            if self.plan.effect(step) == Effect::Linear {
+                Linear::apply_each(&mut states, &shared.inputs, outputs, first, count);
+            }
+        }
+        for (output, errors) in outputs.iter_mut().zip(&shared.errors) {
+            for error in &errors[..shared.error_count] {
+                for axis in 0..3 {
+                    for lane in 0..count.min(RUNS) {
+                        output[first + axis][lane] += error[axis];
+                    }
+                }
+            }
+        }
+        for step in self.plan.after_signal() {
+            match self.plan.effect(step) {
+                Effect::Bias => Bias::apply_each(&mut states, dt, outputs, first, count),
+                Effect::GaussMarkov => self.gauss_markov.apply_each(&mut states, outputs, first, count),
+                Effect::Flicker => self.flicker.apply_each(&mut states, outputs, first, count),
+                Effect::RateRandomWalk => {
+                    self.rate_random_walk.apply_each(&mut states, dt, outputs, first, count);
+                }
+                Effect::Ramp => self.ramp.apply_each(&mut states, dt, outputs, first, count),
+                Effect::RandomWalk => self.random_walk.apply_each(&mut states, outputs, first, count),
+                Effect::DeadZone => each_run(outputs, first, count, |_, output| self.dead_zone.apply(dt, output)),
+                Effect::Range => each_run(outputs, first, count, |lane, output| {
+                    saturated[lane] |= u64::from(self.range.apply(dt, output));
+                }),
+                Effect::Quantization => self.quantization.apply_each(&mut states, outputs, first, count),
+                // Of the input, and not side by side.
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Lets an effect act on the outputs of one run after the other.
+#[inline(always)]
+fn each_run(
+    outputs: &mut [IncrementRows],
+    first: usize,
+    count: usize,
+    mut act: impl FnMut(usize, &mut Vector3<f64>),
+) {
+    for output in outputs {
+        for lane in 0..count.min(RUNS) {
+            let mut vector = Vector3::from_fn(|i, _| output[first + i][lane]);
+            act(lane, &mut vector);
+            for axis in 0..3 {
+                output[first + axis][lane] = vector[axis];
+            }
+        }
+    }
+}

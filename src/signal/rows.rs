@@ -1,0 +1,23 @@
+//! Increments of many runs side by side.
+
+use nalgebra::Vector3;
+
+use super::Increment;
+
+/// Runs of a block: two vectors of the widest instruction set, and all that a step needs of a block fits in the first-level cache.
+pub(crate) const RUNS: usize = 16;
+
+/// The same number of each run of a block.
+pub(crate) type Row = [f64; RUNS];
+
+/// An increment of the runs of a block: three components of angle, three of velocity.
+pub(crate) type IncrementRows = [Row; 6];
+
+/// The increment of the run at `lane`.
+#[inline(always)]
+pub(crate) fn increment_of(rows: &IncrementRows, lane: usize) -> Increment {
+    Increment {
+        angle: Vector3::from_fn(|i, _| rows[i][lane]),
+        velocity: Vector3::from_fn(|i, _| rows[3 + i][lane]),
+    }
+}
