@@ -241,7 +241,7 @@ fn diverged_runs_are_told_by_number_and_left_out() {
     let diverged: Vec<u64> =
         runs.iter().filter(|run| run["diverged"] == 1.0).map(|run| run["run"] as u64).collect();
     assert!(diverged.len() > 2 && diverged.len() < 68, "{diverged:?}");
-    assert!(runs.iter().all(|run| (run["diverged"] == 1.0) == !run.contains_key("radial_m")));
+    assert!(runs.iter().all(|run| (run["diverged"] == 1.0) != run.contains_key("radial_m")));
     let told: Vec<String> = diverged.iter().take(20).map(u64::to_string).collect();
     assert!(said.contains(&format!("{} diverged: {}", diverged.len(), told.join(", "))), "{said}");
     let rows = table(&out.join("rest_ensemble.csv"));
