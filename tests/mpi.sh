@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# An ensemble over the ranks of MPI (c_examples/ensemble_mpi.c), with MPICH and with Open MPI: by 1, 2, 3 and 4 ranks, and killed in
-# the middle and started again with another number of them, it writes the bytes of `sins ensemble`; a damaged checkpoint is flown
-# again, a foreign one is refused.
+# An ensemble over the ranks of MPI (c_examples/ensemble_mpi.c), with MPICH and with Open MPI. By 1, 2, 3 and 4 ranks, and killed in the
+# middle and started again with another number of them, it writes the bytes of `sins ensemble`; so it does with a log. A damaged
+# checkpoint is flown again, a foreign one is refused.
 #
 #     tests/mpi.sh [mpich] [openmpi]
 #
@@ -27,7 +27,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 runs=420
 machine=$(c++ -dumpmachine)
 
-# A scene with both error data and a sensor that fails on the way, and a log with a clock of its own.
+# A scene with both error data and a sensor that fails on the way; and in the place of its flight a log.
 "$lib/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.05 --set flight.rate_hz=20 \
     --set options.error_model=rk4 --set options.run=5
 cat >>"$out/scene.toml" <<'END'
@@ -42,6 +42,8 @@ until_s = 120
 END
 "$lib/sins" ensemble "$out/scene.toml" --runs $runs --quiet --out "$out"
 mv "$out/scene_ensemble.csv" "$out/expected.csv"
+log=c_examples/flights/airliner_cruise.csv
+"$lib/sins" ensemble "$out/scene.toml" --log $log --runs 70 --quiet --out "$out"
 
 fly() { # RANKS OUT.csv
     timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" 2>"$2.words" || {
@@ -108,6 +110,9 @@ for mpi; do
         fly $ranks "$out/$mpi/by_$ranks.csv"
         same "$out/$mpi/by_$ranks.csv" "$ranks ranks"
     done
+    "$mpirun" -n 2 "$out/$mpi/ensemble_mpi" "$out/scene.toml" 70 "$out/$mpi/log.csv" $log
+    cmp "$out/airliner_cruise_ensemble.csv" "$out/$mpi/log.csv"
+    echo "$mpi: a log: the bytes of sins ensemble"
 
     killed=$out/$mpi/killed.csv
     kill_a_rank 3 "$killed"

@@ -37,7 +37,10 @@ fn table(path: &Path) -> Vec<std::collections::HashMap<String, f64>> {
     let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     let row = |record: csv::StringRecord| {
         let fields = names.iter().cloned().zip(record.iter().map(str::to_owned).collect::<Vec<_>>());
-        fields.filter(|(_, text)| !text.is_empty()).map(|(name, text)| (name, text.parse().unwrap())).collect()
+        fields
+            .filter(|(_, text)| !text.is_empty())
+            .map(|(name, text)| (name, text.parse().unwrap()))
+            .collect()
     };
     reader.records().map(|record| row(record.unwrap())).collect()
 }
@@ -134,10 +137,10 @@ fn no_output_is_an_input() {
     let folder = folder("inputs");
     let header = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
     let rows: String = (0..=10).map(|t| format!("{t},0.7,2.0,50,0,0,1\n")).collect();
-    for ending in [".csv", "_runs.csv"] {
+    for ending in [".csv", "_runs.csv", ".html", ".checkpoint"] {
         let name = format!("a_ensemble{ending}");
         std::fs::write(folder.join(&name), format!("{header}\n{rows}")).unwrap();
-        let errors = refused(&folder, &["ensemble", &name, "--name", "a", "--out", ".", "--force"]);
+        let errors = refused(&folder, &["ensemble", "--log", &name, "--name", "a", "--out", ".", "--force"]);
         assert!(errors.contains("is the input"), "{errors}");
         assert_eq!(names(&folder), [name.as_str()]);
         std::fs::remove_file(folder.join(&name)).unwrap();
@@ -181,7 +184,10 @@ fn statistics_are_those_of_the_runs() {
             for (what, expected) in [("mean", mean), ("sigma", sigma), ("rms", square.sqrt())] {
                 let found = end[&format!("{what}_{name}")];
                 // Ten digits are written.
-                assert!((found - expected).abs() <= step + 1e-9 * expected.abs(), "{what}_{name}: {found} {expected}");
+                assert!(
+                    (found - expected).abs() <= step + 1e-9 * expected.abs(),
+                    "{what}_{name}: {found} {expected}"
+                );
             }
         }
     }
@@ -235,7 +241,7 @@ fn diverged_runs_are_told_by_number_and_left_out() {
     let diverged: Vec<u64> =
         runs.iter().filter(|run| run["diverged"] == 1.0).map(|run| run["run"] as u64).collect();
     assert!(diverged.len() > 2 && diverged.len() < 68, "{diverged:?}");
-    assert!(runs.iter().all(|run| (run["diverged"] == 1.0) == !run.contains_key("radial_m")));
+    assert!(runs.iter().all(|run| (run["diverged"] == 1.0) != run.contains_key("radial_m")));
     let told: Vec<String> = diverged.iter().take(20).map(u64::to_string).collect();
     assert!(said.contains(&format!("{} diverged: {}", diverged.len(), told.join(", "))), "{said}");
     let rows = table(&out.join("rest_ensemble.csv"));

@@ -140,7 +140,7 @@ pub fn radial(study: &Study) -> Result<Figure, Failure> {
         format!("At the end: CEP50 {cep50}, R95 {r95}, largest {largest}.")
     });
     let title = "Horizontal position error".to_owned();
-    let panels = vec![panel(format!("horizontal error [{}]", unit.name), 260.0, 6, traces)];
+    let panels = vec![panel(format!("horizontal error [{}]", unit.name), 400.0, 6, traces)];
     let drawing = Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels };
     let svg = drawing.svg(&format!("{title} over time. {note}"))?;
     Ok(Figure { title, legend, drawings: vec![svg], note })

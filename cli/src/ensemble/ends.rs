@@ -146,7 +146,7 @@ pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
     outline.extend([(edge(bars), 0.0), (0.0, 0.0)]);
     let most = counts.iter().copied().max().unwrap_or(1);
     let y = Axis::linear(0.0, 1.08 * f64::from(most), 6);
-    let mut panel = Panel::new("runs", y, 260.0, vec![Trace::new(Pen::Count, outline)]);
+    let mut panel = Panel::new("runs", y, 300.0, vec![Trace::new(Pen::Count, outline)]);
     let (cep50, r95) = (row.figures.cep50_m, row.figures.r95_m);
     let mark = |at: f64, pen, text: &str| Mark { at: at / unit.si, pen, text: text.to_owned() };
     panel.marks.extend([mark(cep50, Pen::Computed, "CEP50"), mark(r95, Pen::Fit, "R95")]);

@@ -1,4 +1,4 @@
-//! The flights: blocks of runs on threads, each into the results as a whole or not at all.
+//! The flights: pieces of work on threads, each into the results as a whole or not at all.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -10,8 +10,8 @@ use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource};
 
 use super::checkpoint::Checkpoint;
-use super::plan::Plan;
-use super::results::{Block, Results, State};
+use super::plan::{Piece, Plan};
+use super::results::{Part, Results, State};
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::interrupt;
@@ -38,7 +38,7 @@ struct Work<'a> {
     is_over: AtomicBool,
 }
 
-/// Flies the blocks that `results` lacks on `threads`. When it is interrupted, or a block fails, the checkpoint has what is done.
+/// Flies the blocks that `results` lacks on `threads`. When it is interrupted, or a piece fails, the checkpoint has what is done.
 pub fn fly(
     given: &Given,
     plan: &Plan,
@@ -47,14 +47,14 @@ pub fn fly(
     checkpoint: &mut Checkpoint,
     quiet: bool,
 ) -> Result<Flown, Failure> {
-    let blocks = results.missing();
-    let runs: u64 = blocks.iter().map(|block| plan.block(*block).1).sum();
+    let pieces = Plan::pieces(&results.missing(), threads);
+    let runs: u64 = pieces.iter().map(|piece| plan.runs_of(piece).1).sum();
     let steps = runs * (given.count as u64 - 1);
     let progress = Progress::flying(format!("flying {runs} runs"), steps as usize, quiet);
     let results = Mutex::new((results, checkpoint));
     let work = Work { given, plan, progress, results, is_over: AtomicBool::new(false) };
     let began = Instant::now();
-    let ended = on_threads(threads, &blocks, |block| work.block(*block));
+    let ended = on_threads(threads, &pieces, |piece| work.piece(piece));
     let seconds = began.elapsed().as_secs_f64();
     // A thread that failed has stopped the others, which say that they were interrupted.
     let (interrupted, failed): (Vec<Failure>, Vec<Failure>) =
@@ -76,10 +76,10 @@ impl<'a> Work<'a> {
         self.results.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn block(&self, index: usize) -> Result<(), Failure> {
-        let done = self.fly(index).and_then(|block| {
+    fn piece(&self, piece: &Piece) -> Result<(), Failure> {
+        let done = self.fly(piece).and_then(|part| {
             let (results, checkpoint) = &mut *self.results();
-            results.add(self.plan, index, block)?;
+            results.add(piece, part)?;
             checkpoint.write_in_time(self.plan, results)
         });
         if done.is_err() {
@@ -88,16 +88,16 @@ impl<'a> Work<'a> {
         done
     }
 
-    fn fly(&self, index: usize) -> Result<Block, Failure> {
+    fn fly(&self, piece: &Piece) -> Result<Part, Failure> {
         let Self { given, plan, .. } = self;
-        let (first_run, runs) = plan.block(index);
+        let (first_run, runs) = plan.runs_of(piece);
         if self.must_stop() {
             return Err(interrupted());
         }
         let simulators = given.scene.simulator()?;
         let template = simulators.first().ok_or_else(|| Failure::of_kind(Kind::Failed, "no simulator"))?;
         let mut ensemble = Ensemble::new(template, first_run, runs as usize)?;
-        let mut block = Block::new(plan, index);
+        let mut part = Part::new(plan, piece);
         let mut instants = plan.instants.iter().copied().peekable();
         for index in 0..given.count {
             self.push(&mut ensemble, index, given.sample(index)?)?;
@@ -105,7 +105,7 @@ impl<'a> Work<'a> {
                 ensemble.step().map_err(|error| stopped(given, index, &error))?;
             }
             if instants.next_if_eq(&index).is_some() {
-                self.read(&ensemble, &mut block).map_err(|error| stopped(given, index, &error))?;
+                self.read(&ensemble, &mut part).map_err(|error| stopped(given, index, &error))?;
             }
             if index % CHUNK == 0 && index > 0 {
                 self.progress.fly(CHUNK * runs as usize, given.period_s);
@@ -116,10 +116,10 @@ impl<'a> Work<'a> {
         }
         self.progress.fly((given.count - 1) % CHUNK * runs as usize, given.period_s);
         for run in first_run..first_run + runs {
-            block.ends.push(state(&ensemble, run)?);
+            part.ends.push(state(&ensemble, run)?);
         }
-        block.diverged = ensemble.diverged().collect();
-        Ok(block)
+        part.diverged = ensemble.diverged().collect();
+        Ok(part)
     }
 
     /// Pushes the sample `index`, with the failures and the temperature that are due.
@@ -131,11 +131,11 @@ impl<'a> Work<'a> {
     }
 
     /// Takes the statistics of this instant, and the errors of the runs that are drawn.
-    fn read(&self, ensemble: &Ensemble, block: &mut Block) -> Result<(), Error> {
+    fn read(&self, ensemble: &Ensemble, part: &mut Part) -> Result<(), Error> {
         for source in &self.plan.sources {
-            block.statistics.push(ensemble.statistics(*source)?);
+            part.statistics.push(ensemble.statistics(*source)?);
         }
-        for (path, run) in block.drawn.iter_mut().zip(ensemble.first_run()..) {
+        for (path, run) in part.drawn.iter_mut().zip(ensemble.first_run()..) {
             path.extend(state(ensemble, run)?);
         }
         Ok(())

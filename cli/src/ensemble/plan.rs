@@ -1,14 +1,21 @@
 //! What is flown: which runs in which blocks, and at which samples statistics are taken.
 
+use std::ops::Range;
+
 use sins::ErrorSource;
 
 use super::command::Order;
 use crate::failure::Failure;
 use crate::given::Given;
 
-/// Runs of a block. A block is flown by one thread and goes into the checkpoint as a whole, so it is the work that an interruption
-/// costs. The results are the same with any size: [`Statistics::merge`](sins::statistics::Statistics) is exact.
+/// Runs of a block, by which the checkpoint counts. The results are the same with any size: merging statistics is exact.
 pub const BLOCK: u64 = 64;
+
+/// Blocks that one thread flies at once, at the most. Their runs share the truth; but an interruption costs all of them.
+const SIDE_BY_SIDE: usize = 4;
+
+/// Pieces of work for each thread at the least, so that all are busy to the end.
+const PIECES: usize = 4;
 
 /// Rows of statistics in an ordinary order, and at the most: a row of all threads is in memory.
 const ROWS: f64 = 200.0;
@@ -19,6 +26,9 @@ pub const MOST_RUNS: u64 = 10_000_000;
 
 /// Runs that are drawn one by one: the first ones.
 pub const DRAWN_RUNS: u64 = 8;
+
+/// Neighbouring blocks, which one thread flies at once.
+pub type Piece = Range<usize>;
 
 /// An ensemble.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,10 +82,18 @@ impl Plan {
         self.runs.div_ceil(BLOCK) as usize
     }
 
-    /// First run and number of runs of the block `index`.
-    pub fn block(&self, index: usize) -> (u64, u64) {
-        let before = index as u64 * BLOCK;
-        (self.first_run + before, BLOCK.min(self.runs - before))
+    /// First run and number of runs of a piece of work.
+    pub fn runs_of(&self, piece: &Piece) -> (u64, u64) {
+        let (before, end) = (piece.start as u64 * BLOCK, piece.end as u64 * BLOCK);
+        (self.first_run + before, end.min(self.runs) - before)
+    }
+
+    /// The blocks of `missing`, in order, in pieces of work for so many threads.
+    pub fn pieces(missing: &[usize], threads: usize) -> Vec<Piece> {
+        let most = (missing.len() / (PIECES * threads)).clamp(1, SIDE_BY_SIDE);
+        let neighbours = missing.chunk_by(|one, next| one + 1 == *next);
+        let pieces = neighbours.flat_map(|blocks| blocks.chunks(most));
+        pieces.map(|blocks| blocks[0]..blocks[0] + blocks.len()).collect()
     }
 
     /// How many runs are drawn.
@@ -86,5 +104,26 @@ impl Plan {
     /// Number of statistics: of each source at each instant.
     pub fn count(&self) -> usize {
         self.instants.len() * self.sources.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_are_all_that_is_missing() {
+        for (missing, threads, pieces) in [
+            ((0..16).collect::<Vec<_>>(), 2, 8),
+            ((0..16).collect(), 16, 16),
+            ((0..1000).collect(), 2, 250),
+            (vec![0, 1, 2, 5, 6, 9], 1, 6),
+            (vec![3], 8, 1),
+            (vec![], 8, 0),
+        ] {
+            let made = Plan::pieces(&missing, threads);
+            assert_eq!(made.len(), pieces, "{missing:?}");
+            assert_eq!(made.into_iter().flatten().collect::<Vec<_>>(), missing);
+        }
     }
 }

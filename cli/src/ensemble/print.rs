@@ -36,10 +36,11 @@ pub fn text(study: &Study, flown: &Flown, threads: usize, page: &Path) -> String
     }
     if flown.steps > 0 {
         text += &format!(
-            "  {:.3e} steps of a run in {}: {:.1} ns each, on {threads} threads\n",
+            "  {:.3e} steps of a run in {}: {:.1} ns each, on {threads} thread{}\n",
             flown.steps as f64,
             time_text(flown.seconds),
-            1e9 * flown.seconds / flown.steps as f64
+            1e9 * flown.seconds / flown.steps as f64,
+            if threads == 1 { "" } else { "s" }
         );
     }
     text + &format!("  {}\n", page.display())

@@ -2,14 +2,14 @@
 
 use sins::statistics::Statistics;
 
-use super::plan::Plan;
+use super::plan::{BLOCK, Piece, Plan};
 use crate::failure::{Failure, Kind};
 
 /// Errors of a run, east, north, up: position [m], velocity [m/s], misalignment [rad].
 pub type State = [f64; 9];
 
-/// Results of the runs of a block.
-pub struct Block {
+/// Results of the runs of a piece of work.
+pub struct Part {
     /// Of each source at each instant, the sources of an instant side by side.
     pub statistics: Vec<Statistics>,
     /// Of each run, at the end; none of those that diverged.
@@ -25,7 +25,7 @@ pub struct Block {
 pub struct Results {
     /// Whether each block is in them.
     pub done: Vec<bool>,
-    /// As [`Block`] has them.
+    /// As [`Part`] has them.
     pub statistics: Vec<Statistics>,
     /// Of each run; none of those that diverged or were not flown yet.
     pub ends: Vec<Option<State>>,
@@ -34,10 +34,10 @@ pub struct Results {
     pub diverged: Vec<u64>,
 }
 
-impl Block {
-    pub fn new(plan: &Plan, index: usize) -> Self {
+impl Part {
+    pub fn new(plan: &Plan, piece: &Piece) -> Self {
         // The runs that are drawn are of the first block.
-        let drawn = if index == 0 { plan.drawn() } else { 0 };
+        let drawn = if piece.start == 0 { plan.drawn() } else { 0 };
         Self {
             statistics: Vec::with_capacity(plan.count()),
             ends: Vec::new(),
@@ -66,25 +66,25 @@ impl Results {
 
     /// How many runs are in them.
     pub fn runs(&self, plan: &Plan) -> u64 {
-        (0..self.done.len()).filter(|block| self.done[*block]).map(|block| plan.block(block).1).sum()
+        let done = (0..self.done.len()).filter(|block| self.done[*block]);
+        done.map(|block| plan.runs_of(&(block..block + 1)).1).sum()
     }
 
-    /// Takes in the block `index`. The order of the blocks does not matter: sums of statistics are exact.
-    pub fn add(&mut self, plan: &Plan, index: usize, block: Block) -> Result<(), Failure> {
-        for (sum, part) in self.statistics.iter_mut().zip(&block.statistics) {
-            sum.merge(part).map_err(|error| Failure::of_kind(Kind::Failed, error.to_string()))?;
+    /// Takes in the results of `piece`. The order does not matter: sums of statistics are exact.
+    pub fn add(&mut self, piece: &Piece, part: Part) -> Result<(), Failure> {
+        for (sum, more) in self.statistics.iter_mut().zip(&part.statistics) {
+            sum.merge(more).map_err(|error| Failure::of_kind(Kind::Failed, error.to_string()))?;
         }
-        let (first, _) = plan.block(index);
-        let first = (first - plan.first_run) as usize;
-        for (place, end) in self.ends[first..].iter_mut().zip(block.ends) {
+        let first = piece.start * BLOCK as usize;
+        for (place, end) in self.ends[first..].iter_mut().zip(part.ends) {
             *place = end;
         }
-        if index == 0 {
-            self.drawn = block.drawn;
+        if piece.start == 0 {
+            self.drawn = part.drawn;
         }
-        self.diverged.extend(block.diverged);
+        self.diverged.extend(part.diverged);
         self.diverged.sort_unstable();
-        self.done[index] = true;
+        self.done[piece.clone()].fill(true);
         Ok(())
     }
 }
