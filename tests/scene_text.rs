@@ -213,7 +213,7 @@ fn what_does_not_go_together_is_told() {
     one("[flight]\nbuiltin = \"petrol\"\n", 2, "no such flight; patrol?");
     one("[flight]\nfile = \"a.csv\"\nrate_hz = 10\n", 3, "its own time stamps");
     one(&format!("{flight}latitude_deg = 3\n"), 3, "has its own start");
-    one(&format!("{flight}temperature_change_c_h = 3\n"), 3, "only with temperature_c");
+    one(&format!("{flight}temperature_change_c_h = 3\n"), 3, "only together with temperature_c");
     one(&format!("{flight}[options]\nvertical = \"free\"\n[altimeter]\nbias_m = 1\n"), 5, "damped");
     one(&format!("{flight}[options]\nclosed_loop_time_s = 40\n"), 4, "signal");
     one(&format!("{flight}[options]\nsample_period_s = 0.01\n"), 4, "only for a log");
