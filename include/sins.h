@@ -256,6 +256,14 @@ enum sins_summary {
     SINS_SUMMARY_ON = 1
 };
 
+/* Whether the covariance of the navigation errors is propagated. */
+enum sins_covariance_mode {
+    /* sins_get_covariance() is not available. */
+    SINS_COVARIANCE_OFF = 0,
+    /* The covariance is propagated along the truth; the other outputs have the same bits. */
+    SINS_COVARIANCE_ON = 1
+};
+
 /* Ellipsoids. */
 enum sins_earth {
     /* World Geodetic System 1984. */
@@ -542,7 +550,7 @@ enum sins_budget_flags {
  * A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
  * sins_snapshot_size().
  */
-#define SINS_SNAPSHOT_MAX_SIZE 8192
+#define SINS_SNAPSHOT_MAX_SIZE 20480
 
 /* Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed. */
 typedef int32_t sins_status;
@@ -596,8 +604,8 @@ typedef struct sins_options {
     double max_acceleration_m_s2;
     /* Of enum sins_summary. */
     int32_t truth_summary;
-    /* Must be 0. */
-    uint32_t reserved2;
+    /* Of enum sins_covariance_mode. */
+    int32_t covariance;
 } sins_options;
 
 /*
@@ -1319,6 +1327,47 @@ typedef struct sins_truth_summary {
     double height_max_at_s;
 } sins_truth_summary;
 
+/*
+ * Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors in
+ * the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+ *
+ * It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames, which
+ * agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn initial errors;
+ * what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk
+ * and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise; quantization, as white noise of its
+ * variance. Given values, failures, and what is not linear (dead zone, range) are not in it: they move the mean. One second
+ * of flight is one step of the propagation; a parameter that is set in flight counts from the start of the step it is set in.
+ */
+typedef struct sins_covariance {
+    /* sizeof(sins_covariance) */
+    uint32_t struct_size;
+    /* Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is. */
+    int32_t flags;
+    /* Time [s]. */
+    double time_s;
+    /* Covariance, 9 by 9, row by row; symmetric, and never negative by rounding. */
+    double covariance[81];
+    /* Standard deviation of the position error [m]. */
+    double position_sigma_enu_m[3];
+    /* Standard deviation of the velocity error [m/s]. */
+    double velocity_sigma_enu_m_s[3];
+    /* Standard deviation of the misalignment [rad]. */
+    double misalignment_sigma_enu_rad[3];
+    /* Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m]. */
+    double ellipse_major_m;
+    /* Semi-minor axis [m]. */
+    double ellipse_minor_m;
+    /* Azimuth of the major axis, from north to the east, 0 up to pi [rad]. */
+    double ellipse_azimuth_rad;
+    /*
+     * Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
+     * this ellipse with the mean 0 [m].
+     */
+    double cep50_m;
+    /* The same of 95 % [m]. */
+    double radial_95_m;
+} sins_covariance;
+
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
 typedef struct sins_imu_increment {
     /* sizeof(sins_imu_increment) */
@@ -1650,6 +1699,7 @@ enum sins_sizeof {
     SINS_SIZEOF_ERRORS = 144,
     SINS_SIZEOF_ACCURACY = 256,
     SINS_SIZEOF_TRUTH_SUMMARY = 232,
+    SINS_SIZEOF_COVARIANCE = 776,
     SINS_SIZEOF_IMU_INCREMENT = 264,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
@@ -1951,6 +2001,15 @@ SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accu
  * there is no truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
+
+/*
+ * Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start. It
+ * changes no other output.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+ */
+SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_covariance *covariance);
 
 /*
  * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.

@@ -144,6 +144,8 @@ pub mod abi;
 #[forbid(unsafe_code)]
 pub mod budget;
 #[forbid(unsafe_code)]
+pub mod covariance;
+#[forbid(unsafe_code)]
 pub mod earth;
 #[forbid(unsafe_code)]
 mod error;

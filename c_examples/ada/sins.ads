@@ -54,7 +54,7 @@ package Sins is
    SINS_VERSION_PATCH : constant := 0;
    --  A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
    --  sins_snapshot_size().
-   SINS_SNAPSHOT_MAX_SIZE : constant := 8192;
+   SINS_SNAPSHOT_MAX_SIZE : constant := 20480;
 
    --  Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
    subtype sins_status is Integer_32;
@@ -142,6 +142,13 @@ package Sins is
    SINS_SUMMARY_OFF : constant sins_summary := 0;
    --  The motion of the truth is summed up; the other outputs have the same bits.
    SINS_SUMMARY_ON : constant sins_summary := 1;
+
+   --  Whether the covariance of the navigation errors is propagated.
+   subtype sins_covariance_mode is Integer_32;
+   --  sins_get_covariance() is not available.
+   SINS_COVARIANCE_OFF : constant sins_covariance_mode := 0;
+   --  The covariance is propagated along the truth; the other outputs have the same bits.
+   SINS_COVARIANCE_ON : constant sins_covariance_mode := 1;
 
    --  Ellipsoids.
    subtype sins_earth is Integer_32;
@@ -397,6 +404,7 @@ package Sins is
    SINS_SIZEOF_ERRORS : constant Unsigned_32 := 144;
    SINS_SIZEOF_ACCURACY : constant Unsigned_32 := 256;
    SINS_SIZEOF_TRUTH_SUMMARY : constant Unsigned_32 := 232;
+   SINS_SIZEOF_COVARIANCE : constant Unsigned_32 := 776;
    SINS_SIZEOF_IMU_INCREMENT : constant Unsigned_32 := 264;
    SINS_SIZEOF_FLIGHT_START : constant Unsigned_32 := 72;
    SINS_SIZEOF_MANOEUVRE : constant Unsigned_32 := 240;
@@ -420,6 +428,7 @@ package Sins is
    type sins_double_4 is array (0 .. 3) of double with Convention => C;
    type sins_double_5_3 is array (0 .. 4, 0 .. 2) of double with Convention => C;
    type sins_double_6 is array (0 .. 5) of double with Convention => C;
+   type sins_double_81 is array (0 .. 80) of double with Convention => C;
    type sins_integer_32_6 is array (0 .. 5) of Integer_32 with Convention => C;
 
    --  How a simulator is made. All zero (but struct_size) is the recommended simulator.
@@ -465,8 +474,8 @@ package Sins is
       max_acceleration_m_s2 : double := 0.0;
       --  Of enum sins_summary.
       truth_summary : Integer_32 := 0;
-      --  Must be 0.
-      reserved2 : Unsigned_32 := 0;
+      --  Of enum sins_covariance_mode.
+      covariance : Integer_32 := 0;
    end record with Convention => C;
    type sins_options_array is array (size_t range <>) of aliased sins_options with Convention => C;
 
@@ -1125,6 +1134,45 @@ package Sins is
    end record with Convention => C;
    type sins_truth_summary_array is array (size_t range <>) of aliased sins_truth_summary with Convention => C;
 
+   --  Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors
+   --  in the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+   --
+   --  It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames,
+   --  which agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn
+   --  initial errors; what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov,
+   --  flicker, rate random walk and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise;
+   --  quantization, as white noise of its variance. Given values, failures, and what is not linear (dead zone, range) are not in
+   --  it: they move the mean. One second of flight is one step of the propagation; a parameter that is set in flight counts from
+   --  the start of the step it is set in.
+   type sins_covariance is record
+      --  sizeof(sins_covariance)
+      struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
+      --  Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is.
+      flags : Integer_32 := 0;
+      --  Time [s].
+      time_s : double := 0.0;
+      --  Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+      covariance : sins_double_81 := (others => 0.0);
+      --  Standard deviation of the position error [m].
+      position_sigma_enu_m : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the velocity error [m/s].
+      velocity_sigma_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the misalignment [rad].
+      misalignment_sigma_enu_rad : sins_double_3 := (others => 0.0);
+      --  Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
+      ellipse_major_m : double := 0.0;
+      --  Semi-minor axis [m].
+      ellipse_minor_m : double := 0.0;
+      --  Azimuth of the major axis, from north to the east, 0 up to pi [rad].
+      ellipse_azimuth_rad : double := 0.0;
+      --  Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
+      --  this ellipse with the mean 0 [m].
+      cep50_m : double := 0.0;
+      --  The same of 95 % [m].
+      radial_95_m : double := 0.0;
+   end record with Convention => C;
+   type sins_covariance_array is array (size_t range <>) of aliased sins_covariance with Convention => C;
+
    --  Increments of an inertial measurement unit over an interval, in count parts of equal length.
    type sins_imu_increment is record
       --  sizeof(sins_imu_increment)
@@ -1709,6 +1757,14 @@ package Sins is
    --  there is no truth.
    function sins_get_truth_summary (sim : sins_sim; summary : in out sins_truth_summary) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth_summary";
+
+   --  Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start.
+   --  It changes no other output.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+   function sins_get_covariance (sim : sins_sim; covariance : in out sins_covariance) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_covariance";
 
    --  Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
    --

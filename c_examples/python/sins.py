@@ -43,7 +43,7 @@ VERSION_MINOR = 1
 VERSION_PATCH = 0
 # A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
 # sins.snapshot_size().
-SNAPSHOT_MAX_SIZE = 8192
+SNAPSHOT_MAX_SIZE = 20480
 DEG = 0.017453292519943295  # degree [rad]
 ARCMIN = 0.0002908882086657216  # minute of arc [rad]
 ARCSEC = 4.84813681109536e-6  # second of arc [rad]
@@ -260,6 +260,18 @@ class summary(enum.IntEnum):
 
     SUMMARY_OFF = 0
     SUMMARY_ON = 1
+
+
+@_exported
+class covariance_mode(enum.IntEnum):
+    """Whether the covariance of the navigation errors is propagated.
+
+    COVARIANCE_OFF: sins.get_covariance() is not available.
+    COVARIANCE_ON: The covariance is propagated along the truth; the other outputs have the same bits.
+    """
+
+    COVARIANCE_OFF = 0
+    COVARIANCE_ON = 1
 
 
 @_exported
@@ -640,6 +652,7 @@ class options(_Struct):
     max_acceleration_m_s2: Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6
         [m/s2]; 0: 2000 m/s2.
     truth_summary: Of enum sins.summary.
+    covariance: Of enum sins.covariance_mode.
     """
 
     __slots__ = ()
@@ -663,7 +676,7 @@ class options(_Struct):
         ("max_gap_s", c_double),
         ("max_acceleration_m_s2", c_double),
         ("truth_summary", c_int32),
-        ("reserved2", c_uint32),
+        ("covariance", c_int32),
     ]
 
 
@@ -1406,6 +1419,50 @@ class truth_summary(_Struct):
         ("height_min_at_s", c_double),
         ("height_max_m", c_double),
         ("height_max_at_s", c_double),
+    ]
+
+
+class covariance(_Struct):
+    """Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of
+    sins.errors in the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+
+    It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both
+    frames, which agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in
+    it: the drawn initial errors; what an alignment makes of the sensors; turn-on biases, scale factors and
+    misalignments; Gauss-Markov, flicker, rate random walk and white noise; gravity's random fields; the altimeter's
+    Gauss-Markov error and noise; quantization, as white noise of its variance. Given values, failures, and what is
+    not linear (dead zone, range) are not in it: they move the mean. One second of flight is one step of the
+    propagation; a parameter that is set in flight counts from the start of the step it is set in.
+
+    flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE; sins.ERRORS_OUTSIDE_VALIDITY where a
+        standard deviation is.
+    time_s: Time [s].
+    covariance[81]: Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    position_sigma_enu_m[3]: Standard deviation of the position error [m].
+    velocity_sigma_enu_m_s[3]: Standard deviation of the velocity error [m/s].
+    misalignment_sigma_enu_rad[3]: Standard deviation of the misalignment [rad].
+    ellipse_major_m: Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
+    ellipse_minor_m: Semi-minor axis [m].
+    ellipse_azimuth_rad: Azimuth of the major axis, from north to the east, 0 up to pi [rad].
+    cep50_m: Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of
+        the normal density of this ellipse with the mean 0 [m].
+    radial_95_m: The same of 95 % [m].
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_int32),
+        ("time_s", c_double),
+        ("covariance", c_double * 81),
+        ("position_sigma_enu_m", c_double * 3),
+        ("velocity_sigma_enu_m_s", c_double * 3),
+        ("misalignment_sigma_enu_rad", c_double * 3),
+        ("ellipse_major_m", c_double),
+        ("ellipse_minor_m", c_double),
+        ("ellipse_azimuth_rad", c_double),
+        ("cep50_m", c_double),
+        ("radial_95_m", c_double),
     ]
 
 
@@ -2207,6 +2264,16 @@ def get_truth_summary(sim, summary):
 
     sins.NEED_SAMPLE: no interval yet. sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on
     increments, there is no truth.
+    """
+
+
+@_function(status, sim, POINTER(covariance))
+def get_covariance(sim, covariance):
+    """Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at
+    the start. It changes no other output.
+
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: sins.options.covariance is off, or navigating on
+    increments. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: no INS can start at the first sample.
     """
 
 

@@ -19,6 +19,7 @@ mod altimeter;
 mod boundary;
 mod budget;
 mod budget_answer;
+mod covariance;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
@@ -70,6 +71,7 @@ pub use altimeter::*;
 pub use boundary::shielded;
 pub use budget::*;
 pub use budget_answer::*;
+pub use covariance::{sins_covariance, sins_get_covariance};
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;

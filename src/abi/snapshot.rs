@@ -8,7 +8,7 @@ use super::simulator::{sins_sim, with_simulator};
 
 /// A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
 /// sins_snapshot_size().
-pub const SINS_SNAPSHOT_MAX_SIZE: usize = 8192;
+pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 
 /// The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
 /// with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures

@@ -2,6 +2,7 @@
 
 use super::signals::Signals;
 use super::{Options, Simulator};
+use crate::covariance::Propagation;
 use crate::error::Error;
 use crate::memory::room;
 
@@ -10,7 +11,8 @@ use crate::memory::room;
 #[inline(never)]
 pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
     let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
+    let covariance = Propagation::new(options.covariance, options.earth(), options.vertical)?;
     let mut memory = room(1)?;
-    memory.push(Simulator::with(options, intake, signals));
+    memory.push(Simulator::with(options, intake, signals, covariance));
     Ok(memory.into_boxed_slice())
 }

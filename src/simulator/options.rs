@@ -41,6 +41,8 @@ pub struct Options {
     pub intake: IntakeLimits,
     /// Whether the motion of the truth is summed up.
     pub truth_summary: bool,
+    /// Whether the covariance of the navigation errors is propagated along the truth.
+    pub covariance: bool,
 }
 
 stored!(Options {
@@ -57,6 +59,7 @@ stored!(Options {
     key,
     intake,
     truth_summary,
+    covariance,
 });
 
 impl Default for Options {
@@ -75,6 +78,7 @@ impl Default for Options {
             key: StreamKey::default(),
             intake: IntakeLimits::default(),
             truth_summary: false,
+            covariance: false,
         }
     }
 }

@@ -51,7 +51,7 @@ impl Simulator {
 
     /// The length of the snapshot, of which as much is written as `buffer` has room for.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
-        let Self { options, earth: _, intake, sensors, signals: _, summary, mode } = self;
+        let Self { options, earth: _, intake, sensors, signals: _, covariance, summary, mode } = self;
         let mut to = Writer::new(buffer);
         options.save(&mut to);
         sensors.save(&mut to);
@@ -60,6 +60,7 @@ impl Simulator {
             Mode::Waiting => {
                 to.count(WAITING);
                 summary.iter().for_each(|summary| summary.save(&mut to));
+                covariance.iter().for_each(|covariance| covariance.save(&mut to));
             }
             Mode::Flying(chain) => {
                 to.count(FLYING);
@@ -92,6 +93,7 @@ impl Simulator {
                 if let Mode::Flying(chain) = &mut self.mode {
                     chain.signals = core::mem::take(&mut self.signals);
                     chain.set_summary(self.summary);
+                    chain.covariance = core::mem::take(&mut self.covariance);
                     chain.load(&mut from)?;
                     chain.look_back(&behind);
                 }
@@ -112,6 +114,7 @@ impl Simulator {
                 if let Some(summary) = &mut self.summary {
                     summary.load(&mut from)?;
                 }
+                self.covariance.iter_mut().try_for_each(|covariance| covariance.load(&mut from))?;
             }
         }
         if self.sensors.depend_on_temperature() {
