@@ -302,6 +302,7 @@ struct Responses {
 impl Passage<'_> {
     fn go(&self, root: &mut Root, work: &mut [Column], parameters: &Parameters<'_>) {
         let t = self.stretch.length_s;
+        let times = (t, t / self.stretch.intervals as f64);
         let is_aided = self.vertical != VerticalMode::Damped || self.stretch.aided > 0;
         let mode = if is_aided { self.vertical } else { VerticalMode::Free };
         let mut channel = root.channel;
@@ -310,7 +311,7 @@ impl Passage<'_> {
         let over = |column: &Column, errors_e: &[VectorPair; 3], channel: &mut VerticalLoop| {
             let mut column = *column;
             advance(&mut column, self.earth, t, &nodes, errors_e);
-            self.at.correct_vertical(&mut column, mode, channel, 0.0, t);
+            self.at.correct_vertical(&mut column, mode, channel, 0.0, times);
             column
         };
 
@@ -334,7 +335,7 @@ impl Passage<'_> {
             })
         };
         let mut altimeter = Column::zeros();
-        self.at.correct_vertical(&mut altimeter, mode, &mut { before }, 1.0, t);
+        self.at.correct_vertical(&mut altimeter, mode, &mut { before }, 1.0, times);
         let responses = Responses {
             constant: core::array::from_fn(|axis| alone(&errors_of(axis, [1.0; 3]))),
             sloping: core::array::from_fn(|axis| alone(&errors_of(axis, [-0.5, 0.0, 0.5]))),
@@ -376,9 +377,15 @@ impl Passage<'_> {
             let by_one = match source.input {
                 Input::Axis(axis) => responses.constant[axis],
                 Input::Element(element) => {
-                    let mean = self.stretch.mean_by_element(element);
-                    let (gyro, accel) = if element < ELEMENTS / 2 { (mean, none) } else { (none, mean) };
-                    alone(&steady(gyro, accel))
+                    let is_gyro = element < ELEMENTS / 2;
+                    let pair = |vector: Vector3<f64>| {
+                        if is_gyro {
+                            VectorPair::new(&vector, &none)
+                        } else {
+                            VectorPair::new(&none, &vector)
+                        }
+                    };
+                    alone(&self.stretch.by_element(element).map(pair))
                 }
                 // To an INS that computes with normal gravity the rest is an error of its accelerometers.
                 Input::Field(field) => alone(&steady(none, -field_e(self.earth, self.truth, field))),

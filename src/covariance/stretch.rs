@@ -18,7 +18,8 @@ const LARGEST_TURN: f64 = 0.3;
 pub struct Stretch {
     pub length_s: f64,
     turn_rad: f64,
-    /// Intervals with a height of the altimeter.
+    pub intervals: u64,
+    /// Those with a height of the altimeter.
     pub aided: u64,
     /// Increments of the sensors.
     pub increments: u64,
@@ -37,11 +38,13 @@ pub struct Stretch {
     angle: Vector3<f64>,
     /// ∫ C s_j dt for each component j of rate and force, Earth-fixed axes.
     elements: [Matrix3<f64>; ELEMENTS / 3],
+    elements_moment: [Matrix3<f64>; ELEMENTS / 3],
 }
 
 stored!(Stretch {
     length_s: 1e6,
     turn_rad: SIGNALS,
+    intervals: COUNT,
     aided: COUNT,
     increments: COUNT,
     ground_m: SIGNALS,
@@ -53,6 +56,7 @@ stored!(Stretch {
     end_e: SIGNALS,
     angle: SIGNALS,
     elements: SIGNALS,
+    elements_moment: SIGNALS,
 });
 
 /// One interval of the truth.
@@ -71,6 +75,7 @@ impl Stretch {
     pub const EMPTY: Self = Self {
         length_s: 0.0,
         turn_rad: 0.0,
+        intervals: 0,
         aided: 0,
         increments: 0,
         ground_m: 0.0,
@@ -82,6 +87,7 @@ impl Stretch {
         end_e: Vector3::new(0.0, 0.0, 0.0),
         angle: Vector3::new(0.0, 0.0, 0.0),
         elements: [ZERO; ELEMENTS / 3],
+        elements_moment: [ZERO; ELEMENTS / 3],
     };
 
     /// Whether it holds no interval.
@@ -112,15 +118,21 @@ impl Stretch {
         self.angle += angle;
         if piece.with_elements {
             let mean = axes / t;
-            for j in 0..3 {
-                self.elements[j] += mean * angle[j];
-                self.elements[3 + j] += mean * velocity[j];
+            let middle_s = self.length_s + 0.5 * t;
+            let signals = [angle.x, angle.y, angle.z, velocity.x, velocity.y, velocity.z];
+            for ((sum, moment), signal) in
+                self.elements.iter_mut().zip(&mut self.elements_moment).zip(signals)
+            {
+                let felt = mean * signal;
+                *sum += felt;
+                *moment += felt * middle_s;
             }
         }
         let turn = angle.norm_squared().sqrt();
         self.turn_rad += turn;
         self.length_s += t;
         self.ground_m += piece.ground_m;
+        self.intervals += 1;
         self.aided += u64::from(piece.is_aided);
         self.increments += piece.ideal.len() as u64;
         // With another interval like this one.
@@ -134,8 +146,7 @@ impl Stretch {
         // The first moment of a line about the middle is a twelfth of its change.
         let force = self.force / t;
         let half_force = (self.force_moment / t - self.force * 0.5) * (6.0 / t);
-        let axes = self.axes / t;
-        let half_axes = (self.axes_moment / t - self.axes * 0.5) * (6.0 / t);
+        let (axes, half_axes) = line(&self.axes, &self.axes_moment, t);
         let node = |r_e, f_e| MotionNode { r_e, v_e: Vector3::zeros(), f_e };
         (
             [
@@ -152,10 +163,17 @@ impl Stretch {
         self.angle / self.length_s
     }
 
-    /// Mean error in Earth-fixed axes that an element of scale factor and misalignment of 1 makes [u].
-    pub fn mean_by_element(&self, element: usize) -> Vector3<f64> {
-        self.elements[element / 3].column(element % 3) / self.length_s
+    /// What an element of scale factor and misalignment of 1 adds to the signals, at the nodes, in Earth-fixed axes [u].
+    pub fn by_element(&self, element: usize) -> [Vector3<f64>; 3] {
+        let (signal, row) = (element / 3, element % 3);
+        let (mean, half) = line(&self.elements[signal], &self.elements_moment[signal], self.length_s);
+        [mean - half, mean, mean + half].map(|matrix| matrix.column(row).into_owned())
     }
+}
+
+/// The mean and half the change of the straight line of an integral and a first moment over `t` [s].
+fn line(sum: &Matrix3<f64>, moment: &Matrix3<f64>, t: f64) -> (Matrix3<f64>, Matrix3<f64>) {
+    (sum / t, (moment / t - sum * 0.5) * (6.0 / t))
 }
 
 const ZERO: Matrix3<f64> = Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);

@@ -114,14 +114,17 @@ impl<'a> At<'a> {
     }
 
     /// Keeps the vertical channel of a column over `t` [s], with an altimeter that shows `altimeter_m` [m] too much. `channel` is
-    /// the loop of the interval before, and becomes that of this.
+    /// the loop of the stretch before, and becomes that of this; it acts every `interval_s` [s], so that the correction of the
+    /// velocity has grown over the rest of the stretch.
+    ///
+    /// Evidence: without that an accelerometer bias of 1e-5 g up costs 4 mm in the horizontal by stretches of a second.
     pub fn correct_vertical(
         &self,
         column: &mut Column,
         mode: VerticalMode,
         channel: &mut VerticalLoop,
         altimeter_m: f64,
-        t: f64,
+        (t, interval_s): (f64, f64),
     ) {
         let form = form_of(column);
         let (height_m, up_m_s) = match &self.block {
@@ -140,7 +143,8 @@ impl<'a> At<'a> {
                 for (row, state) in LOOP.into_iter().zip(channel.states()) {
                     column[row] = state;
                 }
-                correction
+                let displacement_m = 0.5 * correction.velocity_up_m_s * (t - interval_s);
+                VerticalCorrection { displacement_m, ..correction }
             }
         };
         let mut form = form;
