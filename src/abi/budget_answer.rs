@@ -9,7 +9,7 @@ use crate::recommend::SolutionError;
 /// Flags of a sins_budget_row.
 pub type sins_budget_flags = u32;
 
-/// The row's figures are standard deviations (1 sigma) over the runs.
+/// The row's figures are standard deviations (1 sigma), exact to first order.
 pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out together with the others that are marked so.
 pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
@@ -58,11 +58,11 @@ pub struct sins_budget {
     pub reserved: u32,
     /// Time that was looked at: from the end of the first interval to that of the last [s].
     pub duration_s: f64,
-    /// Runs of each random effect; 1 if there is none.
+    /// Runs of all together; 1 if nothing is random.
     pub runs: u64,
     /// Flights that were flown.
     pub flights: u64,
-    /// A standard deviation lies with 95 % probability between its row's figure times this, ...
+    /// The root mean square of what is random in all together lies with 95 % probability between that of the runs times this, ...
     pub sigma_low: f64,
     /// ... and times this; both are 1 if nothing is random.
     pub sigma_high: f64,

@@ -84,6 +84,7 @@ pub fn reads(simulator: &Simulator) -> String {
             (simulator.truth(), simulator.navigation(), simulator.imu()),
             (simulator.errors(ErrorSource::Navigation), simulator.errors(ErrorSource::Model)),
             (simulator.accuracy(), simulator.trim(), simulator.truth_summary()),
+            simulator.clone().covariance(),
         )
     )
 }
@@ -191,6 +192,7 @@ pub fn unusual_options() -> Options {
         key: StreamKey { seed: u64::MAX, run: 3 },
         intake: IntakeLimits { max_gap_s: 3.0, max_acceleration_m_s2: 1500.0, period_s: Some(0.01) },
         truth_summary: true,
+        covariance: true,
     }
 }
 
@@ -277,7 +279,7 @@ pub fn runs() -> Vec<Run> {
 
     // Slewed and paused in flight, errors kept: with samples in the queue at both, twice at once, without velocities.
     for (name, options) in [
-        ("moved", Options { truth_summary: true, ..model }),
+        ("moved", Options { truth_summary: true, covariance: true, ..model }),
         ("moved, periods stated", Options { closed_loop_time_s: Some(20.0), ..unusual_options() }),
     ] {
         let mut calls = setting();
