@@ -32,6 +32,9 @@
 //!     [error data 2]       [error data 1, (4)-(6)]
 //! ```
 //!
+//! With [`Options::covariance`], [`covariance`] propagates the covariance of the errors along the same truth, with the equations of
+//! `errors::model`.
+//!
 //! With the feature `scenes`, `scene` reads and writes a whole scene as a text, and `log` reads flight logs.
 //!
 //! Each block is a module, each arrow a type; [`earth`] (ellipsoid, gravity) and [`math`] serve them all, [`flight`] makes
@@ -88,6 +91,7 @@
 //! | a slew or a pause whose stamps ran on keeps the errors of the INS | `tests/moved.rs` |
 //! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
+//! | the covariance is the closed form at rest, the error of a run over its draw, and the spread of many runs | `tests/covariance.rs`, `tests/covariance_runs.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | conversions hold a nanometre | `tests/earth.rs` |
 //! | what every setter takes, its getter gives back | `tests/read_back.rs` |

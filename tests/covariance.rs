@@ -86,9 +86,8 @@ fn hours_at_rest(simulator: &mut Simulator, hours: usize) -> Vec<[f64; 7]> {
     found
 }
 
-/// The gravity field of the simulator is that of an ellipsoid: the textbook's equations lack what its gradient adds to the
-/// horizontal, 1e-3 of 1/R.
-const MODEL: f64 = 2e-3;
+/// A stretch of the propagation is a second, in which the Earth turns by 7.3e-5 rad: what one may lose.
+const MODEL: f64 = 7.3e-5;
 
 fn agree(found: &[[f64; 7]], variance: impl Fn(f64) -> [f64; 7]) {
     // Of each quantity the largest on the way: a sigma that swings through 0 has no relative error there.
@@ -176,8 +175,9 @@ fn noise_and_random_walks_at_rest_over_a_day() {
     });
 }
 
-/// What each of the effects that are drawn once a run does: the error of a run, over its draw, is the sigma. The draw is not
-/// asked for: it is one number for all errors at all times, and the same run with another sigma has the same one.
+/// What each of the effects that are drawn once a run does: the error of a run (error data 1, which is linear) over its draw is
+/// the sigma. The draw is not asked for: it is one number for all errors at all times. Stretches of a second are told from
+/// intervals by (1 s/t)² of what came in the first t = 20 s: 2e-3.
 #[test]
 fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
     let mut count = 0;
@@ -257,14 +257,6 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
                         sigmas.push(simulator.covariance().unwrap().unwrap().1.sigma());
                     }
                 }
-                if std::env::var_os("SHOW").is_some() {
-                    for (e, s) in errors.iter().zip(&sigmas) {
-                        let r: Vec<String> =
-                            e.iter().zip(s).map(|(e, s)| format!("{:.2e}/{:.5}", s, e / s)).collect();
-                        println!("{}", r.join(" "));
-                    }
-                }
-                // The draw, by least squares over the sizes, sign by sign of each error.
                 for group in 0..3 {
                     let size =
                         |of: &[f64; 9]| of[3 * group..3 * group + 3].iter().map(|x| x * x).sum::<f64>();
@@ -273,10 +265,7 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
                     let (least, most) =
                         ratios.iter().fold((f64::MAX, 0.0f64), |(l, m), r| (l.min(*r), m.max(*r)));
                     println!("{name} {is_gyro} {vertical:?} {group}: {least:.6} {most:.6}");
-                    assert!(
-                        std::env::var_os("LOOSE").is_some() || most / least - 1.0 < 4e-3,
-                        "{name} {vertical:?} {group}: {least} to {most}"
-                    );
+                    assert!(most / least - 1.0 < 2e-3, "{name} {vertical:?} {group}: {least} to {most}");
                     count += 1;
                 }
             }
@@ -292,4 +281,91 @@ fn nine(simulator: &Simulator) -> [f64; 9] {
     nine[3..6].copy_from_slice(errors.velocity_n.as_slice());
     nine[6..].copy_from_slice(errors.misalignment_n.as_slice());
     nine
+}
+
+fn drawn() -> (TriadParameters, InitialErrorParameters) {
+    let gyro = TriadParameters {
+        bias_sigma: Vector3::repeat(1e-7),
+        rate_random_walk: Vector3::repeat(1e-9),
+        ..Default::default()
+    };
+    let initial = InitialErrorParameters {
+        position_sigma_n: Vector3::new(3.0, 4.0, 5.0),
+        velocity_sigma_n: Vector3::new(0.1, 0.2, 0.3),
+        misalignment_sigma_n: Vector3::new(1e-4, 2e-4, 3e-4),
+        ..Default::default()
+    };
+    (gyro, initial)
+}
+
+fn patrolling(options: &Options) -> Simulator {
+    let mut simulator = Simulator::new(options).unwrap();
+    let (gyro, initial) = drawn();
+    simulator.set_gyro(&gyro).unwrap();
+    simulator.set_initial_errors(&initial).unwrap();
+    simulator
+}
+
+fn sigma(simulator: &mut Simulator) -> [f64; 9] {
+    simulator.covariance().unwrap().unwrap().1.sigma()
+}
+
+/// Before the first step it is that of the start; a read changes nothing; other outputs have the same bits with and without it.
+#[test]
+fn it_begins_as_the_start_and_changes_nothing() {
+    let flight = support::patrol(60.0);
+    let sample = |k: u32| flight.sample_at(0.01 * f64::from(k)).unwrap();
+    let options = Options { error_model: true, ..Options::default() };
+    let mut without = patrolling(&options);
+    assert_eq!(without.covariance().unwrap_err().kind, sins::ErrorKind::BadState);
+    let mut with = patrolling(&Options { covariance: true, ..options });
+    let mut unread = patrolling(&Options { covariance: true, ..options });
+    assert_eq!(with.covariance().unwrap(), None);
+    for k in 0..=1234 {
+        for simulator in [&mut with, &mut without, &mut unread] {
+            simulator.push_sample(&sample(k)).unwrap();
+        }
+        if k == 0 {
+            let expected = [3.0, 4.0, 5.0, 0.1, 0.2, 0.3, 1e-4, 2e-4, 3e-4];
+            for (found, expected) in sigma(&mut with).into_iter().zip(expected) {
+                // Rotations to and from Earth-fixed axes, of 1e2 m/s by the lean of 1e-6 rad.
+                assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+            }
+        }
+        for simulator in [&mut with, &mut without, &mut unread] {
+            simulator.step().unwrap();
+        }
+        sigma(&mut with);
+    }
+    assert_eq!(support::bits(&with), support::bits(&without));
+    assert_eq!(with.covariance(), unread.covariance());
+    // What is random has a variance, and nothing is negative.
+    assert!(sigma(&mut with).iter().all(|sigma| *sigma > 0.0));
+}
+
+/// A slew keeps the standard deviations; a reposition starts anew, with walks that go on; a reset takes them back.
+#[test]
+fn slews_keep_it_and_starts_begin_it_anew() {
+    let flight = support::patrol(60.0);
+    let options = Options { covariance: true, ..Options::default() };
+    let mut simulator = patrolling(&options);
+    for k in 0..=2050 {
+        simulator.push_sample(&flight.sample_at(0.01 * f64::from(k)).unwrap()).unwrap();
+        simulator.step().unwrap();
+    }
+    let before = sigma(&mut simulator);
+    let mut elsewhere = flight.sample_at(20.5).unwrap();
+    (elsewhere.place.latitude_rad, elsewhere.place.longitude_rad) = (-0.3, 2.0);
+    simulator.move_truth(&elsewhere).unwrap();
+    for (before, after) in before.into_iter().zip(sigma(&mut simulator)) {
+        assert!((after / before - 1.0).abs() < 1e-9, "{before} {after}");
+    }
+    simulator.reposition(&elsewhere).unwrap();
+    assert!((sigma(&mut simulator)[0] / 3.0 - 1.0).abs() < 1e-12);
+    simulator.reset();
+    for k in 0..=2050 {
+        simulator.push_sample(&flight.sample_at(0.01 * f64::from(k)).unwrap()).unwrap();
+        simulator.step().unwrap();
+    }
+    assert_eq!(sigma(&mut simulator), before);
 }

@@ -195,6 +195,9 @@ impl Propagation {
             block: flown.block,
             with_elements: has_elements(parameters),
         };
+        if self.stretch.has_no_room_for(flown.motion.interval_s) {
+            self.bring_up_to_date(flown.current, flown.block, parameters);
+        }
         if self.stretch.add(&piece) {
             self.bring_up_to_date(flown.next, flown.block, parameters);
         }

@@ -57,6 +57,10 @@ stored!(Stretch {
     angle: SIGNALS,
     elements: SIGNALS,
     elements_moment: SIGNALS,
+} then |stretch, from| {
+    from.require(stretch.length_s >= 0.0 && stretch.turn_rad >= 0.0, stretch.length_s, "must not be negative")?;
+    let is_counted = stretch.intervals > 0 && stretch.increments > 0;
+    from.require(stretch.is_empty() || is_counted, stretch.length_s, "has no intervals")
 });
 
 /// One interval of the truth.
@@ -93,6 +97,11 @@ impl Stretch {
     /// Whether it holds no interval.
     pub fn is_empty(&self) -> bool {
         self.length_s == 0.0
+    }
+
+    /// Whether an interval of `t` [s] would make it too long: a gap.
+    pub fn has_no_room_for(&self, t: f64) -> bool {
+        !self.is_empty() && self.length_s + t > LONGEST_S * (1.0 + 1e-6)
     }
 
     /// Adds an interval; whether the stretch has become long enough.
@@ -136,7 +145,7 @@ impl Stretch {
         self.aided += u64::from(piece.is_aided);
         self.increments += piece.ideal.len() as u64;
         // With another interval like this one.
-        self.length_s + t > LONGEST_S * (1.0 + 1e-6) || self.turn_rad + turn > LARGEST_TURN
+        self.has_no_room_for(t) || self.turn_rad + turn > LARGEST_TURN
     }
 
     /// The motion as straight lines of the same integrals and first moments: its nodes, and the sensor axes there.

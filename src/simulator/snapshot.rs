@@ -60,7 +60,7 @@ impl Simulator {
             Mode::Waiting => {
                 to.count(WAITING);
                 summary.iter().for_each(|summary| summary.save(&mut to));
-                covariance.iter().for_each(|covariance| covariance.save(&mut to));
+                covariance.iter().for_each(|covariance| covariance.save_waiting(&mut to));
             }
             Mode::Flying(chain) => {
                 to.count(FLYING);
@@ -114,7 +114,7 @@ impl Simulator {
                 if let Some(summary) = &mut self.summary {
                     summary.load(&mut from)?;
                 }
-                self.covariance.iter_mut().try_for_each(|covariance| covariance.load(&mut from))?;
+                self.covariance.iter_mut().try_for_each(|covariance| covariance.load_waiting(&mut from))?;
             }
         }
         if self.sensors.depend_on_temperature() {
