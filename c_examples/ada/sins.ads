@@ -369,7 +369,7 @@ package Sins is
 
    --  Flags of a sins_budget_row.
    subtype sins_budget_flags is Unsigned_32;
-   --  The row's figures are standard deviations (1 sigma) over the runs.
+   --  The row's figures are standard deviations (1 sigma), exact to first order.
    SINS_BUDGET_RANDOM : constant sins_budget_flags := 1;
    --  The effect can be left out together with the others that are marked so.
    SINS_BUDGET_CAN_BE_LEFT_OUT : constant sins_budget_flags := 2;
@@ -1406,7 +1406,7 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET_REQUEST;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Runs of each random effect, 8 to 1000; 0: 16.
+      --  Runs of all together, if anything is random, 8 to 1000; 0: 16.
       runs : Unsigned_64 := 0;
       --  What the effects that are left out may change together at any time of the scene: position [m].
       position_m : double := 0.0;
@@ -1456,11 +1456,11 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Time that was looked at: from the end of the first interval to that of the last [s].
       duration_s : double := 0.0;
-      --  Runs of each random effect; 1 if there is none.
+      --  Runs of all together; 1 if nothing is random.
       runs : Unsigned_64 := 0;
       --  Flights that were flown.
       flights : Unsigned_64 := 0;
-      --  A standard deviation lies with 95 % probability between its row's figure times this, ...
+      --  The root mean square of what is random in all together lies with 95 % probability between that of the runs times this, ...
       sigma_low : double := 0.0;
       --  ... and times this; both are 1 if nothing is random.
       sigma_high : double := 0.0;
@@ -2163,21 +2163,22 @@ package Sins is
    --  none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
    --  runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
    --  run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
-   --  instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-   --  sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+   --  instants, equally spaced, and that of the last sample. Of an effect that is drawn it is one standard deviation by the
+   --  covariance of a flight with this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All together
+   --  is flown with the draws of the runs sins_options.run, run + 1 and so on.
    --
    --  rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
    --  position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
-   --  the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+   --  the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the effects.
    --
    --  With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
-   --  while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
-   --  are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
-   --  what that changes, left_out, is beyond a limit, the largest of them comes back.
+   --  while the sum of the deterministic contributions and the root of the sum of squares of the random ones are together, root of
+   --  the sum of squares, within each limit. Then all is flown again without them, in every run; while what that changes, left_out,
+   --  is beyond a limit, the largest of them comes back.
    --
    --  But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
-   --  and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-   --  and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+   --  and flies 1 + each effect + runs times all together, and as many times what is random, with limits again runs times and
+   --  more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
    --
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
    --  may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,

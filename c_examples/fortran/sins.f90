@@ -374,7 +374,7 @@ module sins
 
   !> Flags of a sins_budget_row.
   integer, parameter :: sins_budget_flags = c_int32_t
-  !> The row's figures are standard deviations (1 sigma) over the runs.
+  !> The row's figures are standard deviations (1 sigma), exact to first order.
   integer(c_int32_t), parameter :: SINS_BUDGET_RANDOM = 1
   !> The effect can be left out together with the others that are marked so.
   integer(c_int32_t), parameter :: SINS_BUDGET_CAN_BE_LEFT_OUT = 2
@@ -1357,7 +1357,7 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET_REQUEST
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Runs of each random effect, 8 to 1000; 0: 16.
+    !> Runs of all together, if anything is random, 8 to 1000; 0: 16.
     integer(c_int64_t) :: runs = 0_c_int64_t
     !> What the effects that are left out may change together at any time of the scene: position [m].
     real(c_double) :: position_m = 0.0_c_double
@@ -1405,11 +1405,11 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Time that was looked at: from the end of the first interval to that of the last [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Runs of each random effect; 1 if there is none.
+    !> Runs of all together; 1 if nothing is random.
     integer(c_int64_t) :: runs = 0_c_int64_t
     !> Flights that were flown.
     integer(c_int64_t) :: flights = 0_c_int64_t
-    !> A standard deviation lies with 95 % probability between its row's figure times this, ...
+    !> The root mean square of what is random in all together lies with 95 % probability between that of the runs times this, ...
     real(c_double) :: sigma_low = 0.0_c_double
     !> ... and times this; both are 1 if nothing is random.
     real(c_double) :: sigma_high = 0.0_c_double
@@ -2486,21 +2486,22 @@ module sins
     !> none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
     !> runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
     !> run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
-    !> instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-    !> sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+    !> instants, equally spaced, and that of the last sample. Of an effect that is drawn it is one standard deviation by the
+    !> covariance of a flight with this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All together
+    !> is flown with the draws of the runs sins_options.run, run + 1 and so on.
     !>
     !> rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
     !> position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
-    !> the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+    !> the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the effects.
     !>
     !> With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
-    !> while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
-    !> are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
-    !> what that changes, left_out, is beyond a limit, the largest of them comes back.
+    !> while the sum of the deterministic contributions and the root of the sum of squares of the random ones are together, root of
+    !> the sum of squares, within each limit. Then all is flown again without them, in every run; while what that changes, left_out,
+    !> is beyond a limit, the largest of them comes back.
     !>
     !> But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
-    !> and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-    !> and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+    !> and flies 1 + each effect + runs times all together, and as many times what is random, with limits again runs times and
+    !> more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
     !>
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
     !> may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,

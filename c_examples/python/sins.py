@@ -600,7 +600,7 @@ class scene_text(enum.IntEnum):
 class budget_flags(enum.IntFlag):
     """Flags of a sins.budget_row.
 
-    BUDGET_RANDOM: The row's figures are standard deviations (1 sigma) over the runs.
+    BUDGET_RANDOM: The row's figures are standard deviations (1 sigma), exact to first order.
     BUDGET_CAN_BE_LEFT_OUT: The effect can be left out together with the others that are marked so.
     """
 
@@ -1728,7 +1728,7 @@ class cost(_Struct):
 class budget_request(_Struct):
     """What a budget is asked for. A limit of 0 is none.
 
-    runs: Runs of each random effect, 8 to 1000; 0: 16.
+    runs: Runs of all together, if anything is random, 8 to 1000; 0: 16.
     position_m: What the effects that are left out may change together at any time of the scene: position [m].
     velocity_m_s: Velocity [m/s].
     attitude_rad: Misalignment [rad].
@@ -1786,9 +1786,10 @@ class budget(_Struct):
     """A budget as a whole.
 
     duration_s: Time that was looked at: from the end of the first interval to that of the last [s].
-    runs: Runs of each random effect; 1 if there is none.
+    runs: Runs of all together; 1 if nothing is random.
     flights: Flights that were flown.
-    sigma_low: A standard deviation lies with 95 % probability between its row's figure times this, ...
+    sigma_low: The root mean square of what is random in all together lies with 95 % probability between that of
+        the runs times this, ...
     sigma_high: ... and times this; both are 1 if nothing is random.
     position_m: Errors with all effects together, root mean square over the runs, the largest of the scene:
         position [m].
@@ -2769,21 +2770,22 @@ def error_budget(configured, samples, request, rows, written, budget):
     lever_arm_m and boresight_rad of the mounting: all runs fly with them.) Its contribution is the error, navigation
     less truth, of a run with this effect alone less that of a run with nothing set: the length of the vector in
     position, in velocity and in misalignment, the largest of up to 1000 instants, equally spaced, and that of the
-    last sample. Of an effect that is drawn it is the root mean square over the runs sins.options.run, run + 1 and so
-    on (sins.BUDGET_RANDOM).
+    last sample. Of an effect that is drawn it is one standard deviation by the covariance of a flight with this
+    effect alone, exact to first order (sins.BUDGET_RANDOM; see sins.covariance). All together is flown with the draws
+    of the runs sins.options.run, run + 1 and so on.
 
     rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the
     largest position first, then velocity, then misalignment; with limits the largest share of a limit first. What is
-    not the sum of the rows is in the remainder, draw by draw: effects that act on each other, of second order in
-    their sizes.
+    not the sum of the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the
+    effects.
 
     With limits the effects are marked that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT): from the smallest
-    share on while the sum of the deterministic contributions, and the root of the sum of squares of the random ones
-    times sigma_high, are together, root of the sum of squares, within each limit. Then all is flown again without
-    them, in every run; while what that changes, left_out, is beyond a limit, the largest of them comes back.
+    share on while the sum of the deterministic contributions and the root of the sum of squares of the random ones
+    are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run;
+    while what that changes, left_out, is beyond a limit, the largest of them comes back.
 
     But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it
-    allocates, and flies 1 + each deterministic effect + runs times each random effect and all together, with limits
+    allocates, and flies 1 + each effect + runs times all together, and as many times what is random, with limits
     again runs times and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
 
     sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown

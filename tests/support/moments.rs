@@ -279,7 +279,7 @@ pub fn runs() -> Vec<Run> {
 
     // Slewed and paused in flight, errors kept: with samples in the queue at both, twice at once, without velocities.
     for (name, options) in [
-        ("moved", Options { truth_summary: true, covariance: true, ..model }),
+        ("moved", Options { truth_summary: true, ..model }),
         ("moved, periods stated", Options { closed_loop_time_s: Some(20.0), ..unusual_options() }),
     ] {
         let mut calls = setting();
