@@ -16,13 +16,17 @@
 //!
 //! It is the covariance about the mean: what is given (biases, failures, gravity's constant parts) is not in it.
 
+mod alignment;
 mod factor;
 mod figures;
+mod passage;
 mod propagation;
+mod read;
 mod snapshot;
 mod sources;
 mod stretch;
 
+pub(crate) use alignment::Alignment;
 pub use figures::{ErrorEllipse, Matrix9, NavigationCovariance};
-pub(crate) use propagation::{Alignment, Flown, Propagation, StartErrors};
+pub(crate) use propagation::{Flown, Propagation, StartErrors};
 pub(crate) use sources::Parameters;

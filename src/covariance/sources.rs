@@ -1,5 +1,7 @@
 //! What is random in a run, each a process of unit variance.
 
+use nalgebra::{Matrix3, Vector3};
+
 use crate::sensors::{
     AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceParameters, MarkovStep, TriadParameters,
 };
@@ -11,6 +13,15 @@ pub(crate) struct Parameters<'a> {
     pub accel: &'a TriadParameters,
     pub altimeter: &'a AltimeterParameters,
     pub gravity: &'a GravityDisturbanceParameters,
+}
+
+impl Parameters<'_> {
+    /// Whether scale factors or misalignments are random.
+    pub fn have_elements(&self) -> bool {
+        [self.gyro, self.accel].iter().any(|triad| {
+            triad.scale_factor_sigma != Vector3::zeros() || triad.misalignment_sigma != Matrix3::zeros()
+        })
+    }
 }
 
 const FLICKER: usize = FLICKER_PROCESSES.len();
