@@ -258,6 +258,14 @@ enum sins_summary {
     SINS_SUMMARY_ON = 1
 };
 
+/* Whether the covariance of the navigation errors is propagated. */
+enum sins_covariance_mode {
+    /* sins_get_covariance() is not available. */
+    SINS_COVARIANCE_OFF = 0,
+    /* The covariance is propagated along the truth; the other outputs have the same bits. */
+    SINS_COVARIANCE_ON = 1
+};
+
 /* Ellipsoids. */
 enum sins_earth {
     /* World Geodetic System 1984. */
@@ -521,7 +529,7 @@ enum sins_scene_text {
 
 /* Flags of a sins_budget_row. */
 enum sins_budget_flags {
-    /* The row's figures are standard deviations (1 sigma) over the runs. */
+    /* The row's figures are standard deviations (1 sigma), exact to first order. */
     SINS_BUDGET_RANDOM = 1,
     /* The effect can be left out together with the others that are marked so. */
     SINS_BUDGET_CAN_BE_LEFT_OUT = 2
@@ -544,7 +552,7 @@ enum sins_budget_flags {
  * A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
  * sins_snapshot_size().
  */
-#define SINS_SNAPSHOT_MAX_SIZE 8192
+#define SINS_SNAPSHOT_MAX_SIZE 20480
 
 /* Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed. */
 typedef int32_t sins_status;
@@ -598,8 +606,8 @@ typedef struct sins_options {
     double max_acceleration_m_s2;
     /* Of enum sins_summary. */
     int32_t truth_summary;
-    /* Must be 0. */
-    uint32_t reserved2;
+    /* Of enum sins_covariance_mode. */
+    int32_t covariance;
 } sins_options;
 
 /*
@@ -1321,6 +1329,47 @@ typedef struct sins_truth_summary {
     double height_max_at_s;
 } sins_truth_summary;
 
+/*
+ * Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors in
+ * the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+ *
+ * It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames, which
+ * agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn initial errors;
+ * what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk
+ * and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise; quantization, as white noise of its
+ * variance. Given values, failures, and what is not linear (dead zone, range) are not in it: they move the mean. One second
+ * of flight is one step of the propagation; a parameter that is set in flight counts from the start of the step it is set in.
+ */
+typedef struct sins_covariance {
+    /* sizeof(sins_covariance) */
+    uint32_t struct_size;
+    /* Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is. */
+    int32_t flags;
+    /* Time [s]. */
+    double time_s;
+    /* Covariance, 9 by 9, row by row; symmetric, and never negative by rounding. */
+    double covariance[81];
+    /* Standard deviation of the position error [m]. */
+    double position_sigma_enu_m[3];
+    /* Standard deviation of the velocity error [m/s]. */
+    double velocity_sigma_enu_m_s[3];
+    /* Standard deviation of the misalignment [rad]. */
+    double misalignment_sigma_enu_rad[3];
+    /* Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m]. */
+    double ellipse_major_m;
+    /* Semi-minor axis [m]. */
+    double ellipse_minor_m;
+    /* Azimuth of the major axis, from north to the east, 0 up to pi [rad]. */
+    double ellipse_azimuth_rad;
+    /*
+     * Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
+     * this ellipse with the mean 0 [m].
+     */
+    double cep50_m;
+    /* The same of 95 % [m]. */
+    double radial_95_m;
+} sins_covariance;
+
 /* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
 typedef struct sins_imu_increment {
     /* sizeof(sins_imu_increment) */
@@ -1635,7 +1684,7 @@ typedef struct sins_budget_request {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Runs of each random effect, 8 to 1000; 0: 16. */
+    /* Runs of all together, if anything is random, 8 to 1000; 0: 16. */
     uint64_t runs;
     /* What the effects that are left out may change together at any time of the scene: position [m]. */
     double position_m;
@@ -1687,11 +1736,11 @@ typedef struct sins_budget {
     uint32_t reserved;
     /* Time that was looked at: from the end of the first interval to that of the last [s]. */
     double duration_s;
-    /* Runs of each random effect; 1 if there is none. */
+    /* Runs of all together; 1 if nothing is random. */
     uint64_t runs;
     /* Flights that were flown. */
     uint64_t flights;
-    /* A standard deviation lies with 95 % probability between its row's figure times this, ... */
+    /* The root mean square of what is random in all together lies with 95 % probability between that of the runs times this, ... */
     double sigma_low;
     /* ... and times this; both are 1 if nothing is random. */
     double sigma_high;
@@ -1737,6 +1786,7 @@ enum sins_sizeof {
     SINS_SIZEOF_ERRORS = 144,
     SINS_SIZEOF_ACCURACY = 256,
     SINS_SIZEOF_TRUTH_SUMMARY = 232,
+    SINS_SIZEOF_COVARIANCE = 776,
     SINS_SIZEOF_IMU_INCREMENT = 264,
     SINS_SIZEOF_STATISTICS = 14920,
     SINS_SIZEOF_FIGURES = 936,
@@ -2040,6 +2090,15 @@ SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accu
  * there is no truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
+
+/*
+ * Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start. It
+ * changes no other output.
+ *
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+ */
+SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_covariance *covariance);
 
 /*
  * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
@@ -2654,21 +2713,21 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
  * runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
  * run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
- * instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
- * sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+ * instants, equally spaced, and that of the last sample. Of an effect that is drawn it is one standard deviation by the
+ * covariance of a flight with this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All together
+ * is flown with the draws of the runs sins_options.run, run + 1 and so on.
  *
  * rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
  * position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
- * the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+ * the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the effects.
  *
  * With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
- * while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
- * are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
+ * while the sum of the deterministic contributions and the root of the sum of squares of the random ones are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
  * what that changes, left_out, is beyond a limit, the largest of them comes back.
  *
  * But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
- * and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
- * and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+ * and flies 1 + each effect + runs times all together, and as many times what is random, with limits again runs times and
+ * more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
  * may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,

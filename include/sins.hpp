@@ -300,6 +300,7 @@ public:
     bool get_errors(int32_t source, sins_errors &errors) const { return done(sins_get_errors(sim_, source, &errors)); }
     bool get_accuracy(sins_accuracy &accuracy) const { return done(sins_get_accuracy(sim_, &accuracy)); }
     bool get_truth_summary(sins_truth_summary &summary) const { return done(sins_get_truth_summary(sim_, &summary)); }
+    bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(sim_, &covariance)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
 
     /* The options in effect, defaults in place of 0. */

@@ -50,6 +50,7 @@
     X(sins_status, sins_get_errors, (sins_sim *sim, int32_t source, sins_errors *errors)) \
     X(sins_status, sins_get_accuracy, (sins_sim *sim, sins_accuracy *accuracy)) \
     X(sins_status, sins_get_truth_summary, (sins_sim *sim, sins_truth_summary *summary)) \
+    X(sins_status, sins_get_covariance, (sins_sim *sim, sins_covariance *covariance)) \
     X(sins_status, sins_get_record, (sins_sim *sim, sins_record *record)) \
     X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
     X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \

@@ -34,7 +34,8 @@
 //!
 //! Each block is a module, and each arrow is a type. All blocks use [`earth`] (ellipsoid, gravity) and [`math`]. [`flight`] makes
 //! samples from manoeuvres, `simulator` connects the blocks, and [`snapshot`] saves the state of all of them. With the feature
-//! `scenes`, `scene` reads and writes a whole scene as text, and `log` reads flight logs.
+//! `scenes`, `scene` reads and writes a whole scene as text, and `log` reads flight logs. With [`Options::covariance`],
+//! [`covariance`] propagates the covariance of the errors along the same truth, with the equations of `errors::model`.
 //!
 //! # Notation
 //!
@@ -87,6 +88,7 @@
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/moved.rs` |
 //! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
+//! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/covariance.rs`, `tests/covariance_runs.rs` |
 //! | contributions of effects equal their closed forms, and effects marked so can be left out | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | geodetic conversions are accurate to a nanometre | `tests/earth.rs` |
 //! | every getter returns what its setter was given | `tests/read_back.rs` |
@@ -142,6 +144,8 @@
 pub mod abi;
 #[forbid(unsafe_code)]
 pub mod budget;
+#[forbid(unsafe_code)]
+pub mod covariance;
 #[forbid(unsafe_code)]
 pub mod earth;
 #[forbid(unsafe_code)]

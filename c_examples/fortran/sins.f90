@@ -59,7 +59,7 @@ module sins
   integer(c_int), parameter :: SINS_VERSION_PATCH = 0
   !> A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
   !> sins_snapshot_size().
-  integer(c_int), parameter :: SINS_SNAPSHOT_MAX_SIZE = 8192
+  integer(c_int), parameter :: SINS_SNAPSHOT_MAX_SIZE = 20480
 
   !> Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
   integer, parameter :: sins_status = c_int32_t
@@ -147,6 +147,13 @@ module sins
   integer(c_int32_t), parameter :: SINS_SUMMARY_OFF = 0
   !> The motion of the truth is summed up; the other outputs have the same bits.
   integer(c_int32_t), parameter :: SINS_SUMMARY_ON = 1
+
+  !> Whether the covariance of the navigation errors is propagated.
+  integer, parameter :: sins_covariance_mode = c_int32_t
+  !> sins_get_covariance() is not available.
+  integer(c_int32_t), parameter :: SINS_COVARIANCE_OFF = 0
+  !> The covariance is propagated along the truth; the other outputs have the same bits.
+  integer(c_int32_t), parameter :: SINS_COVARIANCE_ON = 1
 
   !> Ellipsoids.
   integer, parameter :: sins_earth = c_int32_t
@@ -367,7 +374,7 @@ module sins
 
   !> Flags of a sins_budget_row.
   integer, parameter :: sins_budget_flags = c_int32_t
-  !> The row's figures are standard deviations (1 sigma) over the runs.
+  !> The row's figures are standard deviations (1 sigma), exact to first order.
   integer(c_int32_t), parameter :: SINS_BUDGET_RANDOM = 1
   !> The effect can be left out together with the others that are marked so.
   integer(c_int32_t), parameter :: SINS_BUDGET_CAN_BE_LEFT_OUT = 2
@@ -390,6 +397,7 @@ module sins
   integer(c_int32_t), parameter :: SINS_SIZEOF_ERRORS = 144
   integer(c_int32_t), parameter :: SINS_SIZEOF_ACCURACY = 256
   integer(c_int32_t), parameter :: SINS_SIZEOF_TRUTH_SUMMARY = 232
+  integer(c_int32_t), parameter :: SINS_SIZEOF_COVARIANCE = 776
   integer(c_int32_t), parameter :: SINS_SIZEOF_IMU_INCREMENT = 264
   integer(c_int32_t), parameter :: SINS_SIZEOF_STATISTICS = 14920
   integer(c_int32_t), parameter :: SINS_SIZEOF_FIGURES = 936
@@ -448,8 +456,8 @@ module sins
     real(c_double) :: max_acceleration_m_s2 = 0.0_c_double
     !> Of enum sins_summary.
     integer(c_int32_t) :: truth_summary = 0_c_int32_t
-    !> Must be 0.
-    integer(c_int32_t) :: reserved2 = 0_c_int32_t
+    !> Of enum sins_covariance_mode.
+    integer(c_int32_t) :: covariance = 0_c_int32_t
   end type sins_options
 
   !> True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
@@ -1089,6 +1097,44 @@ module sins
     real(c_double) :: height_max_at_s = 0.0_c_double
   end type sins_truth_summary
 
+  !> Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors in
+  !> the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+  !>
+  !> It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames,
+  !> which agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn initial
+  !> errors; what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate
+  !> random walk and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise; quantization, as white
+  !> noise of its variance. Given values, failures, and what is not linear (dead zone, range) are not in it: they move the mean. One
+  !> second of flight is one step of the propagation; a parameter that is set in flight counts from the start of the step it is set
+  !> in.
+  type, bind(C) :: sins_covariance
+    !> sizeof(sins_covariance)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_COVARIANCE
+    !> Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> Time [s].
+    real(c_double) :: time_s = 0.0_c_double
+    !> Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    real(c_double) :: covariance(81) = 0.0_c_double
+    !> Standard deviation of the position error [m].
+    real(c_double) :: position_sigma_enu_m(3) = 0.0_c_double
+    !> Standard deviation of the velocity error [m/s].
+    real(c_double) :: velocity_sigma_enu_m_s(3) = 0.0_c_double
+    !> Standard deviation of the misalignment [rad].
+    real(c_double) :: misalignment_sigma_enu_rad(3) = 0.0_c_double
+    !> Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
+    real(c_double) :: ellipse_major_m = 0.0_c_double
+    !> Semi-minor axis [m].
+    real(c_double) :: ellipse_minor_m = 0.0_c_double
+    !> Azimuth of the major axis, from north to the east, 0 up to pi [rad].
+    real(c_double) :: ellipse_azimuth_rad = 0.0_c_double
+    !> Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
+    !> this ellipse with the mean 0 [m].
+    real(c_double) :: cep50_m = 0.0_c_double
+    !> The same of 95 % [m].
+    real(c_double) :: radial_95_m = 0.0_c_double
+  end type sins_covariance
+
   !> Increments of an inertial measurement unit over an interval, in count parts of equal length.
   type, bind(C) :: sins_imu_increment
     !> sizeof(sins_imu_increment)
@@ -1393,7 +1439,7 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET_REQUEST
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Runs of each random effect, 8 to 1000; 0: 16.
+    !> Runs of all together, if anything is random, 8 to 1000; 0: 16.
     integer(c_int64_t) :: runs = 0_c_int64_t
     !> What the effects that are left out may change together at any time of the scene: position [m].
     real(c_double) :: position_m = 0.0_c_double
@@ -1441,11 +1487,11 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Time that was looked at: from the end of the first interval to that of the last [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Runs of each random effect; 1 if there is none.
+    !> Runs of all together; 1 if nothing is random.
     integer(c_int64_t) :: runs = 0_c_int64_t
     !> Flights that were flown.
     integer(c_int64_t) :: flights = 0_c_int64_t
-    !> A standard deviation lies with 95 % probability between its row's figure times this, ...
+    !> The root mean square of what is random in all together lies with 95 % probability between that of the runs times this, ...
     real(c_double) :: sigma_low = 0.0_c_double
     !> ... and times this; both are 1 if nothing is random.
     real(c_double) :: sigma_high = 0.0_c_double
@@ -1884,6 +1930,18 @@ module sins
       type(sins_truth_summary), intent(inout) :: summary
       integer(sins_status) :: sins_get_truth_summary
     end function sins_get_truth_summary
+
+    !> Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start.
+    !> It changes no other output.
+    !>
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+    !> SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+    function sins_get_covariance(sim, covariance) bind(C, name="sins_get_covariance")
+      import
+      type(c_ptr), value :: sim
+      type(sins_covariance), intent(inout) :: covariance
+      integer(sins_status) :: sins_get_covariance
+    end function sins_get_covariance
 
     !> Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
     !>
@@ -2759,21 +2817,22 @@ module sins
     !> none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
     !> runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
     !> run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
-    !> instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-    !> sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+    !> instants, equally spaced, and that of the last sample. Of an effect that is drawn it is one standard deviation by the
+    !> covariance of a flight with this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All together
+    !> is flown with the draws of the runs sins_options.run, run + 1 and so on.
     !>
     !> rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
     !> position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
-    !> the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+    !> the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the effects.
     !>
     !> With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
-    !> while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
-    !> are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
-    !> what that changes, left_out, is beyond a limit, the largest of them comes back.
+    !> while the sum of the deterministic contributions and the root of the sum of squares of the random ones are together, root of
+    !> the sum of squares, within each limit. Then all is flown again without them, in every run; while what that changes, left_out,
+    !> is beyond a limit, the largest of them comes back.
     !>
     !> But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
-    !> and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-    !> and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+    !> and flies 1 + each effect + runs times all together, and as many times what is random, with limits again runs times and
+    !> more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
     !>
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
     !> may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,

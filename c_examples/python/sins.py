@@ -43,7 +43,7 @@ VERSION_MINOR = 1
 VERSION_PATCH = 0
 # A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
 # sins.snapshot_size().
-SNAPSHOT_MAX_SIZE = 8192
+SNAPSHOT_MAX_SIZE = 20480
 DEG = 0.017453292519943295  # degree [rad]
 ARCMIN = 0.0002908882086657216  # minute of arc [rad]
 ARCSEC = 4.84813681109536e-6  # second of arc [rad]
@@ -260,6 +260,18 @@ class summary(enum.IntEnum):
 
     SUMMARY_OFF = 0
     SUMMARY_ON = 1
+
+
+@_exported
+class covariance_mode(enum.IntEnum):
+    """Whether the covariance of the navigation errors is propagated.
+
+    COVARIANCE_OFF: sins.get_covariance() is not available.
+    COVARIANCE_ON: The covariance is propagated along the truth; the other outputs have the same bits.
+    """
+
+    COVARIANCE_OFF = 0
+    COVARIANCE_ON = 1
 
 
 @_exported
@@ -588,7 +600,7 @@ class scene_text(enum.IntEnum):
 class budget_flags(enum.IntFlag):
     """Flags of a sins.budget_row.
 
-    BUDGET_RANDOM: The row's figures are standard deviations (1 sigma) over the runs.
+    BUDGET_RANDOM: The row's figures are standard deviations (1 sigma), exact to first order.
     BUDGET_CAN_BE_LEFT_OUT: The effect can be left out together with the others that are marked so.
     """
 
@@ -644,6 +656,7 @@ class options(_Struct):
     max_acceleration_m_s2: Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6
         [m/s2]; 0: 2000 m/s2.
     truth_summary: Of enum sins.summary.
+    covariance: Of enum sins.covariance_mode.
     """
 
     __slots__ = ()
@@ -667,7 +680,7 @@ class options(_Struct):
         ("max_gap_s", c_double),
         ("max_acceleration_m_s2", c_double),
         ("truth_summary", c_int32),
-        ("reserved2", c_uint32),
+        ("covariance", c_int32),
     ]
 
 
@@ -1413,6 +1426,50 @@ class truth_summary(_Struct):
     ]
 
 
+class covariance(_Struct):
+    """Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of
+    sins.errors in the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+
+    It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both
+    frames, which agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in
+    it: the drawn initial errors; what an alignment makes of the sensors; turn-on biases, scale factors and
+    misalignments; Gauss-Markov, flicker, rate random walk and white noise; gravity's random fields; the altimeter's
+    Gauss-Markov error and noise; quantization, as white noise of its variance. Given values, failures, and what is
+    not linear (dead zone, range) are not in it: they move the mean. One second of flight is one step of the
+    propagation; a parameter that is set in flight counts from the start of the step it is set in.
+
+    flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE; sins.ERRORS_OUTSIDE_VALIDITY where a
+        standard deviation is.
+    time_s: Time [s].
+    covariance[81]: Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    position_sigma_enu_m[3]: Standard deviation of the position error [m].
+    velocity_sigma_enu_m_s[3]: Standard deviation of the velocity error [m/s].
+    misalignment_sigma_enu_rad[3]: Standard deviation of the misalignment [rad].
+    ellipse_major_m: Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
+    ellipse_minor_m: Semi-minor axis [m].
+    ellipse_azimuth_rad: Azimuth of the major axis, from north to the east, 0 up to pi [rad].
+    cep50_m: Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of
+        the normal density of this ellipse with the mean 0 [m].
+    radial_95_m: The same of 95 % [m].
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_int32),
+        ("time_s", c_double),
+        ("covariance", c_double * 81),
+        ("position_sigma_enu_m", c_double * 3),
+        ("velocity_sigma_enu_m_s", c_double * 3),
+        ("misalignment_sigma_enu_rad", c_double * 3),
+        ("ellipse_major_m", c_double),
+        ("ellipse_minor_m", c_double),
+        ("ellipse_azimuth_rad", c_double),
+        ("cep50_m", c_double),
+        ("radial_95_m", c_double),
+    ]
+
+
 class imu_increment(_Struct):
     """Increments of an inertial measurement unit over an interval, in count parts of equal length.
 
@@ -1767,7 +1824,7 @@ class cost(_Struct):
 class budget_request(_Struct):
     """What a budget is asked for. A limit of 0 is none.
 
-    runs: Runs of each random effect, 8 to 1000; 0: 16.
+    runs: Runs of all together, if anything is random, 8 to 1000; 0: 16.
     position_m: What the effects that are left out may change together at any time of the scene: position [m].
     velocity_m_s: Velocity [m/s].
     attitude_rad: Misalignment [rad].
@@ -1825,9 +1882,10 @@ class budget(_Struct):
     """A budget as a whole.
 
     duration_s: Time that was looked at: from the end of the first interval to that of the last [s].
-    runs: Runs of each random effect; 1 if there is none.
+    runs: Runs of all together; 1 if nothing is random.
     flights: Flights that were flown.
-    sigma_low: A standard deviation lies with 95 % probability between its row's figure times this, ...
+    sigma_low: The root mean square of what is random in all together lies with 95 % probability between that of
+        the runs times this, ...
     sigma_high: ... and times this; both are 1 if nothing is random.
     position_m: Errors with all effects together, root mean square over the runs, the largest of the scene:
         position [m].
@@ -2303,6 +2361,16 @@ def get_truth_summary(sim, summary):
 
     sins.NEED_SAMPLE: no interval yet. sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on
     increments, there is no truth.
+    """
+
+
+@_function(status, sim, POINTER(covariance))
+def get_covariance(sim, covariance):
+    """Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at
+    the start. It changes no other output.
+
+    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: sins.options.covariance is off, or navigating on
+    increments. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: no INS can start at the first sample.
     """
 
 
@@ -2998,21 +3066,22 @@ def error_budget(configured, samples, request, rows, written, budget):
     lever_arm_m and boresight_rad of the mounting: all runs fly with them.) Its contribution is the error, navigation
     less truth, of a run with this effect alone less that of a run with nothing set: the length of the vector in
     position, in velocity and in misalignment, the largest of up to 1000 instants, equally spaced, and that of the
-    last sample. Of an effect that is drawn it is the root mean square over the runs sins.options.run, run + 1 and so
-    on (sins.BUDGET_RANDOM).
+    last sample. Of an effect that is drawn it is one standard deviation by the covariance of a flight with this
+    effect alone, exact to first order (sins.BUDGET_RANDOM; see sins.covariance). All together is flown with the draws
+    of the runs sins.options.run, run + 1 and so on.
 
     rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the
     largest position first, then velocity, then misalignment; with limits the largest share of a limit first. What is
-    not the sum of the rows is in the remainder, draw by draw: effects that act on each other, of second order in
-    their sizes.
+    not the sum of the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the
+    effects.
 
     With limits the effects are marked that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT): from the smallest
-    share on while the sum of the deterministic contributions, and the root of the sum of squares of the random ones
-    times sigma_high, are together, root of the sum of squares, within each limit. Then all is flown again without
-    them, in every run; while what that changes, left_out, is beyond a limit, the largest of them comes back.
+    share on while the sum of the deterministic contributions and the root of the sum of squares of the random ones
+    are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run;
+    while what that changes, left_out, is beyond a limit, the largest of them comes back.
 
     But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it
-    allocates, and flies 1 + each deterministic effect + runs times each random effect and all together, with limits
+    allocates, and flies 1 + each effect + runs times all together, and as many times what is random, with limits
     again runs times and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
 
     sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown

@@ -60,6 +60,19 @@ pub const COLUMNS: [&str; 51] = [
     "accel_error_z_m_s2",
 ];
 
+/// Columns behind them where the covariance is on: standard deviations of the errors.
+pub const SIGMA_COLUMNS: [&str; 9] = [
+    "sigma_position_east_m",
+    "sigma_position_north_m",
+    "sigma_position_up_m",
+    "sigma_velocity_east_m_s",
+    "sigma_velocity_north_m_s",
+    "sigma_velocity_up_m_s",
+    "sigma_misalignment_east_rad",
+    "sigma_misalignment_north_rad",
+    "sigma_misalignment_up_rad",
+];
+
 /// Flags of errors, or'ed, as in the C header: near a pole; error model outside its validity; not computed, all zero.
 pub const NEAR_POLE: u32 = 1;
 pub const OUTSIDE_VALIDITY: u32 = 2;
@@ -79,6 +92,8 @@ pub struct Record {
     pub gyro_error: Vector3<f64>,
     /// See `gyro_error` [m/s²].
     pub accel_error: Vector3<f64>,
+    /// In the order of [`SIGMA_COLUMNS`], where the covariance is on.
+    pub sigma: Option<[f64; SIGMA_COLUMNS.len()]>,
 }
 
 /// A position, a velocity and an attitude.
@@ -109,7 +124,11 @@ pub struct Errors {
 
 impl Record {
     /// What the simulator says at this moment, without the errors of the sensors; `None` before the first sample.
-    pub fn now(simulator: &Simulator) -> Result<Option<Self>, Error> {
+    pub fn now(simulator: &mut Simulator) -> Result<Option<Self>, Error> {
+        let covariance = match simulator.options().covariance {
+            true => simulator.covariance()?,
+            false => None,
+        };
         let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
             return Ok(None);
         };
@@ -130,6 +149,7 @@ impl Record {
             navigation: Motion::of(&navigation.navigation),
             navigation_error: of(errors),
             model_error: of(model),
+            sigma: covariance.map(|(_, covariance, _)| covariance.sigma()),
             ..Self::default()
         }))
     }

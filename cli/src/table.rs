@@ -88,6 +88,11 @@ impl Table {
         self.lines[row]
     }
 
+    /// Whether there is a column `name`.
+    pub fn has(&self, name: &str) -> bool {
+        self.columns.iter().any(|(column, _)| column == name)
+    }
+
     /// Takes the column `name` out.
     pub fn take(&mut self, name: &str) -> Result<Vec<f64>, Failure> {
         match self.columns.iter_mut().find(|(column, _)| column == name) {

@@ -224,9 +224,10 @@ impl Instance {
             }
             _ => {}
         }
-        let (simulator, behind_gap) = flight.flown(time_s, inputs, &self.is_set).map_err(Refused::discard)?;
+        let (mut simulator, behind_gap) =
+            flight.flown(time_s, inputs, &self.is_set).map_err(Refused::discard)?;
         let taken = inputs.to_vec();
-        outputs::read(&simulator, behind_gap, &mut self.values)
+        outputs::read(&mut simulator, behind_gap, &mut self.values)
             .map_err(|error| Refused::discard(error.to_string()))?;
         flight.simulator = simulator;
         flight.first_s = flight.first_s.or(Some(time_s));

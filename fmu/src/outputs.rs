@@ -11,7 +11,7 @@ use crate::variables::{Role, Variable};
 /// A number: name, unit, usual size, meaning.
 type Number = (&'static str, &'static str, f64, &'static str);
 
-const NUMBERS: [Number; 47] = [
+const NUMBERS: [Number; 56] = [
     ("time_of_solution_s", "s", 1.0, "time of the truth that all outputs belong to"),
     ("navigation.latitude_rad", "rad", 1.0, "navigated latitude"),
     ("navigation.longitude_rad", "rad", 1.0, "navigated longitude"),
@@ -59,6 +59,25 @@ const NUMBERS: [Number; 47] = [
     ("imu.mean_force_m_s2[1]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis x"),
     ("imu.mean_force_m_s2[2]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis y"),
     ("imu.mean_force_m_s2[3]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis z"),
+    ("sigma.position_east_m", "m", 100.0, "standard deviation by the covariance: displacement east"),
+    ("sigma.position_north_m", "m", 100.0, "standard deviation by the covariance: displacement north"),
+    ("sigma.position_up_m", "m", 100.0, "standard deviation by the covariance: height"),
+    ("sigma.velocity_east_m_s", "m/s", 0.1, "standard deviation by the covariance: velocity east"),
+    ("sigma.velocity_north_m_s", "m/s", 0.1, "standard deviation by the covariance: velocity north"),
+    ("sigma.velocity_up_m_s", "m/s", 0.1, "standard deviation by the covariance: velocity up"),
+    (
+        "sigma.misalignment_east_rad",
+        "rad",
+        1e-4,
+        "standard deviation by the covariance: misalignment about east",
+    ),
+    (
+        "sigma.misalignment_north_rad",
+        "rad",
+        1e-4,
+        "standard deviation by the covariance: misalignment about north",
+    ),
+    ("sigma.misalignment_up_rad", "rad", 1e-4, "standard deviation by the covariance: misalignment about up"),
 ];
 
 const FLAGS: [(&str, &str); 11] = [
@@ -87,7 +106,7 @@ pub fn variables() -> impl Iterator<Item = Variable> {
 }
 
 /// Puts the outputs in place: the last reals and booleans of the table. On an error nothing has changed.
-pub fn read(simulator: &Simulator, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
+pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
     let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
         return Ok(());
     };
@@ -97,6 +116,10 @@ pub fn read(simulator: &Simulator, behind_gap: bool, into: &mut Values) -> Resul
         false => None,
     };
     let (_, model) = model.unzip();
+    let covariance = match simulator.options().covariance {
+        true => simulator.covariance()?,
+        false => None,
+    };
     let imu = simulator.imu().unwrap_or_default();
 
     let from = into.reals.len() - NUMBERS.len();
@@ -136,6 +159,7 @@ pub fn read(simulator: &Simulator, behind_gap: bool, into: &mut Values) -> Resul
     let per_s = if imu.interval_s > 0.0 { 1.0 / imu.interval_s } else { 0.0 };
     put((imu.measured.angle * per_s).as_slice());
     put((imu.measured.velocity * per_s).as_slice());
+    put(&covariance.map_or([0.0; 9], |(_, covariance, _)| covariance.sigma()));
 
     flags.copy_from_slice(&[
         true,

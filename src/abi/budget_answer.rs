@@ -9,7 +9,7 @@ use crate::recommend::SolutionError;
 /// Flags of a sins_budget_row.
 pub type sins_budget_flags = u32;
 
-/// The row's figures are standard deviations (1 sigma) over the runs.
+/// The row's figures are standard deviations (1 sigma), exact to first order.
 pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out together with the others that are marked so.
 pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
@@ -60,15 +60,14 @@ pub struct sins_budget {
     pub reserved: u32,
     /// Duration of the evaluation: from the end of the first interval to the end of the last [s].
     pub duration_s: f64,
-    /// Runs of each random effect; 1 if there is none.
+    /// Runs of all together; 1 if nothing is random.
     pub runs: u64,
     /// Flights that were flown.
     pub flights: u64,
-    /// Lower end of the 95 % interval of a standard deviation, as a factor to the figure of its row; 1 if nothing is
-    /// random.
+    /// Lower end of the 95 % interval of the root mean square of the random part of all together, as a factor to that of
+    /// these runs; 1 if nothing is random.
     pub sigma_low: f64,
-    /// Upper end of the 95 % interval of a standard deviation, as a factor to the figure of its row; 1 if nothing is
-    /// random.
+    /// Upper end of that interval, likewise.
     pub sigma_high: f64,
     /// Position error with all effects together, root mean square over the runs, the largest in the scene [m].
     pub position_m: f64,

@@ -57,6 +57,14 @@ pub const SINS_SUMMARY_OFF: sins_summary = 0;
 /// sins_get_truth_summary() is available. The other outputs have the same bits as without.
 pub const SINS_SUMMARY_ON: sins_summary = 1;
 
+/// Whether the covariance of the navigation errors is propagated.
+pub type sins_covariance_mode = i32;
+
+/// sins_get_covariance() is not available.
+pub const SINS_COVARIANCE_OFF: sins_covariance_mode = 0;
+/// The covariance is propagated along the truth; the other outputs have the same bits.
+pub const SINS_COVARIANCE_ON: sins_covariance_mode = 1;
+
 /// Ellipsoids.
 pub type sins_earth = i32;
 
@@ -142,8 +150,8 @@ pub struct sins_options {
     pub max_acceleration_m_s2: f64,
     /// Summary of the true motion, of enum sins_summary.
     pub truth_summary: i32,
-    /// Must be 0.
-    pub reserved2: u32,
+    /// Of enum sins_covariance_mode.
+    pub covariance: i32,
 }
 
 interface_struct!(sins_options, "options", 104);
@@ -237,13 +245,18 @@ impl sins_options {
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
             truth_summary: if options.truth_summary { SINS_SUMMARY_ON } else { SINS_SUMMARY_OFF },
-            reserved2: 0,
+            covariance: if options.covariance { SINS_COVARIANCE_ON } else { SINS_COVARIANCE_OFF },
         }
     }
 
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
-        check_reserved("options.reserved2", self.reserved2)?;
+        let covariance = one_of(
+            "options.covariance",
+            self.covariance,
+            &[(SINS_COVARIANCE_OFF, false), (SINS_COVARIANCE_ON, true)],
+            "sins_covariance_mode",
+        )?;
         let truth_summary = one_of(
             "options.truth_summary",
             self.truth_summary,
@@ -333,6 +346,7 @@ impl sins_options {
                 period_s: (self.sample_period_s != 0.0).then_some(self.sample_period_s),
             },
             truth_summary,
+            covariance,
         })
     }
 }

@@ -8,7 +8,7 @@ use super::simulator::{sins_sim, with_simulator};
 
 /// A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
 /// sins_snapshot_size().
-pub const SINS_SNAPSHOT_MAX_SIZE: usize = 8192;
+pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 
 /// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
 /// waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and

@@ -163,6 +163,15 @@ impl Effect {
         alone
     }
 
+    /// `parameters` with nothing but what is drawn.
+    pub(super) fn random_of(parameters: &ErrorParameters) -> ErrorParameters {
+        let mut random = parameters.ideal();
+        Self::set_in(parameters)
+            .filter(|effect| effect.is_random)
+            .for_each(|effect| effect.place.copy(parameters, &mut random));
+        random
+    }
+
     /// Takes this effect out of `parameters`.
     pub(super) fn leave_out(&self, parameters: &mut ErrorParameters) {
         self.place.copy(&ErrorParameters::default(), parameters);

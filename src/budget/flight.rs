@@ -5,12 +5,13 @@ use core::ops::ControlFlow;
 use nalgebra::{SVector, Vector3};
 
 use super::ErrorParameters;
+use crate::covariance::NavigationCovariance;
 use crate::error::{Error, check_integer};
 use crate::math::{relative_rotation, rotation_quaternion, rotation_vector};
 use crate::memory::room;
 use crate::recommend::{Refusal, fly_looking};
 use crate::sensors::StreamKey;
-use crate::simulator::{ErrorSource, Options, heap_simulator};
+use crate::simulator::{ErrorSource, Options, Simulator, heap_simulator};
 use crate::truth::FlightSample;
 
 /// Least number of samples of a scene: one interval.
@@ -76,15 +77,28 @@ pub(super) struct Track {
     pub errors: Vec<Deviation>,
 }
 
+/// What is looked at in a flight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Look {
+    /// Errors of the navigation.
+    Navigation,
+    /// Errors by the error equations.
+    Model,
+    /// Standard deviations, by the covariance.
+    Sigma,
+}
+
 /// Flies `scene` with `parameters`, the draws those of run number `run` after that of `options`.
 pub(super) fn fly(
     options: &Options,
     scene: &Scene<'_>,
     parameters: &ErrorParameters,
     run: u64,
+    look: Look,
 ) -> Result<Track, Refusal> {
     let key = StreamKey { run: options.key.run.wrapping_add(run), ..options.key };
-    let mut memory = heap_simulator(&Options { key, error_model: false, ..*options })?;
+    let (error_model, covariance) = (look == Look::Model, look == Look::Sigma);
+    let mut memory = heap_simulator(&Options { key, error_model, covariance, ..*options })?;
     let instants = scene.instants();
     let mut track = Track { span_s: 0.0, errors: room(instants)? };
     let [simulator] = &mut *memory else { return Ok(track) };
@@ -93,19 +107,36 @@ pub(super) fn fly(
     fly_looking(simulator, scene.samples(), |index, simulator| {
         if track.errors.len() < instants
             && index == scene.instant(track.errors.len())
-            && let Some((time_s, errors)) = simulator.errors(ErrorSource::Navigation)?
+            && let Some((time_s, deviation)) = look.at(simulator)?
         {
             track.span_s = time_s - *start_s.get_or_insert(time_s);
-            let mut deviation = Deviation::zeros();
-            let parts: [Vector3<f64>; 3] = [errors.position_n, errors.velocity_n, errors.misalignment_n];
-            for (part, row) in parts.iter().zip([0, 3, MISALIGNMENT]) {
-                deviation.fixed_rows_mut::<3>(row).copy_from(part);
-            }
             track.errors.push(deviation);
         }
         Ok(ControlFlow::Continue(()))
     })?;
     Ok(track)
+}
+
+impl Look {
+    fn at(self, simulator: &mut Simulator) -> Result<Option<(f64, Deviation)>, Error> {
+        let source = match self {
+            Self::Sigma => {
+                let covariance = simulator.covariance()?;
+                let sigmas = |covariance: NavigationCovariance| Deviation::from(covariance.sigma());
+                return Ok(covariance.map(|(time_s, covariance, _)| (time_s, sigmas(covariance))));
+            }
+            Self::Navigation => ErrorSource::Navigation,
+            Self::Model => ErrorSource::Model,
+        };
+        Ok(simulator.errors(source)?.map(|(time_s, errors)| {
+            let mut deviation = Deviation::zeros();
+            let parts: [Vector3<f64>; 3] = [errors.position_n, errors.velocity_n, errors.misalignment_n];
+            for (part, row) in parts.iter().zip([0, 3, MISALIGNMENT]) {
+                deviation.fixed_rows_mut::<3>(row).copy_from(part);
+            }
+            (time_s, deviation)
+        }))
+    }
 }
 
 #[cfg(test)]

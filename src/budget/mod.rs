@@ -2,25 +2,26 @@
 //! and the effects that can be left out.
 //!
 //! With e the errors of a run (navigation minus truth: position, velocity and misalignment, each a vector over time), e0
-//! those of the same run with nothing set, and eE those with the effect E alone,
+//! those of the same run with nothing set, eE those with the effect E alone, and PE the covariance that E alone makes,
 //!
 //! ```text
 //! contribution   dE(t) = eE(t) - e0(t)
 //! deterministic  sE(t) = |dE(t)|
-//! random         sE(t) = √(mean over N runs of |dE(t)|²)          1σ, as the mean of dE is 0 to first order
-//! remainder      r(t)  = e(t) - e0(t) - Σ dE(t)                   e: all together, with the same draws in the same run
+//! random         sE(t) = √(trace of PE(t))                        1σ, exact to first order: crate::covariance
+//! remainder      r(t)  = e(t) - e0(t) - Σ dE(t) - l(t)            e: all together, in each of N runs
 //! ```
 //!
 //! A difference of misalignments is the rotation vector between the two attitudes, to first order that of the vectors. Each
-//! is reported as its largest value over the scene's instants, and as its value at the end. The remainder is not a
-//! statistical figure: the random numbers of an effect do not depend on what else is set. So the remainder is the action of
-//! effects on each other, of second order.
+//! is reported as its largest value over the scene's instants, and as its value at the end. l is the sum of the
+//! random effects of the same run: error data 1 of a flight with them alone. The remainder is not a statistical figure: the
+//! random numbers of an effect do not depend on what else is set. So the remainder is the action of effects on each other,
+//! of second order.
 //!
-//! Out of N runs a 1σ is uncertain by the chi-square distribution of N degrees of freedom, at the most: three axes that
-//! vary together have N, independent ones 3 N. The largest of many instants is found a little high where it does not grow.
+//! Out of N runs a root mean square of what is random is uncertain by the chi-square distribution of N degrees of freedom, at the
+//! most: three axes that vary together have N, independent ones 3 N.
 //!
-//! What is left out together stays below a limit if √((Σ sE)² + (k² Σ sE²)) does, the first sum over the deterministic, the
-//! second over the random effects among them, k the upper end of the 95 % interval of a 1σ. Effects join in the order of the
+//! What is left out together stays below a limit if √((Σ sE)² + Σ sE²) does, the first sum over the deterministic, the
+//! second over the random effects among them. Effects join in the order of the
 //! shares of the limits that they take up, smallest first. Then all is flown again without them; if what that changes is
 //! beyond a limit (effects that do not add up: dead zones, ranges, quantization), the largest comes back.
 

@@ -11,11 +11,11 @@ struct Together {
 }
 
 impl Together {
-    fn with(&self, worst: &SolutionError, is_random: bool, high: f64) -> Self {
+    fn with(&self, worst: &SolutionError, is_random: bool) -> Self {
         let mut together = *self;
         for (k, size) in [worst.position_m, worst.velocity_m_s, worst.attitude_rad].into_iter().enumerate() {
             if is_random {
-                together.squares[k] += (high * size) * (high * size);
+                together.squares[k] += size * size;
             } else {
                 together.sums[k] += size;
             }
@@ -30,16 +30,11 @@ impl Together {
 }
 
 /// Whether each contribution (its worst, and whether it is random), sorted with the largest share of a limit first, can be
-/// left out: from the last on, those that still fit. `high` is the factor by which a 1σ may be larger than it was found.
-pub(super) fn left_out(
-    contributions: &[(SolutionError, bool)],
-    request: &BudgetRequest,
-    high: f64,
-    marks: &mut [bool],
-) {
+/// left out: from the last on, those that still fit.
+pub(super) fn left_out(contributions: &[(SolutionError, bool)], request: &BudgetRequest, marks: &mut [bool]) {
     let mut together = Together::default();
     for ((worst, is_random), mark) in contributions.iter().zip(marks).rev() {
-        let more = together.with(worst, *is_random, high);
+        let more = together.with(worst, *is_random);
         *mark = request.has_limits() && request.share(&more.size()) <= 1.0;
         if *mark {
             together = more;
@@ -57,7 +52,7 @@ mod tests {
         let request = BudgetRequest { limits, ..Default::default() };
         let sorted: Vec<_> = contributions.iter().map(|&(p, v, random)| (error(p, v), random)).collect();
         let mut marks = vec![true; sorted.len()];
-        left_out(&sorted, &request, 2.0, &mut marks);
+        left_out(&sorted, &request, &mut marks);
         marks
     }
 
@@ -66,11 +61,11 @@ mod tests {
         let (steady, random) = (false, true);
         assert_eq!(marks(&[(5.0, 0.0, steady), (3.0, 0.0, steady)], (7.9, 0.0)), [false, true]);
         assert_eq!(marks(&[(5.0, 0.0, steady), (3.0, 0.0, steady)], (8.0, 0.0)), [true, true]);
-        // √(6² + 8²), each twice as large as it was found.
-        assert_eq!(marks(&[(4.0, 0.0, random), (3.0, 0.0, random)], (10.0, 0.0)), [true, true]);
-        assert_eq!(marks(&[(4.0, 0.0, random), (3.0, 0.0, random)], (9.99, 0.0)), [false, true]);
-        assert_eq!(marks(&[(4.0, 0.0, steady), (1.5, 0.0, random)], (5.0, 0.0)), [true, true]);
-        assert_eq!(marks(&[(4.0, 0.0, steady), (1.5, 0.0, random)], (4.99, 0.0)), [false, true]);
+        // √(4² + 3²)
+        assert_eq!(marks(&[(4.0, 0.0, random), (3.0, 0.0, random)], (5.0, 0.0)), [true, true]);
+        assert_eq!(marks(&[(4.0, 0.0, random), (3.0, 0.0, random)], (4.99, 0.0)), [false, true]);
+        assert_eq!(marks(&[(4.0, 0.0, steady), (3.0, 0.0, random)], (5.0, 0.0)), [true, true]);
+        assert_eq!(marks(&[(4.0, 0.0, steady), (3.0, 0.0, random)], (4.99, 0.0)), [false, true]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::contribution::Contribution;
-use super::flight::{Deviation, Track, difference, fly};
+use super::flight::{Deviation, Look, Track, difference, fly};
 use super::selection::left_out;
 use super::{BudgetRequest, Effect, ErrorParameters, Interval, Scene};
 use crate::error::Error;
@@ -16,7 +16,7 @@ use crate::simulator::Options;
 pub struct BudgetRow {
     /// Which.
     pub effect: &'static Effect,
-    /// Its largest contribution over the scene; of a random one 1σ.
+    /// Its largest contribution over the scene; of a random one 1σ, exact to first order.
     pub worst: SolutionError,
     /// At the end of the scene.
     pub end: SolutionError,
@@ -38,13 +38,13 @@ pub struct Budget {
     pub rows: Vec<BudgetRow>,
     /// All together, navigation minus truth, root mean square over the runs: the worst of the scene.
     pub total: SolutionError,
-    /// What is left of that without the mechanization's own and the sum of all contributions, draw by draw.
+    /// What is left of that without the mechanization's own and the sum of all contributions, draw by draw: what is not linear.
     pub remainder: SolutionError,
     /// What all together change by without the marked rows, flown: the worst of the scene.
     pub left_out: SolutionError,
-    /// Runs of each random effect; 1 if there is none.
+    /// Runs of all together; 1 if nothing is random.
     pub runs: u64,
-    /// The 95 % interval of a 1σ; 1 and 1 if nothing is random.
+    /// The 95 % interval of the root mean square of what is random in all together; 1 and 1 if nothing is.
     pub interval: Interval,
     /// Flights that were flown.
     pub flights: u64,
@@ -59,20 +59,20 @@ struct Flights<'a> {
 
 impl Flights<'_> {
     fn fly(&mut self, parameters: &ErrorParameters, run: u64) -> Result<Vec<Deviation>, Refusal> {
-        self.track(parameters, run).map(|track| track.errors)
+        self.track(parameters, run, Look::Navigation).map(|track| track.errors)
     }
 
-    fn track(&mut self, parameters: &ErrorParameters, run: u64) -> Result<Track, Refusal> {
+    fn track(&mut self, parameters: &ErrorParameters, run: u64, look: Look) -> Result<Track, Refusal> {
         self.flown += 1;
-        fly(self.options, self.scene, parameters, run)
+        fly(self.options, self.scene, parameters, run, look)
     }
 }
 
 /// The error budget of `scene`, flown with `options`, of all that `parameters` set.
 ///
-/// Flights: 1, one for each deterministic effect, N for each random one and N for all together; with limits N more, and N
-/// for each effect that did not add up. A flight takes 0.6 to 1.5 µs a sample (2.8 GHz Xeon), and memory 72 kB for each
-/// run. The answer is the same on every machine.
+/// Flights: 1, one for each effect, N for all together and, if anything is random, N for the random effects; with limits N
+/// more, and N for each effect that did not add up. A flight takes 0.6 to 1.5 µs a sample (2.8 GHz Xeon), and memory 72 kB
+/// for each run. The answer is the same on every machine.
 pub fn error_budget(
     options: &Options,
     scene: &Scene<'_>,
@@ -85,12 +85,12 @@ pub fn error_budget(
     scene.validate()?;
     let instants = scene.instants();
     let mut flights = Flights { options, scene, flown: 0 };
-    let Track { span_s, errors: own } = flights.track(&parameters.ideal(), 0)?;
+    let Track { span_s, errors: own } = flights.track(&parameters.ideal(), 0, Look::Navigation)?;
     let is_random = Effect::set_in(parameters).any(|effect| effect.is_random);
     let runs = if is_random { request.runs } else { 1 };
     let interval = if is_random { Interval::of(runs) } else { Interval { low: 1.0, high: 1.0 } };
 
-    // What each contributes, and what is left of all together.
+    // What each contributes.
     let mut contributions = contributions_of(parameters, instants)?;
     let mut steady = copy(&own)?;
     for (effect, contribution) in contributions.iter_mut().filter(|(effect, _)| !effect.is_random) {
@@ -98,14 +98,18 @@ pub fn error_budget(
         contribution.add(differences(&alone, &own));
         add(&mut steady, differences(&alone, &own));
     }
+    for (effect, contribution) in contributions.iter_mut().filter(|(effect, _)| effect.is_random) {
+        contribution.add(flights.track(&effect.alone(parameters), 0, Look::Sigma)?.errors.into_iter());
+    }
+    // All together, and what is left of that: the sum of the random contributions of a run is linear in its draws.
+    let random = Effect::random_of(parameters);
     let (mut total, mut remainder) = (Contribution::new(instants)?, Contribution::new(instants)?);
     let mut all = room(runs as usize)?;
     for run in 0..runs {
         let mut sum = copy(&steady)?;
-        for (effect, contribution) in contributions.iter_mut().filter(|(effect, _)| effect.is_random) {
-            let alone = flights.fly(&effect.alone(parameters), run)?;
-            contribution.add(differences(&alone, &own));
-            add(&mut sum, differences(&alone, &own));
+        if is_random {
+            let drawn = flights.track(&random, run, Look::Model)?.errors;
+            add(&mut sum, drawn.into_iter());
         }
         let errors = flights.fly(parameters, run)?;
         total.add(errors.iter().copied());
@@ -116,7 +120,7 @@ pub fn error_budget(
     }
 
     let mut rows = rows(&contributions, request)?;
-    mark(&mut rows, request, &interval)?;
+    mark(&mut rows, request)?;
     let left_out = verify(&mut flights, parameters, request, &all, &mut rows)?;
     let mut alone = Contribution::new(instants)?;
     alone.add(own.iter().copied());
@@ -175,12 +179,12 @@ fn rows(contributions: &Contributions, request: &BudgetRequest) -> Result<Vec<Bu
     Ok(rows)
 }
 
-fn mark(rows: &mut [BudgetRow], request: &BudgetRequest, interval: &Interval) -> Result<(), Error> {
+fn mark(rows: &mut [BudgetRow], request: &BudgetRequest) -> Result<(), Error> {
     let mut contributions = room(rows.len())?;
     contributions.extend(rows.iter().map(|row| (row.worst, row.effect.is_random)));
     let mut marks = room(rows.len())?;
     marks.resize(rows.len(), false);
-    left_out(&contributions, request, interval.high, &mut marks);
+    left_out(&contributions, request, &mut marks);
     for (row, mark) in rows.iter_mut().zip(marks) {
         row.can_be_left_out = mark;
     }

@@ -192,6 +192,16 @@ impl VerticalLoop {
         self.t = 0.0;
     }
 
+    /// Its estimate [m/s²] and its last residual [m].
+    pub(crate) fn states(&self) -> [f64; 2] {
+        [self.bias_m_s2, self.residual_m]
+    }
+
+    /// The same loop in other states.
+    pub(crate) fn with_states(&self, [bias_m_s2, residual_m]: [f64; 2]) -> Self {
+        Self { bias_m_s2, residual_m, ..*self }
+    }
+
     /// What [`Self::go_back`] needs.
     #[inline]
     pub(super) fn kept(&self) -> KeptLoop {

@@ -83,7 +83,7 @@ impl Track {
 pub(crate) fn fly_looking(
     simulator: &mut Simulator,
     samples: impl Iterator<Item = Result<FlightSample, Error>>,
-    mut look: impl FnMut(usize, &Simulator) -> Result<ControlFlow<()>, Error>,
+    mut look: impl FnMut(usize, &mut Simulator) -> Result<ControlFlow<()>, Error>,
 ) -> Result<(), Refusal> {
     for (index, sample) in samples.enumerate() {
         let mut step = || {

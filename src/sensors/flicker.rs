@@ -19,6 +19,17 @@ const DEVIATIONS: [f64; 6] = [END, MIDDLE, MIDDLE, MIDDLE, MIDDLE, END];
 const MIDDLE: f64 = 0.856_116_580_191_873_1;
 const END: f64 = 0.957_167_434_986_839_1;
 
+/// Correlation time [s] and standard deviation at B = 1 of each process.
+pub(crate) const PROCESSES: [(f64, f64); TIMES_S.len()] = {
+    let mut processes = [(0.0, 0.0); TIMES_S.len()];
+    let mut k = 0;
+    while k < TIMES_S.len() {
+        processes[k] = (TIMES_S[k], DEVIATIONS[k]);
+        k += 1;
+    }
+    processes
+};
+
 /// Noise of the two-sided power spectral density B²/(2π f), whose Allan deviation is flat, √(2 ln 2 / π) B = 0.664 B (IEEE
 /// Std 952), as a sum of stationary first-order Gauss-Markov processes, each exact at any step:
 /// ```text

@@ -19,12 +19,20 @@ use crate::snapshot::stored;
 /// n1, n2 standard normal: the variance of the integral, 2a - 3 + 4e^-a - e^-2a, less what n1 explains of it, is
 /// 2 (a - 2 tanh(a/2)) in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct MarkovStep {
+pub(crate) struct MarkovStep {
     decay: f64,
     diffusion: f64,
     integral: f64,
     integral_shared: f64,
     integral_own: f64,
+}
+
+/// What a step makes of a process x of unit variance: its end from x and a draw w, its integral from x, w and a draw of its own.
+pub(crate) struct MarkovCoefficients {
+    pub decay: f64,
+    pub diffusion: f64,
+    /// Shares of x, of w and of its own draw in the integral.
+    pub integral: [f64; 3],
 }
 
 impl MarkovStep {
@@ -54,7 +62,7 @@ impl MarkovStep {
 
     /// Moves `x` one step on by two draws and gives its integral over the step.
     #[inline(always)]
-    pub fn advance_integral(&self, x: &mut f64, [n1, n2]: [f64; 2]) -> f64 {
+    pub(super) fn advance_integral(&self, x: &mut f64, [n1, n2]: [f64; 2]) -> f64 {
         self.advance_shared(x, n1) + self.integral_own * n2
     }
 
@@ -67,6 +75,12 @@ impl MarkovStep {
         integral
     }
 
+    /// What it does.
+    pub fn coefficients(&self) -> MarkovCoefficients {
+        let Self { decay, diffusion, integral, integral_shared, integral_own } = *self;
+        MarkovCoefficients { decay, diffusion, integral: [integral, integral_shared, integral_own] }
+    }
+
     /// Standard deviation of the part of the integral that the end value does not share.
     pub fn integral_own(&self) -> f64 {
         self.integral_own
@@ -74,7 +88,7 @@ impl MarkovStep {
 
     /// Moves `x` one step on.
     #[inline]
-    pub fn advance(&self, x: &mut f64, stream: &mut Stream) {
+    pub(super) fn advance(&self, x: &mut f64, stream: &mut Stream) {
         *x = self.decay * *x + self.diffusion * stream.normal();
     }
 }

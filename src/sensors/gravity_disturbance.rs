@@ -64,7 +64,7 @@ impl GravityDisturbanceParameters {
         )
     }
 
-    fn fields(&self) -> [&GravityField; 3] {
+    pub(crate) fn fields(&self) -> [&GravityField; 3] {
         [&self.deflection_north, &self.deflection_east, &self.anomaly]
     }
 }
@@ -149,15 +149,20 @@ impl GravityDisturbance {
         self.is_on
     }
 
-    /// From `current` to `next`, which [`Self::undo`] takes back. The distance over ground is that of the velocity, which is the master of the ideal signals
-    /// too; where nothing moves, nothing changes.
-    pub fn advance(&mut self, earth: &Earth, current: &TruthPoint, next: &TruthPoint) {
-        self.field.keep();
+    /// Distance over ground from `current` to `next` [m].
+    pub(crate) fn over_ground(earth: &Earth, current: &TruthPoint, next: &TruthPoint) -> f64 {
         let v_e = (current.state.v_e + next.state.v_e) * 0.5;
         let horizontal_e = v_e - next.up_e * next.up_e.dot(&v_e);
         let a = earth.equatorial_radius_m;
         let over_ground = a / (a + next.sample.place.height_m);
-        let distance_m = horizontal_e.norm_squared().sqrt() * next.interval_s * over_ground;
+        horizontal_e.norm_squared().sqrt() * next.interval_s * over_ground
+    }
+
+    /// From `current` to `next`, which [`Self::undo`] takes back. The distance over ground is that of the velocity, which is the master of the ideal signals
+    /// too; where nothing moves, nothing changes.
+    pub fn advance(&mut self, earth: &Earth, current: &TruthPoint, next: &TruthPoint) {
+        self.field.keep();
+        let distance_m = Self::over_ground(earth, current, next);
         if distance_m > 0.0 {
             self.advance_by(distance_m);
         }
@@ -182,7 +187,11 @@ impl GravityDisturbance {
     /// True less normal gravity at `point`, Earth-fixed axes [m/s²]: (-γ η, -γ ξ, -Δg) along east, north and up
     /// (Heiskanen and Moritz 1967, chapter 2: the astronomic zenith lies ξ north and η east of the ellipsoid's normal).
     pub fn at(&self, earth: &Earth, point: &TruthPoint) -> Vector3<f64> {
-        let [xi, eta, anomaly] = self.values();
+        Self::of_fields(earth, point, self.values())
+    }
+
+    /// The same of given deflections ξ, η [rad] and anomaly [m/s²].
+    pub(crate) fn of_fields(earth: &Earth, point: &TruthPoint, [xi, eta, anomaly]: [f64; 3]) -> Vector3<f64> {
         let (east, north, up) = earth.east_north_up(&point.sample.place);
         let normal = point.gravity_e.norm_squared().sqrt();
         east * (-normal * eta) + north * (-normal * xi) - up * anomaly

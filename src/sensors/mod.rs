@@ -69,6 +69,8 @@ mod xoshiro;
 pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use failure::{Axis, Failure, SensorOutput};
+pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
+pub(crate) use gauss_markov::MarkovStep;
 pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
 pub use initial::{Alignment, InitialErrorParameters};
 pub use parameter::{Field, Parameter, Range as ParameterRange, Shape as ParameterShape};

@@ -1,6 +1,7 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
 mod beside;
+mod covariance;
 mod fly;
 mod moved;
 pub(super) mod side_by_side;
@@ -17,6 +18,7 @@ use super::signals::Signals;
 use super::start::{Start, with_errors};
 use super::views::Views;
 use super::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
+use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, navigation_minus_truth};
@@ -42,6 +44,8 @@ pub(super) struct Chain {
     block: Option<Block>,
     /// True less normal gravity, where it is other.
     disturbance: Option<Disturbance>,
+    /// Covariance of the errors along the truth: none or one.
+    pub covariance: Box<[Propagation]>,
     /// Of the truth, if it is wanted.
     pub summary: Option<TruthSummary>,
     /// Neither block nor disturbance nor closed loop nor summary: the ideal signals are the generator's.
@@ -117,6 +121,7 @@ impl Chain {
             generator: SignalGenerator::new(earth.rate_rad_s),
             signals: Signals::default(),
             parts: 0..0,
+            covariance: Box::default(),
             summary: None,
             last: LastInterval::None,
             north_unknown: start.north_unknown,

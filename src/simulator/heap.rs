@@ -2,6 +2,7 @@
 
 use super::signals::Signals;
 use super::{Options, Simulator};
+use crate::covariance::Propagation;
 use crate::error::Error;
 use crate::memory::room;
 
@@ -17,6 +18,7 @@ pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Erro
 #[inline(never)]
 pub(crate) fn push_simulator(memory: &mut Vec<Simulator>, options: &Options) -> Result<(), Error> {
     let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
-    memory.push(Simulator::with(options, intake, signals));
+    let covariance = Propagation::new(options.covariance, options.earth(), options.vertical)?;
+    memory.push(Simulator::with(options, intake, signals, covariance));
     Ok(())
 }

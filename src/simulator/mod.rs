@@ -30,6 +30,7 @@ pub use solution::Solution;
 pub(crate) use chain::side_by_side::SideBySide;
 pub(crate) use start::is_of_truth;
 
+use crate::covariance::{NavigationCovariance, Propagation};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::{AccuracyFigures, NavigationErrors};
@@ -83,6 +84,8 @@ pub struct Simulator {
     sensors: SensorSuite,
     /// Of a flight to come: a chain that flies has them.
     signals: Signals,
+    /// Likewise: none or one.
+    covariance: Box<[Propagation]>,
     /// Likewise, of the flights so far, if it is wanted.
     summary: Option<TruthSummary>,
     mode: Mode,
@@ -91,7 +94,8 @@ pub struct Simulator {
 impl Simulator {
     /// A simulator with ideal sensors.
     pub fn new(options: &Options) -> Result<Self, Error> {
-        Ok(Self::with(options, Self::intake(options)?, Signals::new()?))
+        let covariance = Propagation::new(options.covariance, options.earth(), options.vertical)?;
+        Ok(Self::with(options, Self::intake(options)?, Signals::new()?, covariance))
     }
 
     /// What can fail of making a simulator.
@@ -101,13 +105,14 @@ impl Simulator {
     }
 
     /// The rest: no `Result` that would hold another copy on the stack.
-    fn with(options: &Options, intake: Intake, signals: Signals) -> Self {
+    fn with(options: &Options, intake: Intake, signals: Signals, covariance: Box<[Propagation]>) -> Self {
         Self {
             options: *options,
             earth: options.earth(),
             intake,
             sensors: SensorSuite::new(options),
             signals,
+            covariance,
             summary: options.truth_summary.then(TruthSummary::default),
             mode: Mode::Waiting,
         }
@@ -138,7 +143,7 @@ impl Simulator {
     #[inline(never)]
     fn take_first_velocity(&mut self) {
         if let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current()) {
-            chain.take_first_velocity(current);
+            chain.take_first_velocity(current, &self.sensors);
         }
     }
 
@@ -165,8 +170,9 @@ impl Simulator {
         sensors.reposition(first.current.sample.place.height_m);
         chain.signals = core::mem::take(&mut self.signals);
         chain.set_summary(self.summary);
+        chain.begin_covariance(core::mem::take(&mut self.covariance), first.current, &sensors);
         if let Err(error) = chain.advance(&first, &mut sensors) {
-            self.signals = chain.signals;
+            (self.signals, self.covariance) = (chain.signals, chain.covariance);
             return Err(error);
         }
         self.sensors = sensors;
@@ -244,6 +250,7 @@ impl Simulator {
         self.sensors = self.sensors.restarted(&self.options);
         self.wait();
         self.summary = self.options.truth_summary.then(TruthSummary::default);
+        self.covariance.iter_mut().for_each(Propagation::reset);
     }
 
     /// No flight any more: before the first step.
@@ -251,6 +258,7 @@ impl Simulator {
         if let Mode::Flying(chain) = &mut self.mode {
             self.signals = core::mem::take(&mut chain.signals);
             self.summary = chain.summary;
+            self.covariance = core::mem::take(&mut chain.covariance);
         }
         self.mode = Mode::Waiting;
     }
@@ -344,6 +352,33 @@ impl Simulator {
             chain.errors(source, truth).map(|errors| (truth.time_s, errors, near_pole))
         })?;
         Ok(errors.flatten())
+    }
+
+    /// Time [s], covariance of the navigation errors and whether the truth is near a pole; `None` before the first sample. It
+    /// changes nothing but scratch.
+    pub fn covariance(&mut self) -> Result<Option<(f64, NavigationCovariance, bool)>, Error> {
+        self.refuse_while_navigating()?;
+        if !self.options.covariance {
+            return Err(Error::bad_state(
+                "the covariance is off, as it is by default: create the simulator with options.covariance",
+            ));
+        }
+        match (&mut self.mode, self.intake.current(), self.intake.front()) {
+            (Mode::Flying(chain), Some(current), _) => Ok(chain.covariance(current, &self.sensors)),
+            (_, _, Some(_)) => self.covariance_at_start(),
+            _ => Ok(None),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn covariance_at_start(&mut self) -> Result<Option<(f64, NavigationCovariance, bool)>, Error> {
+        let mut chain = self.chain_from_first_sample()?;
+        let Some(first) = self.intake.front() else { return Ok(None) };
+        chain.begin_covariance(core::mem::take(&mut self.covariance), first, &self.sensors);
+        let covariance = chain.covariance(first, &self.sensors);
+        self.covariance = chain.covariance;
+        Ok(covariance)
     }
 
     /// Accuracy and closure so far; `None` before the first sample.

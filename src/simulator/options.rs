@@ -43,6 +43,8 @@ pub struct Options {
     pub intake: IntakeLimits,
     /// Whether the motion of the truth is summed up.
     pub truth_summary: bool,
+    /// Whether the covariance of the navigation errors is propagated along the truth.
+    pub covariance: bool,
 }
 
 stored!(Options {
@@ -59,6 +61,7 @@ stored!(Options {
     key,
     intake,
     truth_summary,
+    covariance,
 });
 
 impl Default for Options {
@@ -77,6 +80,7 @@ impl Default for Options {
             key: StreamKey::default(),
             intake: IntakeLimits::default(),
             truth_summary: false,
+            covariance: false,
         }
     }
 }

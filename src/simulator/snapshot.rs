@@ -91,11 +91,12 @@ impl Simulator {
 
     /// Writes the words of the simulator.
     pub(crate) fn save_to(&self, to: &mut Writer<'_>) {
-        let Self { options, earth: _, intake, sensors, signals: _, summary, mode } = self;
+        let Self { options, earth: _, intake, sensors, signals: _, covariance, summary, mode } = self;
         match mode {
             Mode::Waiting => {
                 save_flight(options, sensors, intake, None, to);
                 summary.iter().for_each(|summary| summary.save(to));
+                covariance.iter().for_each(|covariance| covariance.save_waiting(to));
             }
             Mode::Flying(chain) => save_flight(options, sensors, intake, Some(chain), to),
             Mode::Navigating(navigator) => {
@@ -127,6 +128,7 @@ impl Simulator {
                 if let Mode::Flying(chain) = &mut self.mode {
                     chain.signals = core::mem::take(&mut self.signals);
                     chain.set_summary(self.summary);
+                    chain.covariance = core::mem::take(&mut self.covariance);
                     chain.load(from)?;
                     chain.look_back(&behind);
                 }
@@ -147,6 +149,7 @@ impl Simulator {
                 if let Some(summary) = &mut self.summary {
                     summary.load(from)?;
                 }
+                self.covariance.iter_mut().try_for_each(|covariance| covariance.load_waiting(from))?;
             }
         }
         if self.sensors.depend_on_temperature() {

@@ -1,13 +1,14 @@
 //! The INS at its start: the truth with the errors of the run.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::{Options, SensorSuite, singular};
+use crate::covariance::Alignment;
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::math::{rotate, rotate_inverse, rotation_quaternion, rotation_vector, sin_cos};
+use crate::math::{rotate, rotate_inverse, rotation_matrix, rotation_quaternion, rotation_vector, sin_cos};
 use crate::mechanization::VerticalMode;
-use crate::sensors::{Aligned, Alignment, Sensed, Triad, level_and_gyrocompass};
+use crate::sensors::{self, Aligned, Sensed, Triad, level_and_gyrocompass};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
 use crate::truth::TruthPoint;
 
@@ -43,7 +44,7 @@ impl Start {
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
         let mut start = Self { errors: sensors.initial.draw(options.key), north_unknown: false };
-        if sensors.initial.alignment == Alignment::LevelAndGyrocompass {
+        if sensors.initial.alignment == sensors::Alignment::LevelAndGyrocompass {
             let disturbance_e = disturbance_e.copied().unwrap_or_default();
             let aligned = aligned(earth, (first, state), truth, &disturbance_e, sensors)?;
             let given = rotation_quaternion(&-start.errors.misalignment_n);
@@ -66,31 +67,90 @@ fn aligned(
     disturbance_e: &Vector3<f64>,
     sensors: &SensorSuite,
 ) -> Result<Aligned, Error> {
-    let (sin, cos) = sin_cos(truth.place.latitude_rad);
-    if cos < MIN_GYROCOMPASS_COS {
-        return Err(singular(
-            "cosine of sample.latitude_rad",
-            cos,
-            "gyrocompassing needs at least",
-            MIN_GYROCOMPASS_COS,
-        ));
-    }
-    let (east, north, up) = earth.east_north_up(&truth.place);
-    let in_local_axes =
-        |vector_e: &Vector3<f64>| Vector3::new(east.dot(vector_e), north.dot(vector_e), up.dot(vector_e));
-    let computed_gravity_e = earth.gravity(&state.r_e);
-    let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
-    let rate_b = rotate_inverse(&truth.q_nb, &earth_rate_n);
-    let force_b = -rotate_inverse(&state.q_eb, &(computed_gravity_e + disturbance_e));
+    let at_rest = AtRest::new(earth, state, truth, disturbance_e)?;
     let error_n = |triad: &Triad| {
-        rotate(&truth.q_nb, &triad.steady_error(&rate_b, &force_b, first.sample.temperature_c))
+        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.sample.temperature_c);
+        rotate(&truth.q_nb, &steady)
     };
     // To an INS that computes with normal gravity the rest is an error of its accelerometers.
-    let force_error_n = error_n(&sensors.accel) - in_local_axes(disturbance_e);
-    Ok(level_and_gyrocompass(
-        &Sensed { ideal_n: -in_local_axes(&computed_gravity_e), error_n: force_error_n },
-        &Sensed { ideal_n: earth_rate_n, error_n: error_n(&sensors.gyro) },
-    ))
+    let force_error_n = error_n(&sensors.accel) - at_rest.disturbance_n;
+    Ok(at_rest.aligned(force_error_n, error_n(&sensors.gyro)))
+}
+
+/// What an INS senses at rest.
+struct AtRest {
+    /// Reaction to the gravity that it computes [m/s²], and the Earth's rate [rad/s], east-north-up.
+    reaction_n: Vector3<f64>,
+    earth_rate_n: Vector3<f64>,
+    /// True less normal gravity, east-north-up [m/s²].
+    disturbance_n: Vector3<f64>,
+    /// What perfect sensors show, along their axes.
+    rate_b: Vector3<f64>,
+    force_b: Vector3<f64>,
+}
+
+impl AtRest {
+    fn new(
+        earth: &Earth,
+        state: &EarthFixedState,
+        truth: &Navigation,
+        disturbance_e: &Vector3<f64>,
+    ) -> Result<Self, Error> {
+        let (sin, cos) = sin_cos(truth.place.latitude_rad);
+        if cos < MIN_GYROCOMPASS_COS {
+            return Err(singular(
+                "cosine of sample.latitude_rad",
+                cos,
+                "gyrocompassing needs at least",
+                MIN_GYROCOMPASS_COS,
+            ));
+        }
+        let (east, north, up) = earth.east_north_up(&truth.place);
+        let in_local_axes =
+            |vector_e: &Vector3<f64>| Vector3::new(east.dot(vector_e), north.dot(vector_e), up.dot(vector_e));
+        let computed_gravity_e = earth.gravity(&state.r_e);
+        let earth_rate_n = Vector3::new(0.0, earth.rate_rad_s * cos, earth.rate_rad_s * sin);
+        let rate_b = rotate_inverse(&truth.q_nb, &earth_rate_n);
+        let force_b = -rotate_inverse(&state.q_eb, &(computed_gravity_e + disturbance_e));
+        Ok(Self {
+            reaction_n: -in_local_axes(&computed_gravity_e),
+            earth_rate_n,
+            disturbance_n: in_local_axes(disturbance_e),
+            rate_b,
+            force_b,
+        })
+    }
+
+    /// What levelling and gyrocompassing find with steady errors of force [m/s²] and rate [rad/s], east-north-up.
+    fn aligned(&self, force_error_n: Vector3<f64>, rate_error_n: Vector3<f64>) -> Aligned {
+        level_and_gyrocompass(
+            &Sensed { ideal_n: self.reaction_n, error_n: force_error_n },
+            &Sensed { ideal_n: self.earth_rate_n, error_n: rate_error_n },
+        )
+    }
+
+    /// The misalignment that errors of 1 along each axis would leave if small ones did not matter to each other [rad]: by
+    /// central differences so small that their third order is 1e-10 of them.
+    fn gains(&self, aligned: impl Fn(Vector3<f64>) -> Aligned, small: f64) -> Matrix3<f64> {
+        Matrix3::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z()].map(|unit| {
+            let left = |size: f64| rotation_vector(&aligned(unit * size).rotation);
+            (left(-small) - left(small)) / (2.0 * small)
+        }))
+    }
+}
+
+/// What steady errors make of an alignment at rest at `state`, the block's own; `None` where there can be none.
+pub(super) fn alignment(earth: &Earth, state: &EarthFixedState, truth: &Navigation) -> Option<Alignment> {
+    let at_rest = AtRest::new(earth, state, truth, &Vector3::zeros()).ok()?;
+    let none = Vector3::zeros();
+    let share = |ideal_n: &Vector3<f64>, axis: usize| 1e-5 * ideal_n[axis].abs();
+    Some(Alignment {
+        by_rate: at_rest.gains(|error_n| at_rest.aligned(none, error_n), share(&at_rest.earth_rate_n, 1)),
+        by_force: at_rest.gains(|error_n| at_rest.aligned(error_n, none), share(&at_rest.reaction_n, 2)),
+        axes: rotation_matrix(&truth.q_nb),
+        rate_s: at_rest.rate_b,
+        force_s: at_rest.force_b,
+    })
 }
 
 /// The solution that has the errors `start` against `truth`: displaced along east and north at its height, C~ = exp(-φ) C.

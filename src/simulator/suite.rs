@@ -1,6 +1,7 @@
 //! The sensors of a simulator and what the host set of them.
 
 use super::{ImuFlags, Options};
+use crate::covariance::Parameters;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::mounting::MountingParameters;
 use crate::sensors::{
@@ -208,6 +209,16 @@ impl SensorSuite {
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
         self.decide();
+    }
+
+    /// What the host set of all that can be random.
+    pub fn parameters(&self) -> Parameters<'_> {
+        Parameters {
+            gyro: &self.gyro_parameters,
+            accel: &self.accel_parameters,
+            altimeter: &self.altimeter_parameters,
+            gravity: self.gravity.parameters(),
+        }
     }
 
     /// What the host set of the gyros.

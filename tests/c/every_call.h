@@ -17,6 +17,7 @@ static inline void every_read(sins_sim *sim, every_call_answer *answer, void *co
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
     sins_record record = {.struct_size = sizeof record};
     sins_truth_summary summary = {.struct_size = sizeof summary};
+    sins_covariance covariance = {.struct_size = sizeof covariance};
     EVERY_CALL(sins_get_truth(sim, &navigation));
     EVERY_CALL(sins_get_navigation(sim, &navigation));
     EVERY_CALL(sins_get_imu(sim, &imu));
@@ -25,6 +26,7 @@ static inline void every_read(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_get_accuracy(sim, &accuracy));
     EVERY_CALL(sins_get_record(sim, &record));
     EVERY_CALL(sins_get_truth_summary(sim, &summary));
+    EVERY_CALL(sins_get_covariance(sim, &covariance));
 }
 
 /* All but sins_destroy() and sins_last_error(), which answer otherwise. */

@@ -120,6 +120,7 @@ typedef struct {
     sins_imu imu;
     sins_accuracy accuracy;
     sins_truth_summary summary;
+    sins_covariance covariance;
     sins_options options, recommended;
     sins_cost cost;
     sins_budget budget;
@@ -256,6 +257,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
     CHECK(sins_get_truth_summary(sim, &found->summary) == SINS_OK);
+    CHECK(sins_get_covariance(sim, &found->covariance) == SINS_OK);
     CHECK(sins_get_options(sim, &found->options) == SINS_OK);
     CHECK(sins_recommend(sim, found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
     /* Of few samples: it times each effect in many rounds. */

@@ -22,6 +22,7 @@ AT(sins_options, seed, 48);
 AT(sins_options, closed_loop_time_s, 64);
 AT(sins_options, max_acceleration_m_s2, 88);
 AT(sins_options, truth_summary, 96);
+AT(sins_options, covariance, 100);
 
 SIZE(sins_error_info, SINS_SIZEOF_ERROR_INFO, 152);
 AT(sins_error_info, flags, 4);
@@ -101,6 +102,15 @@ AT(sins_truth_summary, intervals, 8);
 AT(sins_truth_summary, flown_s, 32);
 AT(sins_truth_summary, sideslip_max_rad, 168);
 AT(sins_truth_summary, height_max_at_s, 224);
+
+SIZE(sins_covariance, SINS_SIZEOF_COVARIANCE, 776);
+AT(sins_covariance, flags, 4);
+AT(sins_covariance, time_s, 8);
+AT(sins_covariance, covariance, 16);
+AT(sins_covariance, position_sigma_enu_m, 664);
+AT(sins_covariance, misalignment_sigma_enu_rad, 712);
+AT(sins_covariance, ellipse_major_m, 736);
+AT(sins_covariance, radial_95_m, 768);
 
 SIZE(sins_accuracy, SINS_SIZEOF_ACCURACY, 256);
 AT(sins_accuracy, window_samples, 32);

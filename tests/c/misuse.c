@@ -272,6 +272,7 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     NULL_POINTER(sins_start_navigation(sim, NULL));
     NULL_POINTER(sins_push_imu(sim, NULL));
     NULL_POINTER(sins_get_truth_summary(sim, NULL));
+    NULL_POINTER(sins_get_covariance(sim, NULL));
     NULL_POINTER(sins_move_truth(sim, NULL));
     NULL_POINTER(sins_reposition(sim, NULL));
     NULL_POINTER(sins_snapshot_size(sim, NULL));

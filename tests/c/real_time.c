@@ -92,10 +92,16 @@ static void read_everything(sins_sim *sim, int flown)
     sins_mounting mounting = {.struct_size = sizeof mounting};
     sins_gravity_params gravity = {.struct_size = sizeof gravity};
     sins_truth_summary summary = {.struct_size = sizeof summary};
+    sins_covariance covariance = {.struct_size = sizeof covariance};
     char text[200];
     size_t needed;
     sins_error_info info = {.struct_size = sizeof info};
     FRAME_CHECK(sins_get_options(sim, &options) == SINS_OK);
+    if (options.covariance == SINS_COVARIANCE_ON) {
+        FRAME_CHECK(is_answer(sins_get_covariance(sim, &covariance), flown));
+    } else {
+        FRAME_CHECK(sins_get_covariance(sim, &covariance) == SINS_ERROR_BAD_STATE);
+    }
     if (options.truth_summary == SINS_SUMMARY_ON) {
         FRAME_CHECK(is_answer(sins_get_truth_summary(sim, &summary), flown));
     } else {
@@ -290,6 +296,7 @@ int main(void)
         options.updates_per_sample = 1 + i % 2;
         options.error_model = SINS_ERROR_MODEL_RK4;
         options.truth_summary = i % 3 ? SINS_SUMMARY_ON : SINS_SUMMARY_OFF;
+        options.covariance = i % 2 ? SINS_COVARIANCE_ON : SINS_COVARIANCE_OFF;
         sims[i] = scene_simulator(&options, 0);
         if (i < FRAMES * SCHEMES) {
             sins_gyro_params gyro = scene_gyro(); /* and accelerometers without a limit to their range */

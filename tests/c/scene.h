@@ -139,6 +139,7 @@ static inline sins_sim *scene_simulator(const sins_options *options, unsigned se
     sins_sim *sim = NULL;
     own.error_model = SINS_ERROR_MODEL_RK4;
     own.truth_summary = SINS_SUMMARY_ON;
+    own.covariance = SINS_COVARIANCE_ON;
     own.seed = seed;
     CHECK(sins_create(options ? options : &own, &sim) == SINS_OK);
     CHECK(sins_set_gyro(sim, &gyro) == SINS_OK);

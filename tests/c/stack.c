@@ -82,8 +82,10 @@ static void read_all(sins_sim *sim)
     sins_gravity_params gravity = {.struct_size = sizeof gravity};
     sins_failure failure = {.struct_size = sizeof failure};
     sins_truth_summary summary = {.struct_size = sizeof summary};
+    sins_covariance covariance = {.struct_size = sizeof covariance};
     size_t size;
     TRY(sins_get_truth_summary(sim, &summary)); /* of what was flown, where it is on */
+    TRY(sins_get_covariance(sim, &covariance));
     MEASURE(sins_get_truth(sim, &navigation));
     MEASURE(sins_get_navigation(sim, &navigation));
     MEASURE(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors));
@@ -354,6 +356,7 @@ static void call_all(void)
     call_with_scenes();
     options.error_model = SINS_ERROR_MODEL_RK4;
     options.truth_summary = SINS_SUMMARY_ON;
+    options.covariance = SINS_COVARIANCE_ON;
     for (options.frame = SINS_FRAME_EARTH_FIXED; options.frame <= SINS_FRAME_GEOGRAPHIC; options.frame++) {
         for (options.scheme = SINS_SCHEME_EXACT; options.scheme <= SINS_SCHEME_POLYNOMIAL; options.scheme++) {
             for (options.signal = SINS_SIGNAL_PHYSICAL; options.signal <= SINS_SIGNAL_CLOSED_LOOP; options.signal++) {

@@ -273,6 +273,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
     OUTPUT_SIZES(sins_truth_summary, sins_get_truth_summary(sim, pointer));
+    OUTPUT_SIZES(sins_covariance, sins_get_covariance(sim, pointer));
     OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
@@ -362,6 +363,7 @@ int main(void)
     sins_sim *sim = NULL;
     options.error_model = SINS_ERROR_MODEL_RK4;
     options.truth_summary = SINS_SUMMARY_ON;
+    options.covariance = SINS_COVARIANCE_ON;
     CHECK(sins_create(&options, &sim) == SINS_OK);
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 0.01;

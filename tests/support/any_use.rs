@@ -108,6 +108,7 @@ impl Host {
                 period_s: draws.one_in(3).then_some(period_s),
             },
             truth_summary: draws.one_in(2),
+            covariance: draws.one_in(3),
             ..Default::default()
         };
         Self {

@@ -84,6 +84,7 @@ pub fn reads(simulator: &Simulator) -> String {
             (simulator.truth(), simulator.navigation(), simulator.imu()),
             (simulator.errors(ErrorSource::Navigation), simulator.errors(ErrorSource::Model)),
             (simulator.accuracy(), simulator.trim(), simulator.truth_summary()),
+            simulator.clone().covariance(),
         )
     )
 }
@@ -191,6 +192,7 @@ pub fn unusual_options() -> Options {
         key: StreamKey { seed: u64::MAX, run: 3 },
         intake: IntakeLimits { max_gap_s: 3.0, max_acceleration_m_s2: 1500.0, period_s: Some(0.01) },
         truth_summary: true,
+        covariance: true,
     }
 }
 

@@ -18,7 +18,7 @@ fn flights(scene: &Scene, request: &BudgetRequest) -> usize {
         |is_random| Effect::set_in(&scene.parameters).filter(|effect| effect.is_random == is_random).count();
     let (steady, random) = (count(false), count(true));
     let runs = if random == 0 { 1 } else { request.runs as usize };
-    1 + steady + runs * (random + 1 + usize::from(request.has_limits()))
+    1 + steady + random + runs * (1 + usize::from(random > 0) + usize::from(request.has_limits()))
 }
 
 /// A scene's budget.

@@ -16,6 +16,8 @@ pub enum Pen {
     East,
     North,
     Up,
+    /// One standard deviation, above and below.
+    Sigma,
     /// Single records of a noisy signal.
     Record,
     Fit,
@@ -65,7 +67,7 @@ pub enum Pen {
 }
 
 impl Pen {
-    pub const ALL: [Self; 39] = [
+    pub const ALL: [Self; 40] = [
         Self::Text,
         Self::Grid,
         Self::Axis,
@@ -74,6 +76,7 @@ impl Pen {
         Self::East,
         Self::North,
         Self::Up,
+        Self::Sigma,
         Self::Record,
         Self::Fit,
         Self::NauticalMile,
@@ -118,6 +121,7 @@ impl Pen {
             Self::East => "east",
             Self::North => "north",
             Self::Up => "up",
+            Self::Sigma => "sigma",
             Self::Record => "record",
             Self::Fit => "fit",
             Self::NauticalMile => "nautical-mile",

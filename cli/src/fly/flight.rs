@@ -14,7 +14,7 @@ use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record};
+use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record, SIGMA_COLUMNS};
 use crate::rows::number;
 
 /// Samples between two looks at the clock, at the signals and at the disk.
@@ -94,7 +94,8 @@ fn fly_with(
     flown: &mut Flown,
     quiet: bool,
 ) -> Result<(), Failure> {
-    write_line(&mut files.records, &COLUMNS)?;
+    let sigmas = if given.scene.options.covariance { &SIGMA_COLUMNS[..] } else { &[] };
+    write_line(&mut files.records, &[&COLUMNS, sigmas].concat())?;
     if let Some(file) = &mut files.imu {
         write_line(file, &imu::COLUMNS)?;
     }
@@ -177,7 +178,9 @@ fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
 
 /// Writes a record and takes its largest errors.
 fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(), Failure> {
-    let text = record.values().map(number).join(",") + "\n";
+    let sigmas = record.sigma.iter().flatten().copied();
+    let values: Vec<String> = record.values().into_iter().chain(sigmas).map(number).collect();
+    let text = values.join(",") + "\n";
     file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
     flown.records += 1;
 

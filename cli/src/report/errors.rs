@@ -64,7 +64,9 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
     let time = Axis::time(run.duration_s(), TIME_TICKS);
     let (axes, computed) = (axes(run, quantity), (quantity.of)(&run.errors));
     let model = run.model.as_ref().map(quantity.of);
-    let size = |axis: usize| magnitude(&computed[axis]).max(model.map_or(0.0, |m| magnitude(&m[axis])));
+    let sigma = run.sigma.as_ref().map(quantity.of);
+    let size_of = |three: Option<&[Vec<f64>; 3]>, axis: usize| three.map_or(0.0, |t| magnitude(&t[axis]));
+    let size = |axis: usize| magnitude(&computed[axis]).max(size_of(model, axis)).max(size_of(sigma, axis));
     let largest = (0..axes).map(size).fold(0.0, f64::max);
     let mut panels: Vec<Panel> = (0..axes)
         .map(|axis| {
@@ -74,6 +76,10 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             let trace = |pen, values: &[f64]| Trace::new(pen, over_time(run, &time, values, unit));
             let mut traces: Vec<Trace> =
                 model.iter().map(|model| trace(Pen::Reference, &model[axis])).collect();
+            for sigma in sigma {
+                let below: Vec<f64> = sigma[axis].iter().map(|sigma| -sigma).collect();
+                traces.extend([&sigma[axis], &below].map(|values| trace(Pen::Sigma, values)));
+            }
             traces.push(trace(Pen::Computed, &computed[axis]));
             panel(caption(quantity.name, EAST_NORTH_UP[axis], unit), 110.0, 5, traces)
         })
@@ -95,6 +101,9 @@ pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
     let mut legend = vec![(Pen::Computed, "data 2: navigation minus truth".to_owned())];
     if run.model.is_some() {
         legend.push((Pen::Reference, "data 1: error differential equations".to_owned()));
+    }
+    if run.sigma.is_some() {
+        legend.push((Pen::Sigma, "±1σ of all runs, by the covariance".to_owned()));
     }
     if differences(run, quantity).is_some() {
         let names = PENS.into_iter().zip(EAST_NORTH_UP).take(axes(run, quantity));
@@ -151,7 +160,7 @@ fn note(run: &Run, quantity: &Quantity, axes: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::run::tests::made;
+    use crate::report::run::tests::{made, with_sigmas};
     use crate::report::summary::Row;
 
     #[test]
@@ -177,6 +186,19 @@ mod tests {
         assert!(figure.note.ends_with("the vertical channel follows the truth."), "{}", figure.note);
         assert!(!figure.legend.iter().any(|(pen, _)| *pen == Pen::Up));
     }
+
+    #[test]
+    fn an_envelope_is_drawn_where_there_is_a_covariance() {
+        let run = with_sigmas(3, |name, _| if name.starts_with("sigma_position") { 7.0 } else { 0.5 });
+        let panel = &drawing(&run, &POSITION).panels[0];
+        let envelope: Vec<&Trace> = panel.traces.iter().filter(|trace| trace.pen == Pen::Sigma).collect();
+        assert_eq!((envelope[0].points[0].1, envelope[1].points[0].1), (7.0, -7.0));
+        assert!(panel.y.low <= -7.0 && panel.y.high >= 7.0);
+        assert!(legend(&run, &POSITION).iter().any(|(pen, _)| *pen == Pen::Sigma));
+        let without = made(3, |_, _| 0.5);
+        assert!(!legend(&without, &POSITION).iter().any(|(pen, _)| *pen == Pen::Sigma));
+    }
+
     #[test]
     fn what_is_compared_with_zero_has_no_difference() {
         let run = made(3, |name, _| if name.starts_with("navigation_error_velocity") { 0.5 } else { 0.0 });

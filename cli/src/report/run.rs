@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 
 use crate::failure::Failure;
-use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record};
+use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use crate::report::summary::Summary;
 use crate::table::Table;
 
@@ -30,6 +30,8 @@ pub struct Run {
     pub errors: Errors,
     /// Error data 1: the error differential equations; none if they were off.
     pub model: Option<Errors>,
+    /// Standard deviations of the errors; none if the covariance was off.
+    pub sigma: Option<Errors>,
     /// Measured less ideal, x, y, z [rad/s].
     pub gyro_error_rad_s: [Vec<f64>; 3],
     /// Measured less ideal, x, y, z [m/s²].
@@ -76,6 +78,7 @@ impl Run {
         let records: Vec<Record> = (0..lines.len()).map(row).collect();
         let time_s = since_start(path, &lines, &records)?;
         let model_was_on = records.iter().any(|record| record.model_error.flags & NOT_COMPUTED == 0);
+        let sigma = table.has(SIGMA_COLUMNS[0]).then(|| Errors::of_sigmas(&mut table)).transpose()?;
         let axes = |of: fn(&Record) -> &Vector3<f64>| axes(&records, of);
         Ok(Self {
             name: summary.value("name").filter(|name| !name.is_empty()).unwrap_or(stem).to_owned(),
@@ -85,6 +88,7 @@ impl Run {
             navigation: Places::of(&records, |record| &record.navigation),
             errors: Errors::of(&records, |record| &record.navigation_error),
             model: model_was_on.then(|| Errors::of(&records, |record| &record.model_error)),
+            sigma,
             gyro_error_rad_s: axes(|record| &record.gyro_error),
             accel_error_m_s2: axes(|record| &record.accel_error),
             summary,
@@ -153,6 +157,17 @@ impl Errors {
             flags: records.iter().map(|r| of(r).flags).collect(),
         }
     }
+
+    /// Standard deviations, by their own columns.
+    fn of_sigmas(table: &mut Table) -> Result<Self, Failure> {
+        let mut columns = SIGMA_COLUMNS.iter().map(|name| table.take(name));
+        let mut three = || -> Result<[Vec<f64>; 3], Failure> {
+            let mut axis = || columns.next().unwrap_or_else(|| Ok(Vec::new()));
+            Ok([axis()?, axis()?, axis()?])
+        };
+        let (position_m, velocity_m_s, misalignment_rad) = (three()?, three()?, three()?);
+        Ok(Self { position_m, velocity_m_s, misalignment_rad, flags: Vec::new() })
+    }
 }
 
 /// Each axis of a vector of the records.
@@ -179,11 +194,20 @@ pub mod tests {
 
     /// A run of `records` records, 10 s apart, in which the column `name` has the value `value(name, time)`.
     pub fn made(records: u32, value: impl Fn(&str, f64) -> f64) -> Run {
-        let mut text = COLUMNS.join(",");
+        of_columns(&COLUMNS, records, value)
+    }
+
+    /// The same with standard deviations.
+    pub fn with_sigmas(records: u32, value: impl Fn(&str, f64) -> f64) -> Run {
+        of_columns(&[&COLUMNS[..], &SIGMA_COLUMNS].concat(), records, value)
+    }
+
+    fn of_columns(columns: &[&str], records: u32, value: impl Fn(&str, f64) -> f64) -> Run {
+        let mut text = columns.join(",");
         for record in 0..records {
             let t = f64::from(record) * 10.0;
             let row: Vec<String> =
-                COLUMNS.iter().map(|n| if *n == "time_s" { t } else { value(n, t) }.to_string()).collect();
+                columns.iter().map(|n| if *n == "time_s" { t } else { value(n, t) }.to_string()).collect();
             text += &format!("\n{}", row.join(","));
         }
         let path = Path::new("made.csv");

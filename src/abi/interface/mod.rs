@@ -20,7 +20,7 @@ use std::path::Path;
 use model::Interface;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 38] = [
+const SOURCES: [&str; 39] = [
     "version",
     "failure",
     "options",
@@ -38,6 +38,7 @@ const SOURCES: [&str; 38] = [
     "solution",
     "accuracy",
     "truth_summary",
+    "covariance",
     "record",
     "navigator",
     "snapshot",

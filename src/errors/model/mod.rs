@@ -3,6 +3,7 @@
 //!
 //! Two forms of the same equations: Earth-fixed, which no pole disturbs, and the paper's geographic one.
 
+pub(crate) mod column;
 mod earth_fixed;
 mod geographic;
 mod geometry;
@@ -26,8 +27,8 @@ use geometry::LocalGeometry;
 
 /// Misalignment [rad] and displacement [m] beyond which the terms that the linear model drops are no longer small:
 /// 1e-3 of the solution.
-const VALID_MISALIGNMENT_RAD: f64 = 0.035;
-const VALID_DISPLACEMENT_M: f64 = 100e3;
+pub(crate) const VALID_MISALIGNMENT_RAD: f64 = 0.035;
+pub(crate) const VALID_DISPLACEMENT_M: f64 = 100e3;
 
 /// Errors at which the linear model stops [rad, m/s, m]: it goes on to grow where a solution turns or diverges.
 const LARGEST: f64 = 1e20;

@@ -6,7 +6,7 @@ use super::ErrorModel;
 use super::earth_fixed::EarthFixedForm;
 use super::geometry::LocalGeometry;
 use crate::math::axis_cross;
-use crate::mounting::Block;
+use crate::mounting::{Block, MountingErrors};
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
@@ -19,7 +19,16 @@ impl ErrorModel {
     /// ```
     /// in Earth-fixed terms: the local axes that belong to a solution lean with its position.
     pub(super) fn of_reference_point(&self, truth: &TruthPoint, block: &Block) -> StateErrors {
-        let mounting = block.errors();
+        self.of_reference_point_by(truth, block, &block.errors())
+    }
+
+    /// The same with what `mounting` has wrong.
+    pub(super) fn of_reference_point_by(
+        &self,
+        truth: &TruthPoint,
+        block: &Block,
+        mounting: &MountingErrors,
+    ) -> StateErrors {
         let state = block.state(truth);
         let at_block = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
         let of_block = self.in_local_terms(&at_block, &state.v_e);

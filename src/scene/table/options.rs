@@ -59,6 +59,10 @@ pub const OPTIONS: &[Key] = &[
         "off" => false,
         "on" => true,
     ]),
+    choice!(O, "covariance", "covariance of the errors", "options.covariance", scene.options.covariance, [
+        "off" => false,
+        "on" => true,
+    ]),
     choice!(O, "earth", "ellipsoid", "options.earth", scene.options.ellipsoid, [
         "wgs84" => Ellipsoid::Wgs84,
         "cgcs2000" => Ellipsoid::Cgcs2000,

@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use super::Chain;
 use super::beside::conditions;
+use crate::covariance::Flown;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, check_state};
@@ -131,6 +132,12 @@ impl Chain {
                 errors = errors.plus(disturbance.felt());
             }
             model.advance(&motion, next, &errors, &aid, self.block.as_ref());
+        }
+        for covariance in &mut *self.covariance {
+            let (ideal, block) = (&self.signals.ideal[self.parts.clone()], self.block.as_ref());
+            let is_aided = aid != VerticalAid::None;
+            let flown = Flown { motion: &motion, current: recent.current, next, ideal, is_aided, block };
+            covariance.advance(&flown, &sensors.parameters());
         }
         self.conclude(&motion, recent);
         if self.accuracy.is_due(next.time_s) {

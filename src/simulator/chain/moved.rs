@@ -47,7 +47,7 @@ impl Chain {
             Some(shadow) => Some(self.carried(&shadow, &jump)?),
             None => None,
         };
-        self.go_on(&jump, mechanization, shadow, (from, to));
+        self.go_on(&jump, mechanization, shadow, (from, to), sensors);
         self.block = block;
         self.generator = SignalGenerator::new(self.earth.rate_rad_s);
         self.closure.turn(&self.earth, &from.sample.place, &to.sample.place);
@@ -62,7 +62,7 @@ impl Chain {
     /// The velocity of the truth at `point`, 0 so far, is known: that of the solution is as much more.
     #[cold]
     #[inline(never)]
-    pub fn take_first_velocity(&mut self, point: &TruthPoint) {
+    pub fn take_first_velocity(&mut self, point: &TruthPoint, sensors: &SensorSuite) {
         let mut without = *point;
         without.state.v_e.fill(0.0);
         let block = self.block;
@@ -74,7 +74,7 @@ impl Chain {
             .as_mut()
             .and_then(|closed_loop| closed_loop.shadow_mut().copied())
             .and_then(|shadow| self.carried(&shadow, &jump).ok());
-        self.go_on(&jump, mechanization, shadow, (&without, point));
+        self.go_on(&jump, mechanization, shadow, (&without, point), sensors);
     }
 
     /// The jump from `from` to `to` where the sensors are, which at `to` are those of `block`.
@@ -109,13 +109,18 @@ impl Chain {
         mechanization: Mechanization,
         shadow: Option<Mechanization>,
         (from, to): (&TruthPoint, &TruthPoint),
+        sensors: &SensorSuite,
     ) {
         self.mechanization = mechanization;
+        let at = |(state, _): &(EarthFixedState, Navigation), point: &TruthPoint| {
+            (self.earth.vertical(&state.r_e), state.v_e, point.is_near_pole())
+        };
         if let Some(model) = &mut self.error_model {
-            let at = |(state, _): &(EarthFixedState, Navigation), point: &TruthPoint| {
-                (self.earth.vertical(&state.r_e), state.v_e, point.is_near_pole())
-            };
             *model = model.moved(&at(&jump.from, from), &at(&jump.to, to));
+        }
+        for covariance in &mut *self.covariance {
+            let last = (from, self.block.as_ref());
+            covariance.move_truth(last, &at(&jump.from, from), &at(&jump.to, to), &sensors.parameters());
         }
         if let Some(closed_loop) = &mut self.closed_loop {
             if let (Some(old), Some(new)) = (closed_loop.shadow_mut(), shadow) {

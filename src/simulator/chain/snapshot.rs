@@ -33,11 +33,13 @@ impl Stored for Chain {
             closed_loop,
             block,
             disturbance,
+            covariance,
             summary,
             is_plain: _,
             views: _,
         } = self;
         summary.iter().for_each(|summary| summary.save(to));
+        covariance.iter().for_each(|covariance| covariance.save(to));
         generator.save(to);
         self.imu().save(to);
         self.last.vertical_unaided().unwrap_or_default().save(to);
@@ -60,6 +62,7 @@ impl Stored for Chain {
         if let Some(summary) = &mut self.summary {
             summary.load(from)?;
         }
+        self.covariance.iter_mut().try_for_each(|covariance| covariance.load(from))?;
         self.generator.load(from)?;
         let mut imu: Option<ImuInterval> = None;
         imu.load(from)?;

@@ -86,6 +86,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         11 => drop(check::<sins_mounting>(|mounting| call!(sins_get_mounting(sim, mounting)))),
         12 => drop(check::<sins_gravity_params>(|params| call!(sins_get_gravity_disturbance(sim, params)))),
         14 => drop(check::<sins_truth_summary>(|summary| call!(sins_get_truth_summary(sim, summary)))),
+        15 => drop(check::<sins_covariance>(|covariance| call!(sins_get_covariance(sim, covariance)))),
         13 => {
             check::<sins_failure>(|failure| call!(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, failure)));
         }
@@ -179,7 +180,7 @@ impl Host {
         }
         self.follower.follow(place, status, call);
         if status == SINS_OK && self.input.one_in(8) {
-            look(sim, self.input.below(16));
+            look(sim, self.input.below(17));
         }
         status
     }

@@ -163,6 +163,7 @@ pub fn some_options(input: &mut Input) -> sins_options {
         max_gap_s,
         max_acceleration_m_s2: input.pick(&[0.0, 0.0, 1e6, 1e-3, 1e4]),
         truth_summary: i32::from(input.one_in(4)),
+        covariance: i32::from(input.one_in(4)),
         ..init()
     }
 }

@@ -1,0 +1,90 @@
+//! `sins_covariance`.
+
+use super::failure::sins_status;
+use super::memory::{Output, interface_struct};
+use super::simulator::{sins_sim, with_simulator};
+use super::solution::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY, write_or_need};
+use crate::covariance::NavigationCovariance;
+
+/// Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors in
+/// the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+///
+/// It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames, which
+/// agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn initial errors;
+/// what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk
+/// and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise; quantization, as white noise of its
+/// variance. Given values, failures, and what is not linear (dead zone, range) are not in it: they move the mean. One second
+/// of flight is one step of the propagation; a parameter that is set in flight counts from the start of the step it is set in.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_covariance {
+    /// sizeof(sins_covariance)
+    pub struct_size: u32,
+    /// Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is.
+    pub flags: i32,
+    /// Time [s].
+    pub time_s: f64,
+    /// Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    pub covariance: [f64; 81],
+    /// Standard deviation of the position error [m].
+    pub position_sigma_enu_m: [f64; 3],
+    /// Standard deviation of the velocity error [m/s].
+    pub velocity_sigma_enu_m_s: [f64; 3],
+    /// Standard deviation of the misalignment [rad].
+    pub misalignment_sigma_enu_rad: [f64; 3],
+    /// Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
+    pub ellipse_major_m: f64,
+    /// Semi-minor axis [m].
+    pub ellipse_minor_m: f64,
+    /// Azimuth of the major axis, from north to the east, 0 up to pi [rad].
+    pub ellipse_azimuth_rad: f64,
+    /// Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
+    /// this ellipse with the mean 0 [m].
+    pub cep50_m: f64,
+    /// The same of 95 % [m].
+    pub radial_95_m: f64,
+}
+
+interface_struct!(sins_covariance, "covariance", 776);
+
+impl sins_covariance {
+    fn new(&(time_s, covariance, near_pole): &(f64, NavigationCovariance, bool)) -> Self {
+        let NavigationCovariance { matrix, ellipse, outside_validity } = covariance;
+        let sigma = covariance.sigma();
+        let [pe, pn, pu, ve, vn, vu, me, mn, mu] = sigma;
+        let flag = |is_set: bool, flag: i32| if is_set { flag } else { 0 };
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)
+                | flag(outside_validity, SINS_ERRORS_OUTSIDE_VALIDITY),
+            time_s,
+            covariance: core::array::from_fn(|place| matrix[(place / 9, place % 9)]),
+            position_sigma_enu_m: [pe, pn, pu],
+            velocity_sigma_enu_m_s: [ve, vn, vu],
+            misalignment_sigma_enu_rad: [me, mn, mu],
+            ellipse_major_m: ellipse.major_m,
+            ellipse_minor_m: ellipse.minor_m,
+            ellipse_azimuth_rad: ellipse.azimuth_rad,
+            cep50_m: ellipse.cep50_m(),
+            radial_95_m: ellipse.radial_95_m(),
+        }
+    }
+}
+
+/// Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start. It
+/// changes no other output.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_covariance(
+    sim: *mut sins_sim,
+    covariance: *mut sins_covariance,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(covariance, "covariance")? };
+        let covariance = simulator.covariance()?;
+        Ok(write_or_need(&output, covariance.as_ref().map(sins_covariance::new)))
+    })
+}

@@ -1,0 +1,177 @@
+//! What is read of a covariance: 1 sigma, error ellipse, CEP50 and R95.
+
+use core::f64::consts::PI;
+
+use nalgebra::SMatrix;
+
+use crate::math::{atan2, exp, sin_cos};
+
+/// Covariance of the errors of position [m], velocity [m/s] and misalignment [rad], each east-north-up.
+pub type Matrix9 = SMatrix<f64, 9, 9>;
+
+/// Covariance of the navigation errors, computed less true.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NavigationCovariance {
+    /// Of position [m], velocity [m/s], misalignment φ [rad], each east, north, up, as in [`NavigationErrors`](crate::errors::NavigationErrors).
+    pub matrix: Matrix9,
+    /// Of the horizontal position.
+    pub ellipse: ErrorEllipse,
+    /// A standard deviation has outgrown what the linear equations drop.
+    pub outside_validity: bool,
+}
+
+/// The error ellipse of one standard deviation of the horizontal position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ErrorEllipse {
+    /// Semi-axes [m].
+    pub major_m: f64,
+    /// See `major_m`.
+    pub minor_m: f64,
+    /// Azimuth of the major axis, from north to the east, 0 up to π [rad].
+    pub azimuth_rad: f64,
+}
+
+impl NavigationCovariance {
+    /// Standard deviations of the nine errors.
+    pub fn sigma(&self) -> [f64; 9] {
+        core::array::from_fn(|k| self.matrix[(k, k)].sqrt())
+    }
+}
+
+impl ErrorEllipse {
+    /// Of the variances east and north and their covariance [m²].
+    pub fn new(east: f64, north: f64, both: f64) -> Self {
+        let mean = 0.5 * (east + north);
+        let half_difference = 0.5 * (north - east);
+        let radius = (half_difference * half_difference + both * both).sqrt();
+        let major = mean + radius;
+        // By the determinant: the difference of two large numbers has lost a small one.
+        let minor = if major > 0.0 { ((east * north - both * both) / major).max(0.0) } else { 0.0 };
+        let azimuth = 0.5 * atan2(both, half_difference);
+        Self {
+            major_m: major.sqrt(),
+            minor_m: minor.sqrt(),
+            azimuth_rad: if azimuth < 0.0 { azimuth + PI } else { azimuth },
+        }
+    }
+
+    /// Radius of the circle about the truth in which the position lies with the probability 0.5 [m].
+    pub fn cep50_m(&self) -> f64 {
+        self.radius_m(0.5, (CIRCLE_50, LINE_50))
+    }
+
+    /// The same with the probability 0.95 [m].
+    pub fn radial_95_m(&self) -> f64 {
+        self.radius_m(0.95, (CIRCLE_95, LINE_95))
+    }
+
+    /// The radius of the probability `wanted`, of the ellipse that is a circle or a line of semi-axis 1 those of `ends`: by the
+    /// integral of the normal density over the circle,
+    /// ```text
+    /// P(R) = 1 - 1/2π ∫ exp(-R²/(2 (σ1² cos²θ + σ2² sin²θ))) dθ
+    /// ```
+    /// in the polar coordinates that make the ellipse a circle. The integrand is smooth and periodic: the sum of equal steps is
+    /// exact to rounding.
+    fn radius_m(&self, wanted: f64, (circle, line): (f64, f64)) -> f64 {
+        if self.major_m == 0.0 {
+            return 0.0;
+        }
+        let ratio2 = (self.minor_m / self.major_m) * (self.minor_m / self.major_m);
+        let spread = |step: usize| {
+            let (sin, cos) = sin_cos((step as f64 + 0.5) * (0.5 * PI / STEPS as f64));
+            cos * cos + ratio2 * sin * sin
+        };
+        let (mut low, mut high) = (line, circle);
+        let mut radius = line + (circle - line) * ratio2;
+        for _ in 0..60 {
+            let (mut outside, mut density) = (0.0, 0.0);
+            for step in 0..STEPS {
+                let spread = spread(step);
+                let share = exp(-0.5 * radius * radius / spread) / STEPS as f64;
+                outside += share;
+                density += share * radius / spread;
+            }
+            let missing = wanted - (1.0 - outside);
+            if missing > 0.0 {
+                low = radius
+            } else {
+                high = radius
+            }
+            // Newton's step, or the middle where it leaves the bracket.
+            let newton = radius + missing / density;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - radius).abs() < 1e-14 * radius || missing == 0.0 {
+                break;
+            }
+            radius = next;
+        }
+        radius * self.major_m
+    }
+}
+
+/// Steps of a quarter.
+const STEPS: usize = 32;
+
+/// √(2 ln 2) and √(2 ln 20), of Rayleigh's distribution; 50 % and 95 % of the normal one.
+const CIRCLE_50: f64 = 1.177_410_022_515_474_7;
+const CIRCLE_95: f64 = 2.447_746_830_680_816;
+const LINE_50: f64 = 0.674_489_750_196_081_7;
+const LINE_95: f64 = 1.959_963_984_540_054;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn circle_and_line_are_their_closed_forms() {
+        for size in [1e-3, 1.0, 4e4] {
+            let of = |minor| ErrorEllipse { major_m: size, minor_m: size * minor, azimuth_rad: 0.0 };
+            for (radius, expected) in [
+                (of(1.0).cep50_m(), (2.0 * 2.0f64.ln()).sqrt()),
+                (of(1.0).radial_95_m(), (2.0 * 20.0f64.ln()).sqrt()),
+                // Quantiles of the normal distribution.
+                (of(0.0).cep50_m(), 0.674_489_750_196_081_7),
+                (of(0.0).radial_95_m(), 1.959_963_984_540_054),
+            ] {
+                assert!((radius / size - expected).abs() < 1e-9, "{radius} of {expected}");
+            }
+        }
+        assert_eq!(ErrorEllipse::new(0.0, 0.0, 0.0).cep50_m(), 0.0);
+    }
+
+    /// The density of an ellipse, summed over rings of its own plane: another integral than the one that is used.
+    #[test]
+    fn an_ellipse_between_holds_what_it_says() {
+        let (major, minor) = (3.0, 0.8);
+        let ellipse = ErrorEllipse { major_m: major, minor_m: minor, azimuth_rad: 0.0 };
+        for (radius, wanted) in [(ellipse.cep50_m(), 0.5), (ellipse.radial_95_m(), 0.95)] {
+            let (rings, angles) = (400, 400);
+            let mut inside = 0.0;
+            for ring in 0..rings {
+                let r = (f64::from(ring) + 0.5) * radius / f64::from(rings);
+                for angle in 0..angles {
+                    let t = f64::from(angle) * 2.0 * PI / f64::from(angles);
+                    let (x, y) = (r * t.cos() / major, r * t.sin() / minor);
+                    inside += (-0.5 * (x * x + y * y)).exp() * r;
+                }
+            }
+            inside *= radius / f64::from(rings) / f64::from(angles) / (major * minor);
+            // The rings' midpoint rule: (R/400)²/24 of the second derivative.
+            assert!((inside - wanted).abs() < 1e-5, "{inside} of {wanted}");
+        }
+    }
+
+    #[test]
+    fn the_azimuth_is_that_of_the_major_axis() {
+        for degrees in [0.0f64, 10.0, 45.0, 90.0, 120.0, 179.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let (major2, minor2) = (25.0, 4.0);
+            // The major axis points sin east and cos north.
+            let east = major2 * sin * sin + minor2 * cos * cos;
+            let north = major2 * cos * cos + minor2 * sin * sin;
+            let ellipse = ErrorEllipse::new(east, north, (major2 - minor2) * sin * cos);
+            assert!((ellipse.major_m - 5.0).abs() < 1e-14 && (ellipse.minor_m - 2.0).abs() < 1e-14);
+            assert!((ellipse.azimuth_rad - degrees.to_radians()).abs() < 1e-14);
+        }
+    }
+}

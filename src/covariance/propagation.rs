@@ -1,0 +1,241 @@
+//! The covariance along the truth.
+
+use nalgebra::Vector3;
+
+use super::alignment::Alignment;
+use super::factor::{ROWS, triangularize};
+use super::figures::NavigationCovariance;
+use super::passage::Passage;
+use super::read::covariance_of;
+use super::sources::{AXES, COUNT, FIELDS, Input, Parameters, Source};
+use super::stretch::{Piece, Stretch};
+use crate::earth::{Earth, Vertical};
+use crate::error::Error;
+use crate::errors::column::{At, Column, moved};
+use crate::mechanization::{VerticalLoop, VerticalMode};
+use crate::memory::room;
+use crate::mounting::Block;
+use crate::sensors::GravityDisturbance;
+use crate::signal::{Increment, IntervalMotion};
+use crate::state::StateErrors;
+use crate::truth::TruthPoint;
+
+/// Columns that a stretch makes at the most: the root, what the processes lose, mean and slope of the noise of the axes, their
+/// quantization, what gravity's fields have of their own, the altimeter's noise.
+const WORK: usize = ROWS + COUNT + 3 * AXES + FIELDS + 1;
+
+/// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
+/// Of the covariance of x and β this is a square root, so that no rounding makes it negative.
+#[derive(Debug, Clone)]
+pub(super) struct Root {
+    /// S, of each process.
+    pub sensitivities: Box<[Column]>,
+    /// L, lower triangular.
+    pub factor: Box<[Column]>,
+    /// Variance of the random walk of each axis [u²].
+    pub walks: [f64; AXES],
+    /// The vertical loop with the gains of the last stretch.
+    pub channel: VerticalLoop,
+}
+
+/// The propagation.
+#[derive(Debug, Clone)]
+pub(crate) struct Propagation {
+    earth: Earth,
+    vertical: VerticalMode,
+    pub(super) root: Root,
+    /// Since the root was brought up to date.
+    pub(super) stretch: Stretch,
+    /// To look ahead in, and to work in.
+    ahead: Root,
+    work: Box<[Column]>,
+}
+
+/// An interval that was flown.
+pub(crate) struct Flown<'a> {
+    pub motion: &'a IntervalMotion<'a>,
+    pub current: &'a TruthPoint,
+    pub next: &'a TruthPoint,
+    pub ideal: &'a [Increment],
+    /// Whether the altimeter had a height.
+    pub is_aided: bool,
+    pub block: Option<&'a Block>,
+}
+
+/// The errors at the start: those of position, velocity and misalignment that are drawn, and what an alignment makes of steady
+/// errors of rate [rad/s] and force [m/s²].
+pub(crate) struct StartErrors<'a> {
+    pub first: &'a TruthPoint,
+    /// True velocity of the sensors [m/s].
+    pub v_e: &'a Vector3<f64>,
+    /// Standard deviations of the drawn errors.
+    pub sigma: StateErrors,
+    pub alignment: Option<Alignment>,
+}
+
+impl Root {
+    fn new() -> Result<Self, Error> {
+        Ok(Self {
+            sensitivities: zeros(COUNT)?,
+            factor: zeros(ROWS)?,
+            walks: [0.0; AXES],
+            channel: VerticalLoop::new(),
+        })
+    }
+
+    fn copy_from(&mut self, other: &Self) {
+        self.sensitivities.copy_from_slice(&other.sensitivities);
+        self.factor.copy_from_slice(&other.factor);
+        (self.walks, self.channel) = (other.walks, other.channel);
+    }
+
+    pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Column> {
+        self.sensitivities.iter_mut().chain(&mut *self.factor)
+    }
+}
+
+fn zeros(count: usize) -> Result<Box<[Column]>, Error> {
+    let mut columns = room(count)?;
+    columns.resize(count, Column::zeros());
+    Ok(columns.into_boxed_slice())
+}
+
+impl Propagation {
+    /// None if it is not wanted: a slice of one or of none, which unlike a `Box` can be made without aborting. Its memory is
+    /// allocated here.
+    pub fn new(is_on: bool, earth: Earth, vertical: VerticalMode) -> Result<Box<[Self]>, Error> {
+        let mut memory = room(usize::from(is_on))?;
+        if is_on {
+            memory.push(Self {
+                earth,
+                vertical,
+                root: Root::new()?,
+                stretch: Stretch::EMPTY,
+                ahead: Root::new()?,
+                work: zeros(WORK)?,
+            });
+        }
+        Ok(memory.into_boxed_slice())
+    }
+
+    /// Before a run.
+    pub fn reset(&mut self) {
+        self.root.walks = [0.0; AXES];
+        self.clear();
+    }
+
+    /// Before a flight: the processes go on, nothing has come of them.
+    fn clear(&mut self) {
+        self.root.columns_mut().for_each(|column| *column = Column::zeros());
+        self.root.channel = VerticalLoop::new();
+        self.stretch = Stretch::EMPTY;
+    }
+
+    /// A flight begins.
+    pub fn start(&mut self, start: &StartErrors<'_>, parameters: &Parameters<'_>) {
+        self.clear();
+        let at = At::new(&self.earth, start.first, None);
+        let StateErrors { position_n, velocity_n, misalignment_n } = start.sigma;
+        let with_height = f64::from(u8::from(self.vertical != VerticalMode::FollowTruth));
+        let unit = |sigma: &Vector3<f64>, axis: usize| {
+            let mut one = Vector3::zeros();
+            one[axis] = sigma[axis];
+            one
+        };
+        for axis in 0..3 {
+            let keep = if axis == 2 { with_height } else { 1.0 };
+            for (group, errors) in [
+                StateErrors { position_n: unit(&position_n, axis) * keep, ..StateErrors::NONE },
+                StateErrors { velocity_n: unit(&velocity_n, axis) * keep, ..StateErrors::NONE },
+                StateErrors { misalignment_n: unit(&misalignment_n, axis), ..StateErrors::NONE },
+            ]
+            .into_iter()
+            .enumerate()
+            {
+                self.root.factor[3 * group + axis] = at.column(start.v_e, &errors);
+            }
+        }
+        triangularize(&mut self.root.factor);
+        let Some(alignment) = &start.alignment else { return };
+        for place in 0..COUNT {
+            let source = Source::at(place, parameters);
+            let deviation = source.deviation(self.walk_of(&source));
+            if deviation != 0.0 {
+                let misalignment_n = alignment.by(&self.earth, start.first, source.input) * deviation;
+                let errors = StateErrors { misalignment_n, ..StateErrors::NONE };
+                self.root.sensitivities[place] = at.column(start.v_e, &errors);
+            }
+        }
+    }
+
+    fn walk_of(&self, source: &Source) -> f64 {
+        match source.input {
+            Input::Axis(axis) => self.root.walks[axis],
+            _ => 0.0,
+        }
+    }
+
+    /// Takes in an interval that was flown.
+    pub fn advance(&mut self, flown: &Flown<'_>, parameters: &Parameters<'_>) {
+        let piece = Piece {
+            motion: flown.motion,
+            ideal: flown.ideal,
+            is_aided: flown.is_aided,
+            ground_m: GravityDisturbance::over_ground(&self.earth, flown.current, flown.next),
+            block: flown.block,
+            with_elements: parameters.have_elements(),
+        };
+        if self.stretch.has_no_room_for(flown.motion.interval_s) {
+            self.bring_up_to_date(flown.current, flown.block, parameters);
+        }
+        if self.stretch.add(&piece) {
+            self.bring_up_to_date(flown.next, flown.block, parameters);
+        }
+    }
+
+    fn bring_up_to_date(&mut self, truth: &TruthPoint, block: Option<&Block>, parameters: &Parameters<'_>) {
+        let at = At::new(&self.earth, truth, block);
+        let passage =
+            Passage { earth: &self.earth, vertical: self.vertical, stretch: &self.stretch, at: &at, truth };
+        passage.go(&mut self.root, &mut self.work, parameters);
+        self.stretch = Stretch::EMPTY;
+    }
+
+    /// The truth jumps, from and to a vertical, a velocity of the sensors and whether it is near a pole.
+    pub fn move_truth(
+        &mut self,
+        (truth, block): (&TruthPoint, Option<&Block>),
+        from: &(Vertical, Vector3<f64>, bool),
+        to: &(Vertical, Vector3<f64>, bool),
+        parameters: &Parameters<'_>,
+    ) {
+        if !self.stretch.is_empty() {
+            self.bring_up_to_date(truth, block, parameters);
+        }
+        let earth = &self.earth;
+        self.root.columns_mut().for_each(|column| moved(column, earth, from, to));
+        triangularize(&mut self.root.factor);
+    }
+
+    /// The covariance at `truth`, the last point that was flown to; nothing changes but scratch.
+    pub fn read(
+        &mut self,
+        truth: &TruthPoint,
+        block: Option<&Block>,
+        parameters: &Parameters<'_>,
+    ) -> NavigationCovariance {
+        let at = At::new(&self.earth, truth, block);
+        self.ahead.copy_from(&self.root);
+        if !self.stretch.is_empty() {
+            let passage = Passage {
+                earth: &self.earth,
+                vertical: self.vertical,
+                stretch: &self.stretch,
+                at: &at,
+                truth,
+            };
+            passage.go(&mut self.ahead, &mut self.work, parameters);
+        }
+        covariance_of(&self.ahead, &at, truth, block, parameters)
+    }
+}

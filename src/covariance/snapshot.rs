@@ -1,0 +1,41 @@
+//! What a snapshot keeps of the propagation.
+
+use super::propagation::{Propagation, Root};
+use super::stretch::Stretch;
+use crate::error::Error;
+use crate::snapshot::{Numbers, Reader, Stored, Writer};
+
+/// For errors and variances of walks: more than any that is propagated.
+const ERRORS: f64 = 1e30;
+
+/// Before a flight nothing but the walks goes on.
+impl Propagation {
+    pub fn save_waiting(&self, to: &mut Writer<'_>) {
+        Numbers::save(&self.root.walks, to);
+    }
+
+    pub fn load_waiting(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        from.enter("snapshot: covariance");
+        Numbers::load(&mut self.root.walks, from, ERRORS)?;
+        from.require(self.root.walks.iter().all(|walk| *walk >= 0.0), 0.0, "must not be negative")
+    }
+}
+
+impl Stored for Propagation {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Root { sensitivities, factor, walks: _, channel } = &self.root;
+        self.save_waiting(to);
+        sensitivities.iter().chain(factor).for_each(|column| Numbers::save(column, to));
+        channel.save(to);
+        self.stretch.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.load_waiting(from)?;
+        let Root { sensitivities, factor, walks: _, channel } = &mut self.root;
+        sensitivities.iter_mut().chain(factor).try_for_each(|column| Numbers::load(column, from, ERRORS))?;
+        channel.load(from)?;
+        self.stretch = Stretch::EMPTY;
+        self.stretch.load(from)
+    }
+}

@@ -1,0 +1,175 @@
+//! What is random in a run, each a process of unit variance.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::sensors::{
+    AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceParameters, MarkovStep, TriadParameters,
+};
+
+/// What the host has set of the random errors.
+#[derive(Clone, Copy)]
+pub(crate) struct Parameters<'a> {
+    pub gyro: &'a TriadParameters,
+    pub accel: &'a TriadParameters,
+    pub altimeter: &'a AltimeterParameters,
+    pub gravity: &'a GravityDisturbanceParameters,
+}
+
+impl Parameters<'_> {
+    /// Whether scale factors or misalignments are random.
+    pub fn have_elements(&self) -> bool {
+        [self.gyro, self.accel].iter().any(|triad| {
+            triad.scale_factor_sigma != Vector3::zeros() || triad.misalignment_sigma != Matrix3::zeros()
+        })
+    }
+}
+
+const FLICKER: usize = FLICKER_PROCESSES.len();
+
+/// Sensor axes: three gyros, three accelerometers.
+pub const AXES: usize = 6;
+
+/// Elements of scale factor and misalignment of both triads.
+pub const ELEMENTS: usize = 18;
+
+/// Gravity's deflections north and east, and its anomaly.
+pub const FIELDS: usize = 3;
+
+/// All processes that there can be.
+pub const COUNT: usize = 3 * AXES + FLICKER * AXES + ELEMENTS + FIELDS + 1;
+
+/// What a process adds to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Input {
+    /// The signal of a sensor axis.
+    Axis(usize),
+    /// An element of the scale factor and misalignment matrices: 9 of the gyros, 9 of the accelerometers, by columns.
+    Element(usize),
+    /// A field of gravity.
+    Field(usize),
+    /// The height that the altimeter shows.
+    Altimeter,
+}
+
+/// How a process goes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// Drawn once a run.
+    Constant,
+    /// Gauss-Markov of this correlation time [s].
+    Markov(f64),
+    /// Gauss-Markov of this correlation distance over ground [m].
+    MarkovOverGround(f64),
+    /// Random walk of this density [u/√s] from 0 at the start of the run.
+    Walk(f64),
+}
+
+/// A process: what it adds to, how it goes on, and its standard deviation, of a walk that of 1 s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    pub input: Input,
+    pub kind: Kind,
+    pub sigma: f64,
+}
+
+/// Over an interval: the process at its end is `decay` β + `diffusion` w of β at its start and a draw w; its mean, in units of
+/// what it adds, has these shares of β, of w, and of a draw of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Advance {
+    pub decay: f64,
+    pub diffusion: f64,
+    pub mean: [f64; 3],
+}
+
+impl Source {
+    /// The process at `place` of [`COUNT`]; those that nothing calls for have a sigma of 0.
+    pub fn at(place: usize, parameters: &Parameters<'_>) -> Self {
+        let triad = |axis: usize| if axis < 3 { parameters.gyro } else { parameters.accel };
+        let constant = |input, sigma| Self { input, kind: Kind::Constant, sigma };
+        let mut place = place;
+        if place < AXES {
+            return constant(Input::Axis(place), triad(place).bias_sigma[place % 3]);
+        }
+        place -= AXES;
+        if place < AXES {
+            let (sigma, time_s) =
+                (triad(place).markov_sigma[place % 3], triad(place).markov_time_s[place % 3]);
+            return Self { input: Input::Axis(place), kind: Kind::Markov(time_s), sigma };
+        }
+        place -= AXES;
+        if place < AXES {
+            let density = triad(place).rate_random_walk[place % 3];
+            return Self { input: Input::Axis(place), kind: Kind::Walk(density), sigma: density };
+        }
+        place -= AXES;
+        if place < AXES * FLICKER {
+            let (axis, (time_s, deviation)) = (place / FLICKER, FLICKER_PROCESSES[place % FLICKER]);
+            let sigma = triad(axis).flicker[axis % 3] * deviation;
+            return Self { input: Input::Axis(axis), kind: Kind::Markov(time_s), sigma };
+        }
+        place -= AXES * FLICKER;
+        if place < ELEMENTS {
+            let triad = triad(place / 9 * 3);
+            let (row, column) = (place % 3, place / 3 % 3);
+            let sigma = if row == column {
+                triad.scale_factor_sigma[row]
+            } else {
+                triad.misalignment_sigma[(row, column)]
+            };
+            return constant(Input::Element(place), sigma);
+        }
+        place -= ELEMENTS;
+        if place < FIELDS {
+            let field = parameters.gravity.fields()[place];
+            let kind = Kind::MarkovOverGround(field.distance_m);
+            return Self { input: Input::Field(place), kind, sigma: field.sigma };
+        }
+        let AltimeterParameters { markov_sigma_m, markov_time_s, .. } = *parameters.altimeter;
+        Self { input: Input::Altimeter, kind: Kind::Markov(markov_time_s), sigma: markov_sigma_m }
+    }
+
+    /// How it goes on over `t` [s] and `ground_m` [m] over ground; `walk` is the variance [u²] of a walk at the start, which
+    /// becomes that at the end.
+    pub fn advance(&self, t: f64, ground_m: f64, walk: &mut f64) -> Advance {
+        let still = Advance { decay: 1.0, diffusion: 0.0, mean: [self.sigma, 0.0, 0.0] };
+        match self.kind {
+            Kind::Constant => still,
+            _ if self.sigma == 0.0 => {
+                *walk = 0.0;
+                still
+            }
+            Kind::MarkovOverGround(_) if ground_m == 0.0 => still,
+            Kind::Markov(time_s) => self.markov(t, time_s),
+            Kind::MarkovOverGround(distance_m) => self.markov(ground_m, distance_m),
+            // ∫b dt = b t + K t^1.5 (w/2 + n/√12)
+            Kind::Walk(density) => {
+                let before = *walk;
+                let step = density * t.sqrt();
+                *walk += step * step;
+                let (start, end) = (before.sqrt(), walk.sqrt());
+                Advance {
+                    decay: start / end,
+                    diffusion: step / end,
+                    mean: [start, 0.5 * step, step / 12.0f64.sqrt()],
+                }
+            }
+        }
+    }
+
+    fn markov(&self, step: f64, correlation: f64) -> Advance {
+        let step_of = MarkovStep::new(step, correlation).coefficients();
+        Advance {
+            decay: step_of.decay,
+            diffusion: step_of.diffusion,
+            mean: step_of.integral.map(|share| self.sigma * share / step),
+        }
+    }
+
+    /// Standard deviation now, of a walk of the variance `walk` [u²].
+    pub fn deviation(&self, walk: f64) -> f64 {
+        match self.kind {
+            Kind::Walk(_) => walk.sqrt(),
+            _ => self.sigma,
+        }
+    }
+}

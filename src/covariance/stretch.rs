@@ -1,0 +1,197 @@
+//! The true motion over several intervals, as far as the propagation of errors needs it.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::sources::ELEMENTS;
+use crate::math::VectorPair;
+use crate::mounting::Block;
+use crate::signal::{Increment, IntervalMotion, MotionNode};
+use crate::snapshot::{COUNT, SIGNALS, stored};
+
+/// Longest stretch [s], where the intervals are shorter, and largest turn within one [rad]: what turns further loses
+/// (0.3)⁴/720 = 1e-5 of the noise that it integrates.
+const LONGEST_S: f64 = 1.0;
+const LARGEST_TURN: f64 = 0.3;
+
+/// Truth over a stretch, from the end of the last one on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    pub length_s: f64,
+    turn_rad: f64,
+    pub intervals: u64,
+    /// Those with a height of the altimeter.
+    pub aided: u64,
+    /// Increments of the sensors.
+    pub increments: u64,
+    /// Distance over ground [m].
+    pub ground_m: f64,
+    /// Integral of the specific force [m/s], and of its product with the time since the start [m], Earth-fixed axes.
+    force: Vector3<f64>,
+    force_moment: Vector3<f64>,
+    /// The same of the sensor axes in Earth-fixed axes.
+    axes: Matrix3<f64>,
+    axes_moment: Matrix3<f64>,
+    /// Position at the start [m].
+    start_e: Vector3<f64>,
+    end_e: Vector3<f64>,
+    /// Integral of the angular rate, sensor axes [rad].
+    angle: Vector3<f64>,
+    /// ∫ C s_j dt for each component j of rate and force, Earth-fixed axes.
+    elements: [Matrix3<f64>; ELEMENTS / 3],
+    elements_moment: [Matrix3<f64>; ELEMENTS / 3],
+}
+
+stored!(Stretch {
+    length_s: 1e6,
+    turn_rad: SIGNALS,
+    intervals: COUNT,
+    aided: COUNT,
+    increments: COUNT,
+    ground_m: SIGNALS,
+    force: SIGNALS,
+    force_moment: SIGNALS,
+    axes: SIGNALS,
+    axes_moment: SIGNALS,
+    start_e: SIGNALS,
+    end_e: SIGNALS,
+    angle: SIGNALS,
+    elements: SIGNALS,
+    elements_moment: SIGNALS,
+} then |stretch, from| {
+    from.require(stretch.length_s >= 0.0 && stretch.turn_rad >= 0.0, stretch.length_s, "must not be negative")?;
+    let is_counted = stretch.intervals > 0 && stretch.increments > 0;
+    from.require(stretch.is_empty() || is_counted, stretch.length_s, "has no intervals")
+});
+
+/// One interval of the truth.
+pub struct Piece<'a> {
+    pub motion: &'a IntervalMotion<'a>,
+    pub ideal: &'a [Increment],
+    pub is_aided: bool,
+    pub ground_m: f64,
+    pub block: Option<&'a Block>,
+    /// Whether scale factors or misalignments are random.
+    pub with_elements: bool,
+}
+
+impl Stretch {
+    /// Nothing yet.
+    pub const EMPTY: Self = Self {
+        length_s: 0.0,
+        turn_rad: 0.0,
+        intervals: 0,
+        aided: 0,
+        increments: 0,
+        ground_m: 0.0,
+        force: Vector3::new(0.0, 0.0, 0.0),
+        force_moment: Vector3::new(0.0, 0.0, 0.0),
+        axes: ZERO,
+        axes_moment: ZERO,
+        start_e: Vector3::new(0.0, 0.0, 0.0),
+        end_e: Vector3::new(0.0, 0.0, 0.0),
+        angle: Vector3::new(0.0, 0.0, 0.0),
+        elements: [ZERO; ELEMENTS / 3],
+        elements_moment: [ZERO; ELEMENTS / 3],
+    };
+
+    /// Whether it holds no interval.
+    pub fn is_empty(&self) -> bool {
+        self.length_s == 0.0
+    }
+
+    /// Whether an interval of `t` [s] would make it too long: a gap.
+    pub fn has_no_room_for(&self, t: f64) -> bool {
+        !self.is_empty() && self.length_s + t > LONGEST_S * (1.0 + 1e-6)
+    }
+
+    /// Adds an interval; whether the stretch has become long enough.
+    pub fn add(&mut self, piece: &Piece<'_>) -> bool {
+        let motion = piece.motion;
+        let t = motion.interval_s;
+        let nodes = piece.block.map_or_else(|| motion.nodes(), |block| block.nodes(motion));
+        let [c0, c1, c2] = axes_at_nodes(motion, piece.block);
+        if self.is_empty() {
+            self.start_e = nodes[0].r_e;
+        }
+        self.end_e = nodes[2].r_e;
+
+        // By Simpson's rule.
+        let sixth = t / 6.0;
+        let force = (nodes[0].f_e + nodes[1].f_e * 4.0 + nodes[2].f_e) * sixth;
+        self.force += force;
+        self.force_moment += force * self.length_s + (nodes[1].f_e * 2.0 + nodes[2].f_e) * (sixth * t);
+        let axes = (c0 + c1 * 4.0 + c2) * sixth;
+        self.axes += axes;
+        self.axes_moment += axes * self.length_s + (c1 * 2.0 + c2) * (sixth * t);
+        let Increment { angle, velocity } = Increment::sum(piece.ideal);
+        self.angle += angle;
+        if piece.with_elements {
+            let mean = axes / t;
+            let middle_s = self.length_s + 0.5 * t;
+            let signals = [angle.x, angle.y, angle.z, velocity.x, velocity.y, velocity.z];
+            for ((sum, moment), signal) in
+                self.elements.iter_mut().zip(&mut self.elements_moment).zip(signals)
+            {
+                let felt = mean * signal;
+                *sum += felt;
+                *moment += felt * middle_s;
+            }
+        }
+        let turn = angle.norm_squared().sqrt();
+        self.turn_rad += turn;
+        self.length_s += t;
+        self.ground_m += piece.ground_m;
+        self.intervals += 1;
+        self.aided += u64::from(piece.is_aided);
+        self.increments += piece.ideal.len() as u64;
+        // With another interval like this one.
+        self.has_no_room_for(t) || self.turn_rad + turn > LARGEST_TURN
+    }
+
+    /// The motion as straight lines of the same integrals and first moments: its nodes, and the sensor axes there.
+    pub fn lines(&self) -> ([MotionNode; 3], [Matrix3<f64>; 3]) {
+        let t = self.length_s;
+        let middle = (self.start_e + self.end_e) * 0.5;
+        // The first moment of a line about the middle is a twelfth of its change.
+        let force = self.force / t;
+        let half_force = (self.force_moment / t - self.force * 0.5) * (6.0 / t);
+        let (axes, half_axes) = line(&self.axes, &self.axes_moment, t);
+        let node = |r_e, f_e| MotionNode { r_e, v_e: Vector3::zeros(), f_e };
+        (
+            [
+                node(self.start_e, force - half_force),
+                node(middle, force),
+                node(self.end_e, force + half_force),
+            ],
+            [axes - half_axes, axes, axes + half_axes],
+        )
+    }
+
+    /// Mean angular rate, sensor axes [rad/s].
+    pub fn mean_rate(&self) -> Vector3<f64> {
+        self.angle / self.length_s
+    }
+
+    /// What an element of scale factor and misalignment of 1 adds to the signals, at the nodes, in Earth-fixed axes [u].
+    pub fn by_element(&self, element: usize) -> [Vector3<f64>; 3] {
+        let (signal, row) = (element / 3, element % 3);
+        let (mean, half) = line(&self.elements[signal], &self.elements_moment[signal], self.length_s);
+        [mean - half, mean, mean + half].map(|matrix| matrix.column(row).into_owned())
+    }
+}
+
+/// The mean and half the change of the straight line of an integral and a first moment over `t` [s].
+fn line(sum: &Matrix3<f64>, moment: &Matrix3<f64>, t: f64) -> (Matrix3<f64>, Matrix3<f64>) {
+    (sum / t, (moment / t - sum * 0.5) * (6.0 / t))
+}
+
+const ZERO: Matrix3<f64> = Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
+/// The sensors' axes, as columns in Earth-fixed axes, at the start, in the middle and at the end.
+fn axes_at_nodes(motion: &IntervalMotion<'_>, block: Option<&Block>) -> [Matrix3<f64>; 3] {
+    let axis = |unit: Vector3<f64>| block.map_or(unit, |block| block.in_body_axes(&unit));
+    let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()].map(axis);
+    let (xy, zz) = (VectorPair::new(&x, &y), VectorPair::both(&z));
+    let (xy, zz) = (motion.to_earth_axes(&[xy; 3]), motion.to_earth_axes(&[zz; 3]));
+    core::array::from_fn(|k| Matrix3::from_columns(&[xy[k].first(), xy[k].second(), zz[k].first()]))
+}

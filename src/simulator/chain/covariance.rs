@@ -1,0 +1,52 @@
+//! The covariance of the errors along the chain's truth.
+
+use super::Chain;
+use crate::covariance::{NavigationCovariance, Propagation, StartErrors};
+use crate::mounting::Block;
+use crate::sensors::Alignment;
+use crate::simulator::SensorSuite;
+use crate::simulator::start::alignment;
+use crate::state::StateErrors;
+use crate::truth::TruthPoint;
+
+impl Chain {
+    /// Takes the propagation over, which begins at the truth `first`.
+    #[inline(never)]
+    pub fn begin_covariance(
+        &mut self,
+        covariance: Box<[Propagation]>,
+        first: &TruthPoint,
+        sensors: &SensorSuite,
+    ) {
+        self.covariance = covariance;
+        let state = self.block.as_ref().map_or(first.state, |block: &Block| block.state(first));
+        let initial = &sensors.initial;
+        for covariance in &mut *self.covariance {
+            let truth = state.navigation(&self.earth, self.options.axes);
+            let aligns = initial.alignment == Alignment::LevelAndGyrocompass;
+            let start = StartErrors {
+                first,
+                v_e: &state.v_e,
+                sigma: StateErrors {
+                    position_n: initial.position_sigma_n,
+                    velocity_n: initial.velocity_sigma_n,
+                    misalignment_n: initial.misalignment_sigma_n,
+                },
+                alignment: aligns.then(|| alignment(&self.earth, &state, &truth)).flatten(),
+            };
+            covariance.start(&start, &sensors.parameters());
+        }
+    }
+
+    /// Time [s], covariance at `truth`, the last point, and whether that is near a pole.
+    #[inline(never)]
+    pub fn covariance(
+        &mut self,
+        truth: &TruthPoint,
+        sensors: &SensorSuite,
+    ) -> Option<(f64, NavigationCovariance, bool)> {
+        let covariance = self.covariance.first_mut()?;
+        let matrix = covariance.read(truth, self.block.as_ref(), &sensors.parameters());
+        Some((truth.time_s, matrix, truth.is_near_pole()))
+    }
+}
