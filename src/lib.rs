@@ -153,6 +153,7 @@ mod error;
 pub mod errors;
 #[forbid(unsafe_code)]
 pub mod flight;
+mod instruction_set;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod log;
@@ -160,7 +161,6 @@ pub mod log;
 pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
-mod instruction_set;
 mod memory;
 #[forbid(unsafe_code)]
 pub mod mounting;
