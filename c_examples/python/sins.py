@@ -2100,9 +2100,9 @@ def reset(sim):
 def last_error(sim, buffer, needed):
     """Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
     terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
-    simulator (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused
-    (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). This call and sins.last_error_info() leave no
-    sentence where they fail themselves.
+    simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was
+    refused (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). This call and sins.last_error_info() leave
+    no sentence where they fail themselves.
 
     needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for
     that alone. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
