@@ -372,10 +372,10 @@ private:
     sins_sim *sim_ = nullptr;
 };
 
-/* Adds the runs of from to those of into, which make<sins_statistics>() makes that of no run. */
-inline void statistics_merge(sins_statistics &into, const sins_statistics &from)
+/* Adds the runs of other to those of into, which make<sins_statistics>() makes that of no run. */
+inline void statistics_merge(sins_statistics &into, const sins_statistics &other)
 {
-    detail::done(sins_statistics_merge(&into, &from), nullptr);
+    detail::done(sins_statistics_merge(&into, &other), nullptr);
 }
 
 inline sins_figures statistics_figures(const sins_statistics &statistics)

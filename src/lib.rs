@@ -86,6 +86,8 @@
 //! | whatever a host does within the rules: no accepted step leaves a solution beyond the limits, a rejected call changes nothing, each snapshot loads | `tests/any_use.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/host_time.rs` |
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/moved.rs` |
+//! | run k of an ensemble is the single simulator of that number, whatever becomes of the others | `tests/ensemble.rs`, `tests/c_side.rs` |
+//! | statistics are the same bits for any split of the runs, and correct where means are large and scatter small | `tests/statistics.rs` |
 //! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/covariance.rs`, `tests/covariance_runs.rs` |
@@ -156,6 +158,7 @@ mod error;
 pub mod errors;
 #[forbid(unsafe_code)]
 pub mod flight;
+mod instruction_set;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod log;
@@ -163,7 +166,6 @@ pub mod log;
 pub mod math;
 #[forbid(unsafe_code)]
 pub mod mechanization;
-mod instruction_set;
 mod memory;
 #[forbid(unsafe_code)]
 pub mod mounting;

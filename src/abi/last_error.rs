@@ -53,7 +53,7 @@ interface_struct!(sins_error_info, "info", 152);
 
 /// Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
 /// always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
-/// has no simulator (create, presets, flights, scenes, logs, recommend, budget), or whose handle was rejected
+/// has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle was rejected
 /// (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves
 /// no sentence.
 ///

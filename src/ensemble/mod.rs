@@ -7,8 +7,8 @@ mod read;
 mod snapshot;
 
 use crate::error::{Error, Rule, check_integer};
-use crate::sensors::{Failure, SensorOutput};
 use crate::instruction_set::InstructionSet;
+use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{Options, SideBySide, Simulator, Step};
 use crate::truth::{FlightSample, Intake, Pushed};
 use one_by_one::OneByOne;

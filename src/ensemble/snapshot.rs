@@ -3,8 +3,8 @@
 use super::one_by_one::OneByOne;
 use super::{Ensemble, Runs};
 use crate::error::{Error, ErrorKind, Rule};
-use crate::memory::room_for_one_more;
 use crate::instruction_set::InstructionSet;
+use crate::memory::room_for_one_more;
 use crate::simulator::{Options, SideBySide, Simulator};
 use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer};
 use crate::truth::Intake;
@@ -101,7 +101,8 @@ fn side_by_side(mut runs: OneByOne, first_run: u64) -> Result<Runs, Error> {
         return Ok(Runs::OneByOne(runs));
     }
     let Some(first) = runs.first() else { return Ok(Runs::OneByOne(runs)) };
-    let mut made = SideBySide::new(first, first_run, runs.simulators.len(), InstructionSet::up_to(usize::MAX))?;
+    let mut made =
+        SideBySide::new(first, first_run, runs.simulators.len(), InstructionSet::up_to(usize::MAX))?;
     for (place, (simulator, diverged)) in runs.simulators.iter_mut().zip(runs.diverged).enumerate() {
         made.put_simulator(place, simulator, diverged);
     }

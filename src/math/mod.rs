@@ -18,8 +18,9 @@ pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
 pub use rotation::{
     AxisTurn, Euler, RotationSeries, attitude_from_euler, attitude_from_half_angles, euler_from_attitude,
-    inverse_right_jacobian, quarter_square, relative_rotation, right_jacobian, rotate, rotate_inverse, rotated_z,
-    rotation_increment, rotation_increment_by, rotation_matrix, rotation_quaternion, rotation_vector,
+    inverse_right_jacobian, quarter_square, relative_rotation, right_jacobian, rotate, rotate_inverse,
+    rotated_z, rotation_increment, rotation_increment_by, rotation_matrix, rotation_quaternion,
+    rotation_vector,
 };
 pub use sine::sin_cos_each;
 pub use stencil::end_derivative_weights;

@@ -107,9 +107,8 @@ impl Scratch {
 
     /// Whether an update by each of the body parts is usual.
     fn are_usual(&self, count: usize) -> bool {
-        (0..count.min(RUNS)).all(|lane| {
-            RotationSeries::is_short(crate::math::quarter_square(&self.body(lane).rotation))
-        })
+        (0..count.min(RUNS))
+            .all(|lane| RotationSeries::is_short(crate::math::quarter_square(&self.body(lane).rotation)))
     }
 }
 
@@ -279,8 +278,11 @@ impl NavigatorBlock {
         is_good: &mut [u64; RUNS],
         correct: impl Fn(&mut VerticalLoop, usize, f64, f64) -> VerticalCorrection,
     ) {
+        // By value, or the compiler fears that the rows lie over it.
+        let shared = self.vertical;
         for lane in 0..count.min(RUNS) {
-            let (mut axes, mut vertical) = (self.axes(lane), self.vertical_at(lane));
+            let mut axes = self.axes(lane);
+            let mut vertical = shared.with(self.bias_m_s2[lane], self.residual_m[lane]);
             let (up, height, velocity_up) = axes.observe_vertical(earth);
             let correction = correct(&mut vertical, lane, height, velocity_up);
             axes.shift_vertical(earth, &up, &correction);

@@ -45,7 +45,7 @@ fn of_word(word: u64) -> (f64, bool) {
 /// The next normal number of each of the first `count` generators, whose states are in four rows.
 #[inline(always)]
 pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4], count: usize) -> Row {
-    let (mut numbers, mut words, mut edges) = ([0.0; RUNS], [0; RUNS], 0);
+    let (mut numbers, mut words, mut edges) = ([0.0; RUNS], [0; RUNS], 0_u64);
     let count = count.min(RUNS);
     for lane in 0..count {
         let mut generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
@@ -56,24 +56,31 @@ pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4], count: usize) -> Row {
         }
         let (x, is_inside) = of_word(words[lane]);
         numbers[lane] = x;
-        edges |= u64::from(!is_inside);
+        edges |= BITS[lane] & u64::from(is_inside).wrapping_sub(1);
     }
     if edges != 0 {
-        at_the_edges(states, &words, count, &mut numbers);
+        at_the_edges(states, &words, edges, &mut numbers);
     }
     numbers
 }
 
-/// Draws anew where the first of `words` does not decide the number.
-#[cold]
+/// One bit for each run.
+const BITS: [u64; RUNS] = {
+    let mut bits = [1; RUNS];
+    let mut lane = 1;
+    while lane < RUNS {
+        bits[lane] = 2 * bits[lane - 1];
+        lane += 1;
+    }
+    bits
+};
+
+/// Draws on for the runs with a bit in `edges`, whose first word does not decide the number.
 #[inline(never)]
-fn at_the_edges(
-    states: &mut [[u64; RUNS]; 4],
-    words: &[u64; RUNS],
-    count: usize,
-    numbers: &mut Row,
-) {
-    for lane in (0..count).filter(|&lane| !of_word(words[lane]).1) {
+fn at_the_edges(states: &mut [[u64; RUNS]; 4], words: &[u64; RUNS], mut edges: u64, numbers: &mut Row) {
+    while edges != 0 {
+        let lane = edges.trailing_zeros() as usize % RUNS;
+        edges &= edges - 1;
         let generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
         let (x, later) = at_an_edge(words[lane], generator);
         numbers[lane] = x;

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::kept::Kept;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
-use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
 use super::states::{States, Visitor};
+use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
 use crate::math::{exp_m1, tanh};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
@@ -157,7 +157,13 @@ impl GaussMarkov {
 
     /// [`Self::apply`] for the first `count` runs of a block.
     #[inline(always)]
-    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+    pub fn apply_each(
+        &self,
+        states: &mut States<'_>,
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
         let (x, streams) = (states.numbers::<3>(), states.streams::<3>());
         for axis in 0..3 {
             let (sigma, step) = (self.sigma[axis], self.steps[axis]);

@@ -59,7 +59,13 @@ impl Quantization {
 
     /// [`Self::apply`] for each increment of the first `count` runs of a block.
     #[inline(always)]
-    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+    pub fn apply_each(
+        &self,
+        states: &mut States<'_>,
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
         let residuals = states.numbers::<3>();
         for output in outputs {
             for axis in 0..3 {

@@ -62,7 +62,13 @@ impl RandomWalk {
 
     /// [`Self::apply`] for the first `count` runs of a block.
     #[inline(always)]
-    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize, count: usize) {
+    pub fn apply_each(
+        &self,
+        states: &mut States<'_>,
+        outputs: &mut [IncrementRows],
+        first: usize,
+        count: usize,
+    ) {
         let streams = states.streams::<3>();
         for axis in 0..3 {
             let step = self.step[axis];

@@ -21,13 +21,13 @@ mod start;
 mod suite;
 mod views;
 
+pub(crate) use chain::side_by_side::SideBySide;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub(crate) use heap::{heap_simulator, push_simulator};
 pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
-pub(crate) use chain::side_by_side::SideBySide;
 pub(crate) use start::is_of_truth;
 
 use crate::covariance::{NavigationCovariance, Propagation};

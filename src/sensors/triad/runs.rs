@@ -160,7 +160,9 @@ impl Triad {
                 }
                 Effect::Ramp => self.ramp.apply_each(&mut states, dt, outputs, first, count),
                 Effect::RandomWalk => self.random_walk.apply_each(&mut states, outputs, first, count),
-                Effect::DeadZone => each_run(outputs, first, count, |_, output| self.dead_zone.apply(dt, output)),
+                Effect::DeadZone => {
+                    each_run(outputs, first, count, |_, output| self.dead_zone.apply(dt, output))
+                }
                 Effect::Range => each_run(outputs, first, count, |lane, output| {
                     saturated[lane] |= u64::from(self.range.apply(dt, output));
                 }),

@@ -1,5 +1,7 @@
 //! Some runs side by side.
 
+use core::ops::Range;
+
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::instruction_set::{InstructionSet, Work};
@@ -27,10 +29,15 @@ pub(super) struct Interval<'a> {
     pub aid: VerticalAid,
 }
 
+/// Numbers in the longest vector of any instruction set.
+const LANES: usize = 8;
+
 /// Up to [`RUNS`] runs.
 #[derive(Debug)]
 pub(super) struct Block {
     count: usize,
+    /// Lanes that are computed: whole vectors. Those beyond the runs are copies of the last one.
+    lanes: usize,
     gyro: StateRows,
     accel: StateRows,
     navigators: NavigatorBlock,
@@ -48,7 +55,8 @@ pub(super) struct Block {
 /// What a step needs beside a block, and the block as it was before.
 #[derive(Debug)]
 pub(super) struct Workspace {
-    measured: [IncrementRows; MAX_INCREMENTS],
+    /// Of the longest interval. By itself, or the compiler fears that it lies over the rest.
+    measured: Box<[IncrementRows]>,
     scratch: Scratch,
     heights_m: Row,
     saturated: [[u64; RUNS]; 2],
@@ -59,12 +67,13 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// For blocks with the sensors of `sensors`. On the heap: 61 KB of increments.
+    /// For blocks with the sensors of `sensors`. On the heap, as it is much of a stack.
     pub fn new(sensors: &mut SensorSuite) -> Result<Box<[Self]>, Error> {
         let (gyro, accel) = (sensors.gyro.rows()?, sensors.accel.rows()?);
-        let mut memory = room(1)?;
+        let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
+        measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
         memory.push(Self {
-            measured: [[[0.0; RUNS]; 6]; MAX_INCREMENTS],
+            measured: measured.into_boxed_slice(),
             scratch: Scratch::NONE,
             heights_m: [0.0; RUNS],
             saturated: [[0; RUNS]; 2],
@@ -87,6 +96,7 @@ impl Block {
         }
         Ok(Self {
             count,
+            lanes: count.next_multiple_of(LANES).min(RUNS),
             gyro: sensors.gyro.rows()?,
             accel: sensors.accel.rows()?,
             navigators: NavigatorBlock::new(),
@@ -111,8 +121,10 @@ impl Block {
 
     /// Lays the sensors of a run in.
     pub fn put_sensors(&mut self, lane: usize, sensors: &mut SensorSuite) {
-        sensors.gyro.put_into(&mut self.gyro, lane);
-        sensors.accel.put_into(&mut self.accel, lane);
+        for lane in self.copies_of(lane) {
+            sensors.gyro.put_into(&mut self.gyro, lane);
+            sensors.accel.put_into(&mut self.accel, lane);
+        }
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.clone_from(&sensors.altimeter);
         }
@@ -134,7 +146,7 @@ impl Block {
         }
         match start {
             Some((navigator, north_unknown)) => {
-                self.navigators.put(lane, navigator);
+                self.put_navigator(lane, navigator);
                 self.north_unknown[lane] = north_unknown;
             }
             None => self.diverged_s[lane] = Some(time_s),
@@ -157,12 +169,17 @@ impl Block {
 
     /// The navigator of a run is another from now on.
     pub fn put_navigator(&mut self, lane: usize, navigator: &Mechanization) {
-        self.navigators.put(lane, navigator);
+        self.copies_of(lane).for_each(|lane| self.navigators.put(lane, navigator));
+    }
+
+    /// The lanes with the run at `lane`.
+    fn copies_of(&self, lane: usize) -> Range<usize> {
+        if lane + 1 == self.count { lane..self.lanes } else { lane..lane + 1 }
     }
 
     /// Takes a run in that has flown as `chain` so far.
     pub fn put_run(&mut self, lane: usize, chain: &Chain) {
-        self.navigators.put(lane, &chain.mechanization);
+        self.put_navigator(lane, &chain.mechanization);
         self.north_unknown[lane] = chain.north_unknown;
         if let Some(ImuInterval { measured: Increment { angle, velocity }, flags, .. }) = chain.imu() {
             for axis in 0..3 {
@@ -253,7 +270,7 @@ impl Work for Flight<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { block, interval, workspace } = self;
-        let Block { count, gyro, accel, navigators, measured: sums, saturated, .. } = block;
+        let Block { lanes: count, gyro, accel, navigators, measured: sums, saturated, .. } = block;
         let Workspace { measured, scratch, heights_m, saturated: marks, is_good, .. } = workspace;
         let &Interval { earth, options, sensors, shared, t, dt, count: increments, aid, .. } = interval;
         let (count, measured) = (*count, &mut measured[..increments]);
@@ -277,7 +294,9 @@ impl Work for Flight<'_> {
 
         let aid = match aid {
             VerticalAid::None => AidOfEach::None,
-            VerticalAid::Truth { height_m, velocity_up_m_s } => AidOfEach::Truth { height_m, velocity_up_m_s },
+            VerticalAid::Truth { height_m, velocity_up_m_s } => {
+                AidOfEach::Truth { height_m, velocity_up_m_s }
+            }
             VerticalAid::Barometer { .. } => AidOfEach::Barometer { heights_m },
         };
         let what = (earth, options.scheme);

@@ -17,7 +17,12 @@ use crate::truth::{Intake, Recent, TruthPoint};
 
 impl SideBySide {
     /// Runs from `first_run` on with the settings of `template`, for which [`Self::is_for`] holds.
-    pub fn new(template: &Simulator, first_run: u64, runs: usize, set: InstructionSet) -> Result<Self, Error> {
+    pub fn new(
+        template: &Simulator,
+        first_run: u64,
+        runs: usize,
+        set: InstructionSet,
+    ) -> Result<Self, Error> {
         let options = Options { truth_summary: false, ..*template.options() };
         let mut sensors = template.sensors.of_run(&options);
         let workspace = Workspace::new(&mut sensors)?;
@@ -107,7 +112,12 @@ impl SideBySide {
     }
 
     /// Pushes the simulator of a run, with the samples of `intake`, to `memory`, which has room for it.
-    pub fn push_simulator(&self, place: usize, intake: &Intake, memory: &mut Vec<Simulator>) -> Result<(), Error> {
+    pub fn push_simulator(
+        &self,
+        place: usize,
+        intake: &Intake,
+        memory: &mut Vec<Simulator>,
+    ) -> Result<(), Error> {
         push_simulator(memory, &self.options_of(place))?;
         if let Some(simulator) = memory.last_mut() {
             simulator.intake = intake.clone();
