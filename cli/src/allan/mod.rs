@@ -34,16 +34,16 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
-    drawn_file.finish(&if is_page {
+    drawn_file.finish(if is_page {
         document::page(&log, &analyses)?
     } else {
         document::picture(&log, &analyses)?
     })?;
     if let Some(file) = points {
-        file.finish(&records::points(&analyses)?)?;
+        file.finish(records::points(&analyses)?)?;
     }
     if let Some(file) = fit {
-        file.finish(&records::coefficients(&analyses)?)?;
+        file.finish(records::coefficients(&analyses)?)?;
     }
     print(&table::table(&log, &analyses))
 }

@@ -42,11 +42,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 
     let surveys = Survey::of_all(&scenes, &request)?;
     for (survey, picture) in surveys.iter().zip(pictures) {
-        picture.finish(&document::picture(survey))?;
+        picture.finish(document::picture(survey))?;
     }
-    page.finish(&document::page(&surveys))?;
-    rows.finish(&records::records(&surveys)?)?;
+    page.finish(document::page(&surveys))?;
+    rows.finish(records::records(&surveys)?)?;
     let tables = table::tables(&surveys);
-    table.finish(&format!("{TABLE_MARK}\n\n{tables}"))?;
+    table.finish(format!("{TABLE_MARK}\n\n{tables}"))?;
     print(&tables)
 }

@@ -70,12 +70,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let costs = timing::costs(&courses, effort.rounds)?;
     for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
         survey.set_costs(&costs);
-        picture.finish(&diagram::diagram(survey)?)?;
+        picture.finish(diagram::diagram(survey)?)?;
     }
-    points_file.finish(&records::points(&surveys, &instructions)?)?;
-    scenes_file.finish(&records::scenes(&surveys)?)?;
+    points_file.finish(records::points(&surveys, &instructions)?)?;
+    scenes_file.finish(records::scenes(&surveys)?)?;
     let table = table::table(&surveys, effort.duration_s);
-    table_file.finish(&format!("{TABLE_MARK}\n\n{table}"))?;
+    table_file.finish(format!("{TABLE_MARK}\n\n{table}"))?;
     print(&table)?;
     print(&front::dearer_and_worse(&surveys).iter().map(|line| format!("{line}\n")).collect::<String>())
 }

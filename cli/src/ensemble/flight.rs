@@ -146,7 +146,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Errors of a run at this moment; none of a diverged one.
+/// Errors of a run at this moment; none of one that statistics count as diverged.
 fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
     let of = |errors: &NavigationErrors| {
         let parts = [errors.position_n, errors.velocity_n, errors.misalignment_n];
@@ -154,7 +154,7 @@ fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
     };
     match ensemble.errors(run, ErrorSource::Navigation) {
         Ok(errors) => Ok(errors.map(|(_, errors)| of(&errors))),
-        Err(error) if error.kind == ErrorKind::Diverged => Ok(None),
+        Err(error) if matches!(error.kind, ErrorKind::Diverged | ErrorKind::Singular) => Ok(None),
         Err(error) => Err(error),
     }
 }

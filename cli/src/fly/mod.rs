@@ -102,6 +102,6 @@ fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(
     if let Some(imu) = imu {
         imu.commit()?;
     }
-    summary_file.finish(&text)?;
+    summary_file.finish(text)?;
     records.commit()
 }

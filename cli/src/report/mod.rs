@@ -65,9 +65,9 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let page = page::page(&runs)?;
     let picture = picture_file.map(|file| picture::picture(&runs[0]).map(|text| (file, text))).transpose()?;
     drop(working);
-    page_file.finish(&page)?;
+    page_file.finish(page)?;
     if let Some((file, text)) = picture {
-        file.finish(&text)?;
+        file.finish(text)?;
     }
     print(&format!("{}\n", output.display()))
 }
