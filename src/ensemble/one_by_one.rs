@@ -18,7 +18,7 @@ impl OneByOne {
     pub fn new(template: &Simulator, first_run: u64, runs: usize) -> Result<Self, Error> {
         let mut made = Self::with_room(runs)?;
         for run in (first_run..=u64::MAX).take(runs) {
-            let mut options = Options { truth_summary: false, ..*template.options() };
+            let mut options = template.options().of_run();
             options.key.run = run;
             push_simulator(&mut made.simulators, &options)?;
             if let Some(simulator) = made.simulators.last_mut() {

@@ -118,7 +118,7 @@ fn same_flight(
     (intake, intervals): (&Intake, u64),
 ) -> bool {
     let [simulator] = simulator else { return false };
-    let mut of_run = Options { truth_summary: false, ..*options };
+    let mut of_run = options.of_run();
     of_run.key.run = run;
     *simulator.options() == of_run
         && (has_diverged

@@ -86,6 +86,11 @@ impl Default for Options {
 }
 
 impl Options {
+    /// Those of a run of an ensemble, without what is of the truth alone.
+    pub(crate) fn of_run(&self) -> Self {
+        Self { truth_summary: false, covariance: false, ..*self }
+    }
+
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
         check_range("options.subsamples", self.subsamples as f64, 1.0, MAX_SUBSAMPLES as f64)?;

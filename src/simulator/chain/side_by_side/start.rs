@@ -23,7 +23,7 @@ impl SideBySide {
         runs: usize,
         set: InstructionSet,
     ) -> Result<Self, Error> {
-        let options = Options { truth_summary: false, ..*template.options() };
+        let options = template.options().of_run();
         let mut sensors = template.sensors.of_run(&options);
         let workspace = Workspace::new(&mut sensors)?;
         let mut blocks = room(runs.div_ceil(RUNS))?;
