@@ -1,12 +1,13 @@
 /*
  * sins.h - strapdown inertial navigation system (SINS) simulator, C interface.
  *
- * Truth goes in as flight samples (position, velocity, attitude); the library makes of it what perfect gyros and
- * accelerometers would sense, adds the sensor errors that are set, navigates on the result, and tells the errors:
+ * The host gives the truth as flight samples (position, velocity, attitude). The library computes from them what perfect gyros
+ * and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors of
+ * that navigation:
  *
  *   sins_sim *sim = NULL;
  *   sins_create(NULL, &sim);                       recommended options: navigation minus truth, no error model
- *   sins_set_gyro(sim, &gyro);                     errors of the gyros; ideal without this
+ *   sins_set_gyro(sim, &gyro);                     errors of the gyros; without this call they are ideal
  *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
  *       if (sins_step(sim) == SINS_OK)             one interval (the first needs two samples)
@@ -14,88 +15,81 @@
  *   }
  *   sins_destroy(sim);
  *
- * Zero is off. Every struct (but the parts of a sins_record) begins with struct_size, to be set to its sizeof, and a second
- *   32-bit integer that is 0 unless told otherwise: "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro, and so is
- *   SINS_INIT(gyro), for compilers that warn of the fields left out. Output structs want their struct_size set too; what a
- *   newer host's struct has behind the fields that this library knows stays as it was. Structs grow at their end only: old
- *   hosts run on new libraries and the other way round.
- * Units are SI and radians, spelled in each field's name; the macros below turn the units of data sheets into them:
+ * Structs. Zero is off. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the
+ *   sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So
+ *   "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers that warn of
+ *   fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new
+ *   libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does not know, an
+ *   output leaves these fields unchanged.
+ * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
- * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size no compiler chooses.
- * Frames. Navigation axes east-north-up. Roll right wing down, pitch nose up, heading clockwise from true north, aerospace
- *   sequence heading-pitch-roll. Sensor axes right-forward-up, or forward-right-down by sins_options.axes. Latitude geodetic,
- *   height above the ellipsoid.
- * Errors. A function that can fail returns a sins_status and gives data through pointers; one that cannot returns its value.
- *   On an error nothing changed: no state, no output, no random number drawn. (sins_run() keeps what it flew before; where a
- *   buffer is too small, sins_last_error() and sins_error_budget() report the size that is needed.)
- *   Every function that has the argument in question can return SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE,
- *   SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under
- *   Threads and Unloading.
- *   A positive status is no error: SINS_NEED_SAMPLE left the output as it was, SINS_REQUIREMENT_NOT_MET wrote it,
+ * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
+ * Frames. Navigation axes are east-north-up. Roll is positive right wing down, pitch nose up, heading clockwise from true
+ *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
+ *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
+ * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
+ *   its value.
+ *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() keeps the
+ *   intervals that it flew before the error. If a buffer is too small, sins_last_error() and sins_error_budget() report the
+ *   size that is needed.)
+ *   SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL can come from every function
+ *   that has an argument of that kind. The other errors of a function are listed at the function, or under Threads and Unloading.
+ *   A positive status is not an error: SINS_NEED_SAMPLE left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output,
  *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
- *   sins_last_error() has the sentence: which field, which value, which limit; sins_last_error_info() the same as a struct,
- *   sins_status_string() the name.
- * Threads. Any function may be called from any thread; calls on one handle wait for each other, different handles never do.
- *   A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
- *   A call on a handle that its own thread is already inside is SINS_ERROR_BAD_STATE; sins_last_error(NULL, ...) has the
- *     sentence. A signal handler gets this answer if it interrupted a call on that handle. It may call every function that
- *     takes a simulator, except sins_destroy() and sins_snapshot_load(), which use the allocator.
- *   A call that never returns, because of siglongjmp() or because its thread was cancelled or terminated, holds its handle for
- *     ever. Its own thread gets SINS_ERROR_BAD_STATE from then on, and the memory stays in use. Calls of other threads wait for
- *     ever; on Windows, if the thread was terminated, they get SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The
- *     floating-point state is not put back.
- *   fork(): a handle that another thread of the parent was inside is SINS_ERROR_BAD_STATE in the child. All others work there.
- *     A process made in another way, as by vfork() or clone(), makes no call.
- * Unloading. Every handle is destroyed and every call has returned before. A library that was built for windows-gnu stays in
- *   memory from its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and
- *   LoadLibrary() gives the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the
- *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
- *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
+ *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
+ *   sins_status_string() the name of the status.
+ * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
+ *   do. A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
+ *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
+ *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
+ *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
+ *     and sins_snapshot_load(), which use the allocator.
+ *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
+ *     holds its handle for ever, and the memory stays in use. Calls of its own thread return SINS_ERROR_BAD_STATE. Calls of other
+ *     threads wait for ever; on Windows, if the thread was terminated, they return SINS_ERROR_BAD_STATE, the first of them after
+ *     0.1 s. The floating-point state of the host is not restored.
+ *   fork(): if another thread of the parent was inside a call, its handle is SINS_ERROR_BAD_STATE in the child. All other handles
+ *     work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ * Unloading. Destroy every handle first, and let every call return. A library that was built for windows-gnu stays in memory from
+ *   its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and LoadLibrary() gives
+ *   the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the load. Load the library
+ *   before other modules have used up the indexes. If fewer than eight are left, functions without a handle return
+ *   SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when a thread or the process
+ *   ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread; so do those of
- *   ensembles, and the functions of statistics. The library prints
- *   nothing, reads no environment and no file, and leaves the host's floating-point control state and x87 registers as it
- *   found them.
- * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
- *   themselves, and the first create draws the numbers of its handles from the clock.)
- *   Paused: make no call, for as long as it takes. A sample pushed again is SINS_ERROR_TIME_ORDER and changes nothing. If the
- *     stamps go on where they stopped, there is nothing to do. If the host's clock ran on, call sins_move_time() with the time at
- *     which the vehicle moves on, before the next push: the flight goes on as if there had been no pause. Without that call the
- *     first sample after a pause of more than max_gap_s is SINS_ERROR_DISCONTINUITY, and so is each after it; a shorter pause is
- *     flown as an interval, the velocity times its length, and its push answers SINS_GAP.
- *   Gaps: an interval of more than 2.5 times the two before it, up to max_gap_s, is flown in updates as long as theirs (while
- *     these have no more than 80 subsamples together, then in longer ones), on the smoothest motion between its ends. Attitude
- *     and velocity are right behind it; what that motion missed of the path stays in the position: nothing in steady flight, in
- *     a weave of 4 g and 8 s at 100 Hz 5 cm where 1 s is lost and 3 m where 2.5 s are. Without velocities a gap costs up to 5
- *     times the error of a position times the square of the number of intervals that were lost: 1 s lost in straight flight at
- *     50 Hz in positions of 1 cm 23 m. Have what is too much refused by a smaller max_gap_s.
- *   Accelerated: samples that are farther apart in simulated time, ten times dt as well as one, up to max_gap_s, from one
- *     sample to the next and back; slow motion likewise, down to 5e-5 s. With sample_period_s stated, stamps skip whole
- *     periods; other paces, and slow motion, need it 0. Each interval is integrated as one: accuracy is that of the slower
- *     sample rate as long as it lasts, a turn of 170 degrees a sample is refused at any pace, noise is that of the interval's
- *     length, and only noise_m of the altimeter and the probability of drop-outs are of each sample.
- *   Slewed: sins_move_truth(), which keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards
- *     its errors: it is for a flight that is reloaded, not for a pause. Another flight with the same draws: sins_reset(). Back to
- *     a saved moment: sins_snapshot_load().
- * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
- *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
- *   has a stream of its own: switching one leaves every other draw as it was.
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The same holds for
+ *   ensembles and statistics. The library prints nothing, and reads no environment variable and no file. It leaves the host's
+ *   floating-point control state and x87 registers as it found them.
+ * Host time. The time of a run is that of the time stamps of its samples; no clock enters it. (Two exceptions that change no
+ *   navigation: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the clock.)
+ *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
+ *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the time
+ *     at which the vehicle moves on: the flight continues as if there had been no pause. Without that call, the first sample after
+ *     a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as an
+ *     interval of motion, velocity times its length, and its push returns SINS_GAP.
+ *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
+ *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
+ *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
+ *     difference between the true path and the smoothest one: none in steady flight; 5 cm for 1 s lost, 3 m for 2.5 s lost in a weave of
+ *     4 g with a period of 8 s at 100 Hz. Without velocities a gap costs up to 5 * (error of a position) * (number of lost
+ *     intervals)^2: 23 m for 1 s lost in straight flight at 50 Hz, with positions of 1 cm. If that is too much, set a smaller
+ *     max_gap_s: longer gaps are then rejected.
+ *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
+ *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
+ *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as one:
+ *     accuracy is that of the slower sample rate while it lasts, a turn of 170 degrees between two samples is rejected, and noise
+ *     is that of the interval's length. Only noise_m of the altimeter and the probability of drop-outs count per sample.
+ *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
+ *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats with the same random numbers. sins_snapshot_load()
+ *     returns to a saved moment.
+ * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
+ *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
+ *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
  *
- * Ensembles. How large the errors get, with which probability: many runs over the same samples, which differ in their draws.
+ * Scenes and logs. A scene is a flight, the simulator that flies it, and the failures on the way, as a text in TOML. A log is a
+ *   flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
  *
- *     sins_ensemble_create(sim, first_run, runs, &ensemble);    sim was set up and has taken no sample
- *     sins_ensemble_run(ensemble, samples, count);              or sins_ensemble_push_sample() and sins_ensemble_step()
- *     sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics);
- *     sins_statistics_merge(&total, &statistics);               those of other runs, in any order: the same bits
- *     sins_statistics_figures(&total, &figures);                means, covariance, RMS, CEP50, R95
- *
- *   Run k is, bit for bit, the simulator whose sins_options.run is first_run + k. Ensembles over disjoint runs depend on nothing of
- *   each other: the host flies them in as many threads, processes and machines as it has.
- *
- * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
- *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
- *
- *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() tells each and its place
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
  *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
@@ -105,9 +99,9 @@
  *         sins_step(sim);
  *     }
  *
- *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_...: a program that is
- *   linked with them does not link or does not start. A program that loads the library by itself looks up sins_scene_create,
- *   by dlsym() or GetProcAddress(): not there, no scenes. All else is the same.
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that is
+ *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
+ *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
@@ -139,30 +133,30 @@ typedef unsigned __int64 uint64_t;
 #define SINS_API
 #endif
 
-/* Makes a struct the zero of its kind: everything off, or recommended. */
+/* Sets a struct to zero, and struct_size to its size: everything is off, or as recommended. */
 #define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
-/* Units: multiply by them to get SI, divide to get back. */
+/* Units: multiply by them to convert to SI, divide to convert back. */
 #define SINS_DEG 0.017453292519943295              /* degree [rad] */
 #define SINS_ARCMIN (SINS_DEG / 60.0)              /* minute of arc [rad] */
 #define SINS_ARCSEC (SINS_DEG / 3600.0)            /* second of arc [rad] */
-#define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree an hour [rad/s] */
-#define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree a root hour, angle random walk [rad/sqrt(s)] */
+#define SINS_DEG_PER_HOUR (SINS_DEG / 3600.0)      /* degree per hour [rad/s] */
+#define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree per root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
 #define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
 #define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
-#define SINS_PPM 1.0e-6                            /* part in a million */
+#define SINS_PPM 1.0e-6                            /* part per million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
-#define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile an hour [m/s] */
+#define SINS_NMI_PER_HOUR (1852.0 / 3600.0)        /* nautical mile per hour [m/s] */
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /*
- * A simulator. This and the next four are handles: checked keys, never addresses. A null, made-up, destroyed or wrong-kind one is
- * answered SINS_ERROR_BAD_HANDLE, and no key is ever used again.
+ * A simulator. This type and the next four are handles: checked keys, never addresses. A call with a handle that is null, made
+ * up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight. */
@@ -174,41 +168,41 @@ typedef struct sins_scene sins_scene;
 /* A flight log. */
 typedef struct sins_log sins_log;
 
-/* Values of a sins_status: 0, positive an answer of another kind, negative an error. */
+/* Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither. */
 enum sins_status_code {
     /* The call did what it says. */
     SINS_OK = 0,
     /* There is no complete interval yet: push the next sample. */
     SINS_NEED_SAMPLE = 1,
-    /* No options meet the requirement; the outputs tell the best there are. */
+    /* No options meet the requirement; the outputs hold the best options there are. */
     SINS_REQUIREMENT_NOT_MET = 2,
-    /* The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone. */
+    /* The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it. */
     SINS_SCENE_HAS_FAULTS = 3,
     /*
-     * The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of the
-     * two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on while
-     * the vehicle stood still, that is wrong: see sins_move_time().
+     * The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
+     * each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's
+     * clock ran on while the vehicle stood still, that is wrong: see sins_move_time().
      */
     SINS_GAP = 4,
-    /* A pointer that must not be null is. */
+    /* A pointer is null where null is not allowed. */
     SINS_ERROR_NULL_POINTER = -1,
     /* The handle is null, made up, destroyed, or of another kind. */
     SINS_ERROR_BAD_HANDLE = -2,
-    /* A struct_size that no release knows, or a struct of a newer release that uses what this one lacks. */
+    /* A struct_size that no release knows, or a struct of a newer release that sets a field which this release lacks. */
     SINS_ERROR_STRUCT_SIZE = -3,
     /* A value out of its range; sins_last_error() names field, value and limit. */
     SINS_ERROR_INVALID_ARGUMENT = -4,
-    /* The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads). */
+    /* A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds (see Threads). */
     SINS_ERROR_BAD_STATE = -5,
     /* A sample that is not later than the one before, or off the stated sample period. */
     SINS_ERROR_TIME_ORDER = -6,
-    /* Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
+    /* The truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
     SINS_ERROR_DISCONTINUITY = -7,
     /* The queue of samples is full: step first. */
     SINS_ERROR_QUEUE_FULL = -8,
-    /* The solution left its representable range; the last good one stays readable. */
+    /* The solution diverged: it left its limits. The last good solution stays readable. */
     SINS_ERROR_DIVERGED = -9,
-    /* The geographic mechanization came within reach of a pole. */
+    /* The mechanization in geographic axes came too close to a pole. */
     SINS_ERROR_SINGULAR = -10,
     /* A buffer is too small for the result. */
     SINS_ERROR_BUFFER_TOO_SMALL = -11,
@@ -216,7 +210,7 @@ enum sins_status_code {
     SINS_ERROR_OUT_OF_MEMORY = -12,
     /* The snapshot is damaged, foreign or newer. */
     SINS_ERROR_SNAPSHOT = -13,
-    /* A defect inside the library was caught; this handle answers so from now on, others live. */
+    /* A defect inside the library was caught. This handle returns this status from now on; other handles still work. */
     SINS_ERROR_INTERNAL = -99
 };
 
@@ -225,32 +219,32 @@ enum sins_frame {
     /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
     SINS_FRAME_EARTH_FIXED = 0,
     /*
-     * Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
-     * than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+     * Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
+     * moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
      */
     SINS_FRAME_GEOGRAPHIC = 1
 };
 
 /* Algorithms of the mechanization. */
 enum sins_scheme {
-    /* Coning, sculling and exact rotation compensation, Earth terms of the middle of the update. */
+    /* Coning, sculling and exact rotation compensation; Earth terms from the middle of the update. */
     SINS_SCHEME_EXACT = 0,
-    /* The paper's equations (7)-(24), misprints mended, approximations kept. */
+    /* The paper's equations (7)-(24), misprints corrected, approximations kept. */
     SINS_SCHEME_PAPER = 1,
     /* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
     SINS_SCHEME_POLYNOMIAL = 2
 };
 
-/* What holds the vertical channel. */
+/* What stabilizes the vertical channel. */
 enum sins_vertical {
     /*
-     * Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
-     * the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+     * Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
+     * order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
      */
     SINS_VERTICAL_DAMPED = 0,
     /* Height and vertical velocity set to the truth at each sample. */
     SINS_VERTICAL_FOLLOW_TRUTH = 1,
-    /* Left to itself: any error grows by e every 569 s. */
+    /* Nothing stabilizes the vertical channel: any error grows e-fold every 569 s. */
     SINS_VERTICAL_FREE = 2
 };
 
@@ -262,11 +256,11 @@ enum sins_error_model {
     SINS_ERROR_MODEL_RK4 = 1
 };
 
-/* Whether the motion of the truth is summed up. */
+/* Whether the library summarizes the true motion. */
 enum sins_summary {
     /* sins_get_truth_summary() is not available. */
     SINS_SUMMARY_OFF = 0,
-    /* The motion of the truth is summed up; the other outputs have the same bits. */
+    /* sins_get_truth_summary() is available. The other outputs have the same bits as without. */
     SINS_SUMMARY_ON = 1
 };
 
@@ -308,23 +302,26 @@ enum sins_axes {
 
 /* Ideal signals. */
 enum sins_signal {
-    /* Ideal signals are the integrals of the physics, so that the mechanization's own error shows. */
+    /*
+     * Ideal signals are the integrals of the true angular rate and specific force, so the navigation shows the mechanization's
+     * own error.
+     */
     SINS_SIGNAL_PHYSICAL = 0,
     /*
-     * The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
-     * for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
-     * navigator is the simulator's own and nothing is computed twice.
+     * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
+     * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
+     * trim. If no sensor has errors, the simulator's own navigator is that navigator, and nothing is computed twice.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
 };
 
 /* Flags of a sins_error_info. */
 enum sins_error_info_flags {
-    /* A value is at fault, and is in value. */
+    /* The field value holds the value at fault. */
     SINS_ERROR_INFO_VALUE = 1,
-    /* There is a least value, and minimum has it. */
+    /* The field minimum holds the least allowed value. */
     SINS_ERROR_INFO_MINIMUM = 2,
-    /* There is a greatest value, and maximum has it. */
+    /* The field maximum holds the greatest allowed value. */
     SINS_ERROR_INFO_MAXIMUM = 4,
     /* The field is an integer. */
     SINS_ERROR_INFO_INTEGER = 8
@@ -342,30 +339,30 @@ enum sins_sensor {
 
 /* Kinds of failure. */
 enum sins_failure_kind {
-    /* None: clears the failure that there is. */
+    /* No failure: clears the failure that is set. */
     SINS_FAILURE_NONE = 0,
     /*
-     * The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
-     * it looks like data.
+     * The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
+     * its first value. Not flagged, because it looks like data.
      */
     SINS_FAILURE_STUCK = 1,
     /*
-     * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
-     * altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+     * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
+     * altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
      */
     SINS_FAILURE_DEAD = 2,
-    /* A bias of size more. Not flagged. */
+    /* An additional bias, of the field size. Not flagged. */
     SINS_FAILURE_BIAS_STEP = 3,
     /*
-     * Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
-     * mean over its interval. Not flagged but where they saturate.
+     * Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
+     * altimeter shows their mean over its interval. Flagged only where they saturate the output.
      */
     SINS_FAILURE_SPIKES = 4,
-    /* White noise of density more; of the altimeter its mean over the interval. Not flagged. */
+    /* Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged. */
     SINS_FAILURE_NOISE = 5,
     /*
-     * Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
-     * that time, the first at once.
+     * Sample intervals are lost: the output is 0 there, and flagged as with SINS_FAILURE_DEAD. Either each interval is lost
+     * independently with the field probability, or one interval is lost every interval_s, the first immediately.
      */
     SINS_FAILURE_DROP_OUTS = 6
 };
@@ -375,9 +372,10 @@ enum sins_alignment {
     /* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
     SINS_ALIGNMENT_GIVEN = 0,
     /*
-     * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned by
-     * the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then the
-     * heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+     * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
+     * turned by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal
+     * force. Then the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN is set if
+     * north could not be found.
      */
     SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
 };
@@ -388,7 +386,10 @@ enum sins_sample_flags {
     SINS_SAMPLE_ANGULAR_RATE = 1,
     /* The sample carries specific_force_m_s2. */
     SINS_SAMPLE_SPECIFIC_FORCE = 2,
-    /* The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval. */
+    /*
+     * The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
+     * interval.
+     */
     SINS_SAMPLE_NO_VELOCITY = 4,
     /* The sample carries temperature_c. */
     SINS_SAMPLE_TEMPERATURE = 8
@@ -397,24 +398,31 @@ enum sins_sample_flags {
 /* Flags of a sins_navigation. */
 enum sins_navigation_flags {
     /*
-     * Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
-     * and the errors in metres stay right.
+     * Within 20 km of the Earth's axis: longitude and heading change fast there, and at the pole they are undefined.
+     * Quaternion, height and the errors in metres stay correct.
      */
     SINS_NAVIGATION_NEAR_POLE = 1,
-    /* Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s. */
+    /*
+     * Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
+     * every 569 s.
+     */
     SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
-    /* Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares. */
+    /*
+     * Of the truth: the displacement since the previous sample differs from the one that the velocities give by more than the
+     * root sum of squares of 1 % and 1 cm.
+     */
     SINS_NAVIGATION_INCONSISTENT = 4,
     /*
-     * The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
-     * rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
-     * accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
-     * horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+     * The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
+     * force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
+     * it is smaller, the heading error is below 90 degrees.) The simulator knows this error. A real INS can be sure of this
+     * case only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays until
+     * the INS starts again.
      */
     SINS_NAVIGATION_NORTH_UNKNOWN = 8
 };
 
-/* Where errors come from. */
+/* The two sources of errors. */
 enum sins_errors_source {
     /* Navigation minus truth: the paper's error data 2. */
     SINS_ERRORS_NAVIGATION = 0,
@@ -424,11 +432,14 @@ enum sins_errors_source {
 
 /* Flags of a sins_errors. */
 enum sins_errors_flags {
-    /* Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning. */
+    /*
+     * Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
+     * error have no meaning.
+     */
     SINS_ERRORS_NEAR_POLE = 1,
     /*
-     * Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
-     * pole; what it drops is no longer small.
+     * Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+     * displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
      */
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
     /* In a sins_record: not computed, all zero. */
@@ -441,9 +452,9 @@ enum sins_imu_flags {
     SINS_IMU_GYRO_SATURATED = 1,
     /* The mean force of a sub-increment was beyond the range of an accelerometer. */
     SINS_IMU_ACCEL_SATURATED = 2,
-    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave. */
+    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
     SINS_IMU_GYRO_INVALID = 4,
-    /* An accelerometer had none. */
+    /* An accelerometer had no signal in the interval: dead, or dropped out. */
     SINS_IMU_ACCEL_INVALID = 8
 };
 
@@ -478,22 +489,28 @@ enum sins_manoeuvre_kind {
     SINS_MANOEUVRE_REST = 0,
     /* Along a geodesic at constant speed and height for duration_s. */
     SINS_MANOEUVRE_STRAIGHT = 1,
-    /* By speed_change_m_s in duration_s. */
+    /* Changes the speed by speed_change_m_s in duration_s. */
     SINS_MANOEUVRE_ACCELERATE = 2,
-    /* By height_change_m in duration_s, ramp_s. */
+    /* Changes the height by height_change_m in duration_s. Uses ramp_s. */
     SINS_MANOEUVRE_CLIMB = 3,
     /*
-     * Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
-     * follows.
+     * Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
+     * duration follows from these.
      */
     SINS_MANOEUVRE_TURN = 4,
-    /* turns whole rolls (right positive) in duration_s along a straight path. */
+    /* Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path. */
     SINS_MANOEUVRE_ROLL = 5,
-    /* turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s. */
+    /*
+     * Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
+     * ramp_s.
+     */
     SINS_MANOEUVRE_LOOP = 6,
-    /* Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s. */
+    /*
+     * The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
+     * ramp_s.
+     */
     SINS_MANOEUVRE_S_TURN = 7,
-    /* Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration. */
+    /* Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s. */
     SINS_MANOEUVRE_SINUSOIDS = 8
 };
 
@@ -515,27 +532,27 @@ enum sins_channel {
 
 /* Where the flight of a scene comes from: sins_scene_setup.flight. */
 enum sins_scene_flight {
-    /* It is composed of manoeuvres. */
+    /* The flight is composed of manoeuvres. */
     SINS_SCENE_FLIGHT_MANOEUVRES = 0,
-    /* That of a built-in scene, SINS_SCENE_TEXT_BUILTIN. */
+    /* The flight is that of a built-in scene, named by SINS_SCENE_TEXT_BUILTIN. */
     SINS_SCENE_FLIGHT_BUILTIN = 1,
-    /* A flight log, SINS_SCENE_TEXT_LOG. */
+    /* The flight is a log, named by SINS_SCENE_TEXT_LOG. */
     SINS_SCENE_FLIGHT_LOG = 2
 };
 
 /* The texts of a scene: sins_scene_get_text(), sins_scene_set_text(). */
 enum sins_scene_text {
-    /* The scene in words. */
+    /* Title: the scene in a few words. */
     SINS_SCENE_TEXT_TITLE = 0,
-    /* Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log. */
+    /* Path of the flight log, relative to the scene's own folder. Setting it makes the flight a log. */
     SINS_SCENE_TEXT_LOG = 1,
-    /* Name of the built-in scene whose flight is flown; setting it makes the flight that. */
+    /* Name of the built-in scene whose flight is flown. Setting it selects that flight. */
     SINS_SCENE_TEXT_BUILTIN = 2,
-    /* Folder of the files that a program writes. */
+    /* Folder of the output files of a program. */
     SINS_SCENE_TEXT_FOLDER = 3,
-    /* Base name of those files. */
+    /* Base name of the output files. */
     SINS_SCENE_TEXT_NAME = 4,
-    /* File of the measured increments. */
+    /* Name of the file for the measured increments. */
     SINS_SCENE_TEXT_IMU = 5
 };
 
@@ -548,8 +565,8 @@ enum sins_budget_flags {
 };
 
 /*
- * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
- * something that was there is gone or means something else; what is added at the end does not change it.
+ * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
+ * when something is removed or changes its meaning. Additions at the end do not change it.
  */
 #define SINS_HEADER_ABI 1
 
@@ -566,66 +583,70 @@ enum sins_budget_flags {
  */
 #define SINS_SNAPSHOT_MAX_SIZE 20480
 
-/* Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed. */
+/*
+ * Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
+ * changed.
+ */
 typedef int32_t sins_status;
 
-/* How a simulator is made. All zero (but struct_size) is the recommended simulator. */
+/* Options of a simulator. All zero (except struct_size) is the recommended simulator. */
 typedef struct sins_options {
     /* sizeof(sins_options) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Of enum sins_frame. */
+    /* Axes of the mechanization, of enum sins_frame. */
     int32_t frame;
-    /* Of enum sins_scheme. */
+    /* Algorithm of the mechanization, of enum sins_scheme. */
     int32_t scheme;
     /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
     int32_t subsamples;
     /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
     int32_t updates_per_sample;
-    /* Of enum sins_vertical. */
+    /* Vertical channel, of enum sins_vertical. */
     int32_t vertical;
-    /* Of enum sins_error_model. */
+    /* Error differential equations, of enum sins_error_model. */
     int32_t error_model;
-    /* Of enum sins_earth. */
+    /* Ellipsoid, of enum sins_earth. */
     int32_t earth;
-    /* Of enum sins_gravity. */
+    /* Normal gravity, of enum sins_gravity. */
     int32_t gravity;
     /* Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes. */
     int32_t axes;
-    /* Of enum sins_signal. */
+    /* Ideal signals, of enum sins_signal. */
     int32_t signal;
     /* Seed of all random streams. */
     uint64_t seed;
-    /* Number of the run in an ensemble: same seed, other draws. */
+    /* Number of the run in an ensemble: the same seed with another run gives other random numbers. */
     uint64_t run;
-    /* Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it. */
+    /*
+     * Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 with
+     * another signal.
+     */
     double closed_loop_time_s;
     /*
-     * Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-     * each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+     * Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
+     * sample is at an exact multiple of the period from the first. The time stamps then only order the samples and check
+     * them: each must be within 0.4 of a period of its multiple.
      */
     double sample_period_s;
     /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
-     * 100 s cost 40 m in 12 h, longer ones many times that.
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest.
+     * Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
      */
     double max_gap_s;
-    /*
-     * Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
-     * 0: 2000 m/s2.
-     */
+    /* Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped. */
     double max_acceleration_m_s2;
-    /* Of enum sins_summary. */
+    /* Summary of the true motion, of enum sins_summary. */
     int32_t truth_summary;
     /* Of enum sins_covariance_mode. */
     int32_t covariance;
 } sins_options;
 
 /*
- * True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
- * are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
- * sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+ * True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity
+ * and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample rate cannot be
+ * recovered from samples; give angular rate and specific force if you have them.
  */
 typedef struct sins_flight_sample {
     /* sizeof(sins_flight_sample) */
@@ -639,7 +660,7 @@ typedef struct sins_flight_sample {
     double time_s;
     /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
     double latitude_rad;
-    /* Longitude, east positive, -100 to 100 [rad]: any wrap. */
+    /* Longitude, east positive, -100 to 100 [rad]; whole turns do not matter. */
     double longitude_rad;
     /* Height above the ellipsoid, -20 km to 2000 km [m]. */
     double height_m;
@@ -648,9 +669,10 @@ typedef struct sins_flight_sample {
     /* Roll, right wing down positive, any number of turns up to 10000 rad [rad]. */
     double roll_rad;
     /*
-     * Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad].
-     * From one sample to the next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than
-     * foreseen by the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond knowledge.
+     * Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
+     * must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
+     * angular rates predict, or, without rates, that the previous interval predicts. Other whole turns between two samples
+     * cannot be detected.
      */
     double pitch_rad;
     /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
@@ -664,33 +686,39 @@ typedef struct sins_flight_sample {
     double specific_force_m_s2[3];
     /*
      * With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-     * straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
-     * SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+     * linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+     * SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
      */
     double temperature_c;
 } sins_flight_sample;
 
-/* Why a call failed: what the sentence of sins_last_error() is made of. */
+/* Why a call failed: the data of which the sentence of sins_last_error() is made. */
 typedef struct sins_error_info {
     /* sizeof(sins_error_info) */
     uint32_t struct_size;
     /* Flags of enum sins_error_info_flags, or'ed. */
     uint32_t flags;
-    /* What the call returned, of enum sins_status_code; SINS_OK if none failed. */
+    /* Status that the failed call returned, of enum sins_status_code; SINS_OK if no call failed. */
     sins_status status;
     /* 0 */
     uint32_t reserved;
-    /* The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call itself. */
+    /*
+     * Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured quantity; terminated.
+     * Empty if the call itself is at fault.
+     */
     char field[96];
-    /* Element of the field, from 0; -1: the field is no array, or all of it is at fault. */
+    /* Element of the field, from 0; -1: the field is not an array, or the whole field is at fault. */
     int64_t index;
-    /* Sample of the array that the call took, from 0; -1: none. */
+    /* Index of the sample in the array of the call, from 0; -1: no sample is at fault. */
     int64_t sample;
-    /* With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double. */
+    /* With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double. */
     double value;
-    /* With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused. */
+    /* With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too. */
     double minimum;
-    /* With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused. */
+    /*
+     * With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
+     * too.
+     */
     double maximum;
 } sins_error_info;
 
@@ -698,14 +726,15 @@ typedef struct sins_error_info {
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
  * triad. Signal: the angular rate. Densities do not depend on the sample rate.
  *
- * Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
- * signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
+ * Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale factor, misalignment,
+ * asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and temperature; then biases and noise; then dead zone,
  * range, quantization.
  *
  * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
- * sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f loses by
- * that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x of its mean size
- * (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and 4.9 % with one.
+ * sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration. With
+ * x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1 - (sin x / x)^2. Asymmetry loses up to
+ * 1 - cos x, if the vibration changes the sign of the signal. At a tenth of the sample rate these are 0.8 % and 1.2 % with two
+ * sub-increments per interval, 3.3 % and 4.9 % with one.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -802,9 +831,9 @@ typedef struct sins_gyro_params {
  * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
  * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
  *
- * Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
- * nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
- * zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
+ * Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far (scale factor,
+ * misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and noise; then dead zone, range,
+ * quantization. sins_gyro_params describes the effects that act on the mean of a sub-increment.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -858,9 +887,9 @@ typedef struct sins_accel_params {
     double vibration_rectification_s2_m[3];
     /*
      * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
-     * motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
-     * sins_push_imu() the angular acceleration follows from the increments before.
+     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
+     * in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
+     * With sins_push_imu() the angular acceleration follows from the previous increments.
      */
     double lever_arm_m[9];
     /*
@@ -903,36 +932,36 @@ typedef struct sins_altimeter_params {
     double bias_m;
     /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m]. */
     double markov_sigma_m;
-    /* Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
+    /* Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
     double markov_time_s;
     /* Standard deviation of the independent error of each sample, up to 1e5 m [m]. */
     double noise_m;
-    /* Scale factor error of the height, -1 to 1. */
+    /* Scale factor error of the height [1], -1 to 1. */
     double scale_factor;
     /* Time constant of the first-order lag of the static pressure, up to 1e6 s [s]. */
     double lag_s;
 } sins_altimeter_params;
 
 /*
- * A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
- * accelerometer, m of the altimeter.
+ * A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
+ * rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
  */
 typedef struct sins_failure {
     /* sizeof(sins_failure) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Of enum sins_failure_kind. */
+    /* Kind of the failure, of enum sins_failure_kind. */
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
     /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
     double size;
-    /* Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)]. */
+    /* Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)]. */
     double density;
-    /* Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s]. */
+    /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
     double interval_s;
-    /* Spikes: length of one, 1e-9 s to interval_s [s]. */
+    /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
     double duration_s;
     /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
     double probability;
@@ -948,9 +977,9 @@ typedef struct sins_initial_errors {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Position [m]. */
+    /* Position error [m]. */
     double position_enu_m[3];
-    /* Velocity [m/s]. */
+    /* Velocity error [m/s]. */
     double velocity_enu_m_s[3];
     /*
      * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
@@ -963,56 +992,61 @@ typedef struct sins_initial_errors {
     double velocity_sigma_enu_m_s[3];
     /* Standard deviation of misalignment, 0 to 1 [rad]. */
     double misalignment_sigma_enu_rad[3];
-    /* Of enum sins_alignment. */
+    /* Alignment at the start, of enum sins_alignment. */
     int32_t alignment;
     /* Must be 0. */
     uint32_t reserved2;
 } sins_initial_errors;
 
 /*
- * Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
- * believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+ * Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of what
+ * the INS believes about them: believed = true + error, component by component. All zero is a block at the reference
+ * point, along the body axes.
  *
- * The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins_imu is about the block. The INS
- * navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
- * Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
- * point, along body axes; so is the barometric height.
+ * The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
+ * the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
+ * believes: sins_navigation and sins_errors describe the reference point. Initial errors are those of the INS's solution
+ * for the block. Angular rate and specific force of a sample are those of the reference point, along body axes. The
+ * barometric height is that of the reference point too.
  *
- * Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of the
- * first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second interval has
- * it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what the next
- * sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is lacking.
+ * Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
+ * the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
+ * the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
+ * interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
+ * starts with the velocity of the block that matches the next sample. With SINS_SAMPLE_ANGULAR_RATE no term is missing.
  */
 typedef struct sins_mounting {
     /* sizeof(sins_mounting) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
+    /* Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
     double lever_arm_m[3];
     /*
-     * Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-     * down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
+     * Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
+     * relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
+     * flight sample [rad].
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
     double lever_arm_error_m[3];
     /*
-     * Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
-     * out too small by as much.
+     * Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too large, the heading that the INS
+     * reports is too small by the same amount.
      */
     double boresight_error_rad[3];
 } sins_mounting;
 
 /*
- * True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
- * disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
- * track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
- * gravity.
+ * True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
+ * gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
+ * first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At
+ * rest it does not change. All zero is normal gravity.
  *
- * Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
- * accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
- * times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+ * Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
+ * accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
+ * twice R times the deflection, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
+ * tilted by the deflection.
  */
 typedef struct sins_gravity_params {
     /* sizeof(sins_gravity_params) */
@@ -1020,48 +1054,48 @@ typedef struct sins_gravity_params {
     /* Must be 0. */
     uint32_t reserved;
     /*
-     * Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
-     * the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+     * Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
+     * zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
      */
     double deflection_north_rad;
-    /* Standard deviation of its random part, up to 0.01 [rad]. */
+    /* Standard deviation of the random part of the deflection in the meridian, up to 0.01 [rad]. */
     double deflection_north_sigma_rad;
-    /* Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0. */
+    /* Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
     double deflection_north_distance_m;
     /*
      * Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
-     * 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+     * 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
      */
     double deflection_east_rad;
-    /* Standard deviation of its random part, up to 0.01 [rad]. */
+    /* Standard deviation of the random part of the deflection in the prime vertical, up to 0.01 [rad]. */
     double deflection_east_sigma_rad;
-    /* Correlation distance of that, 1 to 1e9 [m]. */
+    /* Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
     double deflection_east_distance_m;
     /* Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2. */
     double anomaly_m_s2;
-    /* Standard deviation of its random part, up to 0.1 [m/s2]. */
+    /* Standard deviation of the random part of the anomaly, up to 0.1 [m/s2]. */
     double anomaly_sigma_m_s2;
-    /* Correlation distance of that, 1 to 1e9 [m]. */
+    /* Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
     double anomaly_distance_m;
 } sins_gravity_params;
 
 /* A solution within a sins_record; never grows. Fields as in sins_navigation. */
 typedef struct sins_record_solution {
-    /* [rad] */
+    /* Geodetic latitude [rad]. */
     double latitude_rad;
-    /* [rad] */
+    /* Longitude, east positive [rad]. */
     double longitude_rad;
-    /* [m] */
+    /* Height above the ellipsoid [m]. */
     double height_m;
-    /* [m/s] */
+    /* Velocity against the Earth, east-north-up [m/s]. */
     double velocity_enu_m_s[3];
-    /* [rad] */
+    /* Roll, right wing down positive [rad]. */
     double roll_rad;
-    /* [rad] */
+    /* Pitch, nose up positive [rad]. */
     double pitch_rad;
-    /* [rad] */
+    /* Heading, clockwise from true north [rad]. */
     double heading_rad;
-    /* Scalar first. */
+    /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
     double quaternion_nb[4];
     /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
@@ -1071,23 +1105,23 @@ typedef struct sins_record_solution {
 
 /* Errors within a sins_record; never grows. Fields as in sins_errors. */
 typedef struct sins_record_errors {
-    /* [m] */
+    /* Displacement from truth along true east and north, and error of height [m]. */
     double position_enu_m[3];
-    /* [rad] */
+    /* Error of latitude [rad]. */
     double latitude_rad;
-    /* [rad] */
+    /* Error of longitude [rad]. */
     double longitude_rad;
-    /* [m] */
+    /* Error of height [m]. */
     double height_m;
-    /* [m/s] */
+    /* Error of velocity, east-north-up [m/s]. */
     double velocity_enu_m_s[3];
-    /* [rad] */
+    /* Misalignment phi, east-north-up [rad]. */
     double misalignment_enu_rad[3];
-    /* [rad] */
+    /* Error of roll [rad]. */
     double roll_rad;
-    /* [rad] */
+    /* Error of pitch [rad]. */
     double pitch_rad;
-    /* [rad] */
+    /* Error of heading [rad]. */
     double heading_rad;
     /* Flags of enum sins_errors_flags, or'ed. */
     int32_t flags;
@@ -1103,13 +1137,16 @@ typedef struct sins_record {
     uint32_t reserved;
     /* Time [s]. */
     double time_s;
-    /* As sins_get_truth(). */
+    /* The truth, as sins_get_truth() gives it. */
     struct sins_record_solution truth;
-    /* As sins_get_navigation(). */
+    /* The navigated solution, as sins_get_navigation() gives it. */
     struct sins_record_solution navigation;
-    /* As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2. */
+    /* Error data 2, as sins_get_errors() gives it with SINS_ERRORS_NAVIGATION. */
     struct sins_record_errors navigation_errors;
-    /* As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off. */
+    /*
+     * Error data 1, as sins_get_errors() gives it with SINS_ERRORS_MODEL; flagged SINS_ERRORS_NOT_COMPUTED while the model
+     * is off.
+     */
     struct sins_record_errors model_errors;
 } sins_record;
 
@@ -1153,21 +1190,21 @@ typedef struct sins_imu {
     double time_s;
     /* Length of the interval [s]. */
     double interval_s;
-    /* Integral of the angular rate against inertial space, perfect gyros [rad]. */
+    /* Integral of the angular rate against inertial space, as perfect gyros measure it [rad]. */
     double ideal_angle_rad[3];
-    /* Integral of the specific force, perfect accelerometers [m/s]. */
+    /* Integral of the specific force, as perfect accelerometers measure it [m/s]. */
     double ideal_velocity_m_s[3];
-    /* What the modelled gyros give [rad]. */
+    /* Integral of the angular rate that the modelled gyros measure [rad]. */
     double measured_angle_rad[3];
-    /* What the modelled accelerometers give [m/s]. */
+    /* Integral of the specific force that the modelled accelerometers measure [m/s]. */
     double measured_velocity_m_s[3];
-    /* ideal_angle_rad over the interval [rad/s]. */
+    /* Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s]. */
     double ideal_rate_rad_s[3];
-    /* ideal_velocity_m_s over the interval [m/s2]. */
+    /* Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2]. */
     double ideal_force_m_s2[3];
-    /* measured_angle_rad over the interval [rad/s]. */
+    /* Mean angular rate of the modelled gyros: measured_angle_rad divided by interval_s [rad/s]. */
     double measured_rate_rad_s[3];
-    /* measured_velocity_m_s over the interval [m/s2]. */
+    /* Mean specific force of the modelled accelerometers: measured_velocity_m_s divided by interval_s [m/s2]. */
     double measured_force_m_s2[3];
 } sins_imu;
 
@@ -1179,26 +1216,26 @@ typedef struct sins_errors {
     uint32_t reserved;
     /* Time [s]. */
     double time_s;
-    /* Displacement from truth along true east and north, and difference of heights [m]. */
+    /* Position error: displacement from truth along true east and north, and difference of heights [m]. */
     double position_enu_m[3];
-    /* Latitude [rad]. */
+    /* Error of latitude [rad]. */
     double latitude_rad;
-    /* Longitude, wrapped to -pi..pi [rad]. */
+    /* Error of longitude, wrapped to -pi to pi [rad]. */
     double longitude_rad;
-    /* Height [m]. */
+    /* Error of height [m]. */
     double height_m;
-    /* Velocity [m/s]: difference of the components, each in its own east-north-up. */
+    /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error model
-     * has it to first order, computed C = (I - [phi x]) C.
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+     * error model it is of first order: computed C = (I - [phi x]) C.
      */
     double misalignment_enu_rad[3];
-    /* Roll, wrapped [rad]. */
+    /* Error of roll, wrapped to -pi to pi [rad]. */
     double roll_rad;
-    /* Pitch [rad]. */
+    /* Error of pitch [rad]. */
     double pitch_rad;
-    /* Heading, wrapped [rad]. */
+    /* Error of heading, wrapped to -pi to pi [rad]. */
     double heading_rad;
     /* Flags of enum sins_errors_flags, or'ed. */
     int32_t flags;
@@ -1207,8 +1244,9 @@ typedef struct sins_errors {
 } sins_errors;
 
 /*
- * Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors sampled once a second. They describe one run,
- * which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of data sheets.
+ * Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
+ * them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by SINS_NMI_PER_HOUR
+ * for the unit of data sheets.
  */
 typedef struct sins_accuracy {
     /* sizeof(sins_accuracy) */
@@ -1220,11 +1258,11 @@ typedef struct sins_accuracy {
     /* Time since the start [s]. */
     double duration_s;
     /*
-     * Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
-     * over next to nothing [s].
+     * Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates would be initial errors
+     * divided by a very short time [s].
      */
     double window_start_s;
-    /* Samples in that window; the rates are 0 while there is none. */
+    /* Samples in the window of the radial error rates. While there are none, the rates are 0. */
     uint64_t window_samples;
     /* sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s]. */
     double radial_error_rate_rms_m_s;
@@ -1232,48 +1270,49 @@ typedef struct sins_accuracy {
     double cep_rate_m_s;
     /* R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s]. */
     double radial_95_rate_m_s;
-    /* Slope of the straight line of least squares through the horizontal position error [m/s]. */
+    /* Slope of the least-squares line through the horizontal position error [m/s]. */
     double radial_error_slope_m_s;
     /*
-     * Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
-     * east and north turn [m/s].
+     * Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
+     * and north turn fast, are left out [m/s].
      */
     double velocity_rms_enu_m_s[3];
-    /* Closure: navigation minus truth now, position [m]. */
+    /* Position closure: navigation minus truth now [m]. */
     double closure_position_enu_m[3];
-    /* Closure: navigation minus truth now, velocity [m/s]. */
+    /* Velocity closure: navigation minus truth now [m/s]. */
     double closure_velocity_enu_m_s[3];
     /*
-     * Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
-     * to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
-     * sensors'.
+     * Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
+     * the Schuler-tuned response to displacement by velocity less displacement by position; up is 0. The rest of the
+     * closure is caused by the simulator and the sensors.
      */
     double host_position_enu_m[3];
-    /* The same of the horizontal velocity closure; up is 0 [m/s]. */
+    /* Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s]. */
     double host_velocity_enu_m_s[3];
     /* Displacement by the host's velocities less displacement by its positions, summed over the flight [m]. */
     double inconsistency_enu_m[3];
-    /* The largest of it in one interval [m]. */
+    /* The largest such difference in one interval [m]. */
     double inconsistency_max_m;
     /* Samples flagged SINS_NAVIGATION_INCONSISTENT. */
     uint64_t inconsistent_samples;
     /* Intervals flown since the start or the last reposition: one less than the samples. */
     uint64_t intervals;
     /*
-     * The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
-     * generator and mechanization themselves; 0 with physical signals [rad/s].
+     * The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its time constants: the error
+     * of signal generator and mechanization themselves; 0 with physical signals [rad/s].
      */
     double trim_rate_max_rad_s;
-    /* The same of the specific force [m/s2]. */
+    /* The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
     double trim_force_max_m_s2;
 } sins_accuracy;
 
 /*
- * The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
- * exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
- * exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights and
- * climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the
- * time stamp of the sample that it came with.
+ * Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
+ * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
+ * sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+ * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
+ * and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
+ * found.
  */
 typedef struct sins_truth_summary {
     /* sizeof(sins_truth_summary) */
@@ -1282,62 +1321,68 @@ typedef struct sins_truth_summary {
     uint32_t reserved;
     /* Intervals flown. */
     uint64_t intervals;
-    /* Those of them that are gaps (see SINS_GAP). */
+    /* Intervals that are gaps (see SINS_GAP). */
     uint64_t gaps;
-    /* Samples faster than 30 m/s: sideslip and angle of attack are of these. */
+    /* Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only. */
     uint64_t fast_samples;
     /* Sum of the lengths of the intervals [s]. */
     double flown_s;
-    /* Time stamps of the first and of the last sample [s]. */
+    /* Time stamp of the first sample [s]. */
     double first_s;
-    /* See first_s. */
+    /* Time stamp of the last sample [s]. */
     double last_s;
     /* Longest interval [s]. */
     double interval_max_s;
-    /* When [s]. */
+    /* Time stamp of interval_max_s [s]. */
     double interval_max_at_s;
     /* Largest rotation in an interval [rad]. */
     double turn_max_rad;
-    /* When [s]. */
+    /* Time stamp of turn_max_rad [s]. */
     double turn_max_at_s;
-    /* Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s]. */
+    /* Largest angular rate: from the attitudes against the Earth, or the samples' own rate [rad/s]. */
     double rate_max_rad_s;
-    /* When [s]. */
+    /* Time stamp of rate_max_rad_s [s]. */
     double rate_max_at_s;
-    /* Largest acceleration against the Earth, by the velocities [m/s2]. */
+    /* Largest acceleration against the Earth, from the velocities [m/s2]. */
     double acceleration_max_m_s2;
-    /* When [s]. */
+    /* Time stamp of acceleration_max_m_s2 [s]. */
     double acceleration_max_at_s;
-    /* Largest specific force: by the velocities and gravity, or the samples' own [m/s2]. */
+    /* Largest specific force: from the velocities and gravity, or the samples' own force [m/s2]. */
     double force_max_m_s2;
-    /* When [s]. */
+    /* Time stamp of force_max_m_s2 [s]. */
     double force_max_at_s;
-    /* Largest displacement in an interval that the mean of the velocities at its ends does not explain [m]. */
+    /*
+     * Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
+     * [m].
+     */
     double inconsistency_max_m;
-    /* When [s]. */
+    /* Time stamp of inconsistency_max_m [s]. */
     double inconsistency_max_at_s;
     /* Largest speed against the Earth [m/s]. */
     double speed_max_m_s;
-    /* When [s]. */
+    /* Time stamp of speed_max_m_s [s]. */
     double speed_max_at_s;
-    /* Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it [rad]. */
+    /*
+     * Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, positive to the right;
+     * includes wind [rad].
+     */
     double sideslip_max_rad;
-    /* When [s]. */
+    /* Time stamp of sideslip_max_rad [s]. */
     double sideslip_max_at_s;
     /*
      * Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
      * symmetry [rad].
      */
     double attack_max_rad;
-    /* When [s]. */
+    /* Time stamp of attack_max_rad [s]. */
     double attack_max_at_s;
     /* Lowest height [m]. */
     double height_min_m;
-    /* When [s]. */
+    /* Time stamp of height_min_m [s]. */
     double height_min_at_s;
     /* Highest height [m]. */
     double height_max_m;
-    /* When [s]. */
+    /* Time stamp of height_max_m [s]. */
     double height_max_at_s;
 } sins_truth_summary;
 
@@ -1382,7 +1427,10 @@ typedef struct sins_covariance {
     double radial_95_m;
 } sins_covariance;
 
-/* Increments of an inertial measurement unit over an interval, in count parts of equal length. */
+/*
+ * Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
+ * field count is their number.
+ */
 typedef struct sins_imu_increment {
     /* sizeof(sins_imu_increment) */
     uint32_t struct_size;
@@ -1390,13 +1438,13 @@ typedef struct sins_imu_increment {
     uint32_t reserved;
     /* Length of the whole interval, 5e-5 to 10 [s]. */
     double interval_s;
-    /* Parts, 1 to 5. */
+    /* Number of parts, 1 to 5. */
     int32_t count;
     /* Must be 0. */
     uint32_t reserved2;
     /*
-     * Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
-     * first, of the second, ... [rad].
+     * Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the first part, x, y,
+     * z of the second part, and so on [rad].
      */
     double angle_rad[15];
     /* Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s]. */
@@ -1493,7 +1541,7 @@ typedef struct sins_figures {
     double largest_radial_m;
 } sins_figures;
 
-/* Where an embedded flight begins, level and straight. */
+/* Start of an embedded flight, level and straight. */
 typedef struct sins_flight_start {
     /* sizeof(sins_flight_start) */
     uint32_t struct_size;
@@ -1509,11 +1557,14 @@ typedef struct sins_flight_start {
     double speed_m_s;
     /* Course and heading, -100 to 100 [rad]. */
     double heading_rad;
-    /* Roll of the body against the path's axes throughout the flight, -pi to pi [rad]. */
+    /* Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad]. */
     double roll_rad;
-    /* Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad]. */
+    /*
+     * Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
+     * at rest [rad].
+     */
     double pitch_rad;
-    /* Of enum sins_earth, as in the options of the simulator that will fly it. */
+    /* Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it. */
     int32_t earth;
     /* Must be 0. */
     uint32_t reserved2;
@@ -1525,15 +1576,15 @@ typedef struct sins_manoeuvre {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Of enum sins_manoeuvre_kind. */
+    /* Kind of the manoeuvre, of enum sins_manoeuvre_kind. */
     int32_t kind;
-    /* Sinusoids, 1 to 6. */
+    /* Number of sinusoids, 1 to 6. */
     int32_t sinusoid_count;
     /* Duration, 1e-3 to 1e8 [s]. */
     double duration_s;
-    /* Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s]. */
+    /* Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the duration. 0: 5 s [s]. */
     double ramp_s;
-    /* Change of speed, to no less than 0 and no more than 10 km/s [m/s]. */
+    /* Change of speed; the speed must stay between 0 and 10 km/s [m/s]. */
     double speed_change_m_s;
     /* Change of height; the climb angle must stay below 64 degrees [m]. */
     double height_change_m;
@@ -1546,13 +1597,13 @@ typedef struct sins_manoeuvre {
     /* What each sinusoid moves, of enum sins_channel. */
     int32_t channel[6];
     /*
-     * Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
-     * [m/s].
+     * Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
+     * sinusoids together up to the speed.
      */
     double amplitude[6];
     /* Frequency of each sinusoid, 0 to 1000 [Hz]. */
     double frequency_hz[6];
-    /* Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad]. */
+    /* Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the manoeuvre [rad]. */
     double phase_rad[6];
 } sins_manoeuvre;
 
@@ -1562,39 +1613,45 @@ typedef struct sins_fault {
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
-    /* Faults of the text, 200 at the most. */
+    /* Number of faults of the text, 200 at most. */
     uint64_t count;
-    /* Line of this one, from 1. */
+    /* Line of this fault, from 1. */
     uint64_t line;
-    /* Column, in characters from 1; of a flight log the column of the table. */
+    /* Column, in characters from 1; for a flight log, the column of the table. */
     uint64_t column;
-    /* Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer. */
+    /*
+     * Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
+     * longer.
+     */
     char sentence[256];
 } sins_fault;
 
-/* What a scene says of its flight and of its output. */
+/* Settings of a scene for its flight and its output. */
 typedef struct sins_scene_setup {
     /* sizeof(sins_scene_setup) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Of enum sins_scene_flight; read only: a set call passes over it. */
+    /* Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set. */
     int32_t flight;
-    /* 1: samples get the temperature below; 0: none. */
+    /* 1: samples get the temperature below; 0: samples get no temperature. */
     int32_t has_temperature;
     /* 1: a program shows neither progress nor summary; 0: it does. */
     int32_t quiet;
     /* Must be 0. */
     uint32_t reserved2;
-    /* How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s]. */
+    /* Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s]. */
     double duration_s;
-    /* How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s]. */
+    /*
+     * Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
+     * flight; read only [s].
+     */
     double flown_s;
-    /* Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz]. */
+    /* Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz]. */
     double rate_hz;
-    /* Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C]. */
+    /* Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is 0 [deg C]. */
     double temperature_c;
-    /* Its change, -277 to 277 [deg C/s]. */
+    /* Rate of change of the temperature, -277 to 277 [deg C/s]. */
     double temperature_change_c_s;
     /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
     double every_s;
@@ -1606,31 +1663,31 @@ typedef struct sins_planned_failure {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Of enum sins_sensor. */
+    /* Sensor that fails, of enum sins_sensor. */
     int32_t sensor;
-    /* 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0. */
+    /* Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter. */
     int32_t axis;
-    /* When it begins, 0 to 1e9 since the start of the flight [s]. */
+    /* Start of the failure, 0 to 1e9 since the start of the flight [s]. */
     double from_s;
-    /* When it ends, likewise; 0: at the end of the flight [s]. */
+    /* End of the failure, likewise; 0: the end of the flight [s]. */
     double until_s;
-    /* Of enum sins_failure_kind, but not SINS_FAILURE_NONE. */
+    /* Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE. */
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
-    /* This and the following as in sins_failure. */
+    /* Size, as in sins_failure. */
     double size;
-    /* See sins_failure. */
+    /* Density, as in sins_failure. */
     double density;
-    /* See sins_failure [s]. */
+    /* Interval, as in sins_failure [s]. */
     double interval_s;
-    /* See sins_failure [s]. */
+    /* Duration, as in sins_failure [s]. */
     double duration_s;
-    /* See sins_failure. */
+    /* Probability, as in sins_failure. */
     double probability;
 } sins_planned_failure;
 
-/* What a flight log holds. */
+/* Contents of a flight log. */
 typedef struct sins_log_info {
     /* sizeof(sins_log_info) */
     uint32_t struct_size;
@@ -1638,64 +1695,73 @@ typedef struct sins_log_info {
     uint32_t reserved;
     /* Samples. */
     uint64_t samples;
-    /* From the first to the last of them [s]. */
+    /* Duration from the first to the last sample [s]. */
     double duration_s;
     /* The comment in the first line of the log, UTF-8, terminated; empty: none. */
     char title[192];
 } sins_log_info;
 
 /*
- * Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
- * of 0 is none; at least one is needed.
+ * Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
+ * At least one limit is needed.
  */
 typedef struct sins_requirement {
     /* sizeof(sins_requirement) */
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece. */
+    /* Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length of the piece. */
     double duration_s;
-    /* Distance from where the exact solution on the same signals is [m]. */
+    /* Limit of the distance from the exact solution on the same signals [m]; 0: none. */
     double position_m;
-    /* Speed of the difference in velocity [m/s]. */
+    /* Limit of the length of the velocity difference from that solution [m/s]; 0: none. */
     double velocity_m_s;
-    /* Angle between the attitudes, against the Earth [rad]. */
+    /* Limit of the angle between the two attitudes, against the Earth [rad]; 0: none. */
     double attitude_rad;
-    /* How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2. */
+    /* Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2. */
     double margin;
 } sins_requirement;
 
-/* What recommended options give, and what they cost. */
+/* Accuracy and cost of the recommended options. */
 typedef struct sins_cost {
     /* sizeof(sins_cost) */
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
-    /* For how long the errors are predicted [s]. */
+    /* Duration for which the errors are predicted [s]. */
     double duration_s;
-    /* Predicted error, the worst within the duration: position [m]. */
+    /* Predicted position error, the largest within the duration [m]. */
     double position_m;
-    /* Velocity [m/s]. */
+    /* Predicted velocity error, the largest within the duration [m/s]. */
     double velocity_m_s;
-    /* Attitude against the Earth [rad]. */
+    /* Predicted attitude error against the Earth, the largest within the duration [rad]. */
     double attitude_rad;
-    /* The part of it that is the uncertainty of the reference: position [m]. */
+    /* Part of position_m that is the uncertainty of the reference [m]. */
     double reference_position_m;
-    /* Velocity [m/s]. */
+    /* Part of velocity_m_s that is the uncertainty of the reference [m/s]. */
     double reference_velocity_m_s;
-    /* Attitude [rad]. */
+    /* Part of attitude_rad that is the uncertainty of the reference [rad]. */
     double reference_attitude_rad;
-    /* Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100. */
+    /*
+     * Predicted error times margin divided by its limit, the largest of the three. The requirement is met up to 1. A limit
+     * below 1e-100 counts as 1e-100.
+     */
     double share;
-    /* Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by. */
+    /*
+     * Instructions of the part of a step that depends on the algorithm, the same on every machine. The algorithms are
+     * ordered by this figure.
+     */
     double instructions_per_step;
-    /* Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one sample [ns]. */
+    /*
+     * Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+     * mounting, and ideal sensors [ns].
+     */
     double ns_per_step;
-    /* Algorithms that were tried, the recommended one among them. */
+    /* Algorithms that were tried, including the recommended one. */
     uint64_t tried;
 } sins_cost;
 
-/* What a budget is asked for. A limit of 0 is none. */
+/* Request for an error budget. All zero is 16 runs and no limits. */
 typedef struct sins_budget_request {
     /* sizeof(sins_budget_request) */
     uint32_t struct_size;
@@ -1703,83 +1769,93 @@ typedef struct sins_budget_request {
     uint32_t reserved;
     /* Runs of all together, if anything is random, 8 to 1000; 0: 16. */
     uint64_t runs;
-    /* What the effects that are left out may change together at any time of the scene: position [m]. */
+    /*
+     * Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+     * 0: none.
+     */
     double position_m;
-    /* Velocity [m/s]. */
+    /* Limit of the change of the velocity error, likewise [m/s]; 0: none. */
     double velocity_m_s;
-    /* Misalignment [rad]. */
+    /* Limit of the change of the misalignment, likewise [rad]; 0: none. */
     double attitude_rad;
 } sins_budget_request;
 
 /*
- * An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
- * set.
+ * An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and the
+ * samples, with nothing set.
  */
 typedef struct sins_budget_row {
     /* sizeof(sins_budget_row) */
     uint32_t struct_size;
     /* Flags of enum sins_budget_flags, or'ed. */
     uint32_t flags;
-    /* Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization". */
+    /* Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization". */
     char effect[32];
-    /* The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row. */
+    /*
+     * The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
+     * out. Empty in the first row.
+     */
     char field[48];
-    /* Length of the contribution to the position error, the largest of the scene [m]. */
+    /* Length of the contribution to the position error, the largest in the scene [m]. */
     double position_m;
-    /* Velocity [m/s]. */
+    /* Length of the contribution to the velocity error, the largest in the scene [m/s]. */
     double velocity_m_s;
-    /* Misalignment [rad]. */
+    /* Length of the contribution to the misalignment, the largest in the scene [rad]. */
     double attitude_rad;
-    /* The same at the end of the scene: position [m]. */
+    /* Length of the contribution to the position error at the end of the scene [m]. */
     double end_position_m;
-    /* Velocity [m/s]. */
+    /* Length of the contribution to the velocity error at the end of the scene [m/s]. */
     double end_velocity_m_s;
-    /* Misalignment [rad]. */
+    /* Length of the contribution to the misalignment at the end of the scene [rad]. */
     double end_attitude_rad;
-    /* The largest share of a limit that the contribution takes up; 0 without limits. */
+    /* The contribution divided by its limit, the largest of the three; 0 without limits. */
     double share;
     /*
-     * Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
-     * nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+     * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with nothing
+     * set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may
+     * be negative.
      */
     double ns_per_step;
 } sins_budget_row;
 
-/* A budget as a whole. */
+/* Figures of a budget as a whole. */
 typedef struct sins_budget {
     /* sizeof(sins_budget) */
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
-    /* Time that was looked at: from the end of the first interval to that of the last [s]. */
+    /* Duration of the evaluation: from the end of the first interval to the end of the last [s]. */
     double duration_s;
     /* Runs of all together; 1 if nothing is random. */
     uint64_t runs;
     /* Flights that were flown. */
     uint64_t flights;
-    /* The root mean square of what is random in all together lies with 95 % probability between that of the runs times this, ... */
+    /*
+     * Lower end of the 95 % interval of the root mean square of the random part of all together, as a factor to that of
+     * these runs; 1 if nothing is random.
+     */
     double sigma_low;
-    /* ... and times this; both are 1 if nothing is random. */
+    /* Upper end of that interval, likewise. */
     double sigma_high;
-    /* Errors with all effects together, root mean square over the runs, the largest of the scene: position [m]. */
+    /* Position error with all effects together, root mean square over the runs, the largest in the scene [m]. */
     double position_m;
-    /* Velocity [m/s]. */
+    /* Velocity error with all effects together, likewise [m/s]. */
     double velocity_m_s;
-    /* Misalignment [rad]. */
+    /* Misalignment with all effects together, likewise [rad]. */
     double attitude_rad;
-    /* What of that the sum of all rows does not explain: position [m]. */
+    /* Part of the position error that the sum of all rows does not explain [m]. */
     double remainder_position_m;
-    /* Velocity [m/s]. */
+    /* Part of the velocity error that the sum of all rows does not explain [m/s]. */
     double remainder_velocity_m_s;
-    /* Misalignment [rad]. */
+    /* Part of the misalignment that the sum of all rows does not explain [rad]. */
     double remainder_attitude_rad;
-    /* What the errors change by without the marked rows, flown: position [m]. */
+    /* Change of the position error when the marked rows are left out, as flown [m]. */
     double left_out_position_m;
-    /* Velocity [m/s]. */
+    /* Change of the velocity error when the marked rows are left out, as flown [m/s]. */
     double left_out_velocity_m_s;
-    /* Misalignment [rad]. */
+    /* Change of the misalignment when the marked rows are left out, as flown [rad]. */
     double left_out_attitude_rad;
-    /* Measured here and now: what a step takes with all effects [ns]. */
+    /* Time of a step with all effects, measured in this call on this machine [ns]. */
     double ns_per_step;
 } sins_budget;
 
@@ -1820,155 +1896,174 @@ enum sins_sizeof {
     SINS_SIZEOF_BUDGET = 128
 };
 
-/* The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI. */
+/* Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI. */
 SINS_API uint32_t SINS_CALL sins_abi_version(void);
 
-/* The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded. */
+/* Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded. */
 SINS_API const char *SINS_CALL sins_version_string(void);
 
 /*
- * The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
- * loaded.
+ * Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
+ * as the library is loaded.
  */
 SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 
-/* Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0. */
+/* Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
 SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
 
 /*
- * Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+ * Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
  *
- * On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
- * memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+ * On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+ * frame: it allocates.
+ *
+ * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
  */
 SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, sins_sim **sim);
 
 /*
- * Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+ * Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 
 /*
- * Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+ * Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
- * SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
- * SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it as
- * motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call sins_move_time()
- * before this push; the push cannot be taken back.
- * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken
- * until one fits, or until sins_move_time() for a gap, sins_move_truth() or sins_reposition() for a jump.
- * SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on increments.
+ * SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
+ * by more than 0.4 of the period.
+ * SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
+ * before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
+ * on, call sins_move_time() before this push; a push cannot be undone.
+ * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
+ * samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
+ * (for a jump).
+ * SINS_ERROR_QUEUE_FULL: step first.
+ * SINS_ERROR_BAD_STATE: navigating on increments.
  */
 SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
- * further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
- * the velocity times its length; sins_push_sample() answers SINS_GAP for it.
+ * later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
+ * like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
  *
- * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
- * reference point or of the closed loop's own error-free navigator beyond -500 km or
- * 20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
- * solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
- * increments.
+ * SINS_NEED_SAMPLE: no complete interval is waiting.
+ * SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
+ * 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
+ * navigator.
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+ * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+ * sins_reposition() or sins_reset() start anew.
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
- * The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause in
- * which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors, noise,
- * waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight goes on to
- * the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles; with a stated
- * period they always are. (Without velocities the differences over three samples count too; durations in sins_accuracy are
- * rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+ * Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
+ * time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+ * stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
+ * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
+ * stamps are the same doubles; with a stated period they always are. (Without velocities the differences over three
+ * samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
+ * flight_start_s of sins_scene_prepare() by the same time.
  *
- * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
- * increments, which have no stamps.
+ * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+ * SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
  */
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
 
 /*
- * The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. No interval is flown from the
- * sample before to this one, so the errors do not grow between them. Position error in metres (along
- * the truth's east and north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those
- * before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity
- * there. Noise, sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale
- * factor, which is of the new height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting
- * samples are dropped; time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval
- * before. Where the sample has no velocity, the solution has its velocity error alone until the next is pushed.
+ * Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
+ * sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
+ * as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
+ * misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
+ * new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
+ * and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
+ * the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
+ * sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+ * solution is its velocity error alone until the next sample is pushed.
  *
- * Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
- * common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the shortest
- * way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm and boresight,
- * and what is wrong of them, make of that in the new attitude.
+ * If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
+ * solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes, turned to the
+ * solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
+ * the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
  *
- * Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
- * SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
- * SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth away.
+ * Before the first step there are no errors to keep, and the call acts as sins_reposition().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+ * SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
+ * that no place has it.
  */
 SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
- * The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors that
- * it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go on where
- * they were. Waiting samples and the running accuracy figures are dropped. Time may jump
- * too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is read until the
- * next step is that of the sample; an interval to read there is none. It may be the first call of a run: the sample is then the
- * first, and the next push makes an interval.
+ * Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
+ * with its initial errors. Its previous errors are lost; to keep them, call sins_move_truth() (slew) or sins_move_time()
+ * (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures are dropped. The time may
+ * jump too, forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the
+ * next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
+ * run: the sample is then the first one, and the next push completes an interval.
  *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
- * (a pole, in geographic axes) it is the reads and the next step that say so.
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+ * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * If no INS can start there (a pole, in geographic axes), the reads and
+ * the next step return the error.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
 /*
- * Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
- * from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
- * seed or run; to come back to a moment in flight, see sins_snapshot_save().
+ * Returns to the state before the first sample: the same options, the parameters as they were set last, no failures, and
+ * the random streams at their start. So the same samples and settings give the same bits. For other random numbers, create
+ * a simulator with another seed or run. To return to a moment in flight, see sins_snapshot_save().
  */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
 /*
- * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
- * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
- * (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
- * Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+ * Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
+ * always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
+ * has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle was rejected
+ * (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves
+ * no sentence.
  *
- * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
- * alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+ * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
+ * size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
  */
 SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
- * sentence.
+ * Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
+ * of which sins_last_error() gives the sentence.
  */
 SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
 
 /*
- * Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
- * move; processes that were active go on from where they are.
+ * Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
+ * effects do not change. Processes that were active continue.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
- * a temperature wait, or while navigating on increments.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+ * increments.
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
-/* Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too. */
+/* Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load(). */
 SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_params *params);
 
 /*
- * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
- * effects do not move; processes that were active go on from where they are.
+ * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
+ * other effects do not change. Processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
  */
 SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
 
-/* Reads the accelerometer errors, as they were set last: at any moment, after sins_snapshot_load() too. */
+/* Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load(). */
 SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_params *params);
 
 /*
@@ -1979,29 +2074,29 @@ SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_p
  */
 SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct sins_altimeter_params *params);
 
-/* Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too. */
+/* Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load(). */
 SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_altimeter_params *params);
 
 /*
- * Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
- * until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
- * once.
+ * Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
+ * interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
+ * outputs may fail at the same time.
  *
- * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
- * range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
- * there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
- * sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
- * set again at the same intervals give the same bits.
+ * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
+ * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
+ * Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
+ * not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
+ * begins anew with working sensors; failures that are set again at the same intervals give the same bits.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
- * solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
+ * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
  */
 SINS_API sins_status SINS_CALL sins_set_failure(
     sins_sim *sim, int32_t sensor, int32_t axis, const struct sins_failure *failure);
 
 /*
- * Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
- * axis as in sins_set_failure().
+ * Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
+ * failure. sensor and axis as in sins_set_failure().
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such output.
  */
@@ -2011,68 +2106,80 @@ SINS_API sins_status SINS_CALL sins_get_failure(
 /*
  * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
 
-/* Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too. */
+/*
+ * Reads the errors with which the navigation starts, as they were set last: at any moment, also after
+ * sins_snapshot_load().
+ */
 SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sins_initial_errors *errors);
 
 /*
- * Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
- * increments is not concerned: its solution is that of the block.
+ * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
+ * mounting does not affect a navigator on increments: its solution is that of the block.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sins_mounting *mounting);
 
-/* Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too. */
+/* Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load(). */
 SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, struct sins_mounting *mounting);
 
 /*
- * Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
- * same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
- * felt their own gravity.
+ * Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
+ * reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
+ * disturbance does not affect a navigator on increments, because these contain their own gravity.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const struct sins_gravity_params *params);
 
-/* Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too. */
+/* Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load(). */
 SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
 
 /*
- * Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
- * flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+ * Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
+ * flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+ * by sample.
  *
- * samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
- * those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
+ * samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
+ * other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
+ * of records, also on an error.
  *
  * SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
  * sins_get_truth_summary() counts them.
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
- * SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
- * sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
- * sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
- * sins_step(); sins_reposition() and sins_reset() empty it.
+ * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * Any error of sins_push_sample() or sins_step() stops the run at the
+ * sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
+ * not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
+ * as after sins_step(); sins_reposition() and sins_reset() empty the queue.
  */
 SINS_API sins_status SINS_CALL sins_run(
     sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
     size_t capacity, size_t *written);
 
 /*
- * Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
- * velocity, that of the first is 0 until the second is pushed.
+ * Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
+ * velocity, the velocity at the first one is 0 until the second one is pushed.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, struct sins_navigation *truth);
 
 /*
  * Reads the navigated solution for the same instant as sins_get_truth().
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
- * first sample with these options and initial errors.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+ * and initial errors.
  */
 SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, struct sins_navigation *navigation);
 
@@ -2086,25 +2193,28 @@ SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu)
 /*
  * Reads the errors of the navigated solution; source is of enum sins_errors_source.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
- * the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
- * increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_INVALID_ARGUMENT: no such source.
+ * SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+ * sins_options.error_model), or navigating on increments.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, struct sins_errors *errors);
 
 /*
  * Reads the running accuracy figures.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
 
 /*
- * Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+ * Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
  *
- * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
- * there is no truth.
+ * SINS_NEED_SAMPLE: no interval yet.
+ * SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
  */
 SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
 
@@ -2118,63 +2228,70 @@ SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins
 SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_covariance *covariance);
 
 /*
- * Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+ * Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
 
 /*
- * Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not
- * read) of navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion
- * is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and
- * flagged so, errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+ * Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
+ * gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
+ * flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
+ * truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
+ * until sins_reset().
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
- * started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
- * SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
+ * coefficients are set, but increments have no temperature.
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  */
 SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
 
 /*
- * Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
- * interval_s; sins_get_imu() tells the host's increments as the ideal ones.
- * sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+ * Navigates over one interval on the host's increments. Sensor errors that are set are added to the increments. The time
+ * advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
+ * updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
- * SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
- * turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
- * solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+ * SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+ * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
+ * readable, and sins_reset() and sins_start_navigation() start anew.
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
- * with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
- * besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+ * Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
+ * waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
+ * altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
+ * bytes.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 
 /*
- * Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
- * stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
- * keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+ * Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
+ * position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
+ * no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
+ * allocation, no system call.
  *
- * Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR it is the last
- * good solution that is saved, after SINS_ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+ * Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR the last
+ * good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
  *
- * SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are as they were.
+ * SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are unchanged.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, size_t capacity, size_t *written);
 
 /*
- * Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
- * fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
- * what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
+ * Replaces the simulator by the saved one, including its options (see sins_get_options()). So a fresh handle of
+ * sins_create(NULL, ...) is enough. The run continues to the same bits as the saved one. size is the size that
+ * sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
  *
- * SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
- * sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
- * where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+ * SINS_ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has changed,
+ * and sins_last_error() says which it is. Later releases read the snapshots of earlier ones; the run continues to the same
+ * bits unless CHANGELOG says that the algorithms changed.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
@@ -2351,8 +2468,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(
     sins_ensemble *ensemble, const void *snapshot, size_t size);
 
 /*
- * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at turn-on
- * with the standard deviations that the source states; what it does not state is 0.
+ * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
+ * drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */
@@ -2366,26 +2483,30 @@ SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, struct sins_gyro_
 SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_accel_params *params);
 
 /*
- * Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
- * to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+ * Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
+ * forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
+ * manoeuvres[0].struct_size is the distance between the manoeuvres.
  *
- * Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600 s
- * of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+ * Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+ * to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+ * and heading need no pieces.
  *
- * On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
- * value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
- * index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
- * 200000 pieces (which take 3 s), or 4096 flights that live.
+ * On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
+ * sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+ * SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(
     const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
     sins_flight **flight);
 
-/* Length of the flight [s]. */
+/* Reads the duration of the flight [s]. */
 SINS_API sins_status SINS_CALL sins_flight_duration(const sins_flight *flight, double *duration_s);
 
 /*
- * The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
+ * Reads the sample at time_s, from 0 to the duration [s]. It is exact at any time, and times may come in any order. No
+ * allocation; 0.5 to 2 us.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
  */
@@ -2403,26 +2524,28 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
  * height 0, sampled at 100 Hz.
  *
- * On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
- * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
- * a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
- * it, the process ends. So it is of sins_log_parse(), but for the samples.
+ * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
+ * of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
+ * sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If it runs
+ * out later within the call, because another thread takes it, the process ends. The same holds for sins_log_parse(),
+ * except for the samples.
  */
 SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
 /*
- * Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+ * Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
+ * sins_scene_write_keys() lists the keys.
  *
- * SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
- * that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
- * sins_scene_create().
+ * SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
+ * is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
 
 /*
- * Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+ * Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
  *
- * SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+ * SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
  */
 SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, size_t index, struct sins_fault *fault);
 
@@ -2430,12 +2553,13 @@ SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, siz
  * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
  * "over_the_pole", "coning", "commuter".
  *
- * SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ * SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
 
 /*
- * The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+ * Reads the name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
  *
  * SINS_ERROR_INVALID_ARGUMENT: there are no more.
  */
@@ -2444,24 +2568,26 @@ SINS_API sins_status SINS_CALL sins_scene_builtin_name(size_t index, char *buffe
 /*
  * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
  *
- * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
- * SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
- * manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the size
+ * only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
+ * so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_write(
     const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+ * Writes every section and key of a scene, one in a line, with its values, its unit and its meaning. buffer, capacity and
  * needed as in sins_scene_write().
  */
 SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
- * their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+ * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
+ * sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
+ * rate.
  *
- * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse().
  * SINS_ERROR_OUT_OF_MEMORY: as sins_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *scene, sins_sim **sim);
@@ -2470,32 +2596,33 @@ SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *sce
  * Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
  * up to sins_scene_setup.flown_s.
  *
- * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
- * sins_flight_create().
+ * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
+ * Else as sins_flight_create().
  */
 SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
 
 /*
- * Destroys a scene. Simulators and flights that were made of it live on.
+ * Destroys a scene. Simulators and flights that were created from it stay valid.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
 
 /*
- * Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
- * next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the first
- * interval that starts at their time or later; failures of outputs for which it plans none are left alone.
+ * Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of
+ * the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval that starts at or
+ * after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
  * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
  *
- * SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
- * from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_BAD_HANDLE: of scene or sim.
+ * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare(
     const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
 
 /*
- * The same for all runs of an ensemble: as sins_scene_prepare().
+ * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator.
  *
  * SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
  */
@@ -2510,8 +2637,8 @@ SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(
 SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
 
 /*
- * Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
- * whether they go together is checked where the scene is written and its simulator is created.
+ * Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any order:
+ * whether they go together is checked when the scene is written, and when its simulator is created.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
  */
@@ -2561,62 +2688,64 @@ SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(
 SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(
     sins_scene *scene, const struct sins_initial_errors *errors);
 
-/* Reads where the sensor block of the scene sits. */
+/* Reads the mounting of the scene's sensor block. */
 SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, struct sins_mounting *mounting);
 
 /*
- * Sets where the sensor block of the scene sits.
+ * Sets the mounting of the scene's sensor block.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const struct sins_mounting *mounting);
 
-/* Reads true gravity less normal gravity of the scene. */
+/* Reads the gravity disturbance of the scene. */
 SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(
     const sins_scene *scene, struct sins_gravity_params *params);
 
 /*
- * Sets true gravity less normal gravity of the scene.
+ * Sets the gravity disturbance of the scene.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(
     sins_scene *scene, const struct sins_gravity_params *params);
 
-/* Reads what a scene says of its flight and of its output. */
+/* Reads the settings of a scene for its flight and its output. */
 SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, struct sins_scene_setup *setup);
 
 /*
- * Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+ * Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
 
 /*
- * Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
- * all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
- * count alone manoeuvres with a capacity of 0.
+ * Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
+ * how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the manoeuvres. start
+ * and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
  *
- * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
- * is a log; or as sins_scene_parse().
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
+ * SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_get_manoeuvres(
     const sins_scene *scene, struct sins_flight_start *start, struct sins_manoeuvre *manoeuvres, size_t capacity,
     size_t *count, size_t *repeat);
 
 /*
- * Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most. start->earth
- * is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from then on.
+ * Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+ * start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
+ * sampled at 100 Hz.
  *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_manoeuvres(
     sins_scene *scene, const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
     size_t repeat);
 
 /*
- * Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in sins_scene_write().
+ * Reads a text of the scene; which is of enum sins_scene_text. An empty text means that it is not set. buffer, capacity
+ * and needed as in sins_scene_write().
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such text.
  */
@@ -2624,17 +2753,18 @@ SINS_API sins_status SINS_CALL sins_scene_get_text(
     const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the flight of a scene is never none.
+ * Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
+ * text clears it; a text that selects the flight cannot be empty.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_text(sins_scene *scene, int32_t which, const char *text);
 
-/* How many failures the scene plans. */
+/* Reads the number of failures that the scene plans. */
 SINS_API sins_status SINS_CALL sins_scene_get_failure_count(const sins_scene *scene, size_t *count);
 
 /*
- * Planned failure `index`, from 0.
+ * Reads planned failure `index`, from 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such failure.
  */
@@ -2642,38 +2772,40 @@ SINS_API sins_status SINS_CALL sins_scene_get_failure(
     const sins_scene *scene, size_t index, struct sins_planned_failure *failure);
 
 /*
- * Plans one failure more.
+ * Adds a planned failure.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
  */
 SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const struct sins_planned_failure *failure);
 
-/* Plans no failure any more. */
+/* Removes all planned failures. */
 SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
 
 /*
  * Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
- * order; columns of other names are passed over, and a row with more fields than columns is a fault:
+ * order; columns of other names are ignored, and a row with more fields than columns is a fault:
  *
- * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
- * heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
- * rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+ * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
+ * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+ * force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
  *
- * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
- * ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a sample.
+ * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
+ * ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it allocates,
+ * 184 bytes a sample.
  *
- * SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
- * *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+ * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
+ * and *log is unchanged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
  */
 SINS_API sins_status SINS_CALL sins_log_parse(
     const char *text, size_t size, sins_log **log, struct sins_fault *fault);
 
-/* Tells how many samples a log has, how long it is, and its title. */
+/* Reads the number of samples of a log, its duration and its title. */
 SINS_API sins_status SINS_CALL sins_log_get_info(const sins_log *log, struct sins_log_info *info);
 
 /*
- * The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the text
- * on which it stands, from 1. No allocation.
+ * Reads sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets its line in
+ * the text, from 1. No allocation.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such sample.
  */
@@ -2688,70 +2820,85 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(
 SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
- * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
- * are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+ * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+ * cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
  *
- * configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
- * the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
- * reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
- * for sins_create(); what these three were does not matter.
+ * configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
+ * the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
+ * point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready for
+ * sins_create(). The previous values of these three do not matter.
  *
- * Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with that
- * of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error is
- * that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
- * alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
- * error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
- * pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
- * one of height, which grows by e every 569 s.
+ * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
+ * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
+ * with half as many updates) is added to the error. So the error is that of the algorithm only. Errors of sensors,
+ * altimeter, start, gravity and believed mounting are left out, because they act on both solutions alike; so are
+ * contradictions within the host's samples. The signals are without SINS_SIGNAL_CLOSED_LOOP, which would hide the error.
+ * For a duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. This predicts
+ * more than the flight will show, as long as the flight continues like the piece. With SINS_VERTICAL_FREE each error
+ * counts as a height error, which grows e-fold every 569 s.
  *
- * The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
- * ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
+ * The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every day;
+ * only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
  * nothing meets the requirement.
  *
- * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
- * sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
- * algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+ * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
+ * closest.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+ * SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+ * SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory.
+ *
+ * sins_last_error(NULL, ...) on this thread gives the reason and the sample.
  */
 SINS_API sins_status SINS_CALL sins_recommend(
     const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
     const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
 
 /*
- * Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
- * out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
- * of the rows anything.
+ * Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+ * can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
+ * struct_size of the other samples may be 0, that of the other rows anything.
  *
- * configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros, the
- * accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the call
- * and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs and no
- * limits; written and budget may be NULL.
+ * configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
+ * accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
+ * neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
+ * limits. written and budget may be NULL.
  *
- * An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
- * none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
- * runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
- * run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
- * instants, equally spaced, and that of the last sample. Of an effect that is drawn it is one standard deviation by the
- * covariance of a flight with this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All together
- * is flown with the draws of the runs sins_options.run, run + 1 and so on.
+ * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two things are
+ * no effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect that causes it.
+ * lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+ * (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the
+ * length of this vector in position, velocity and misalignment: the largest of up to 1000 instants, equally spaced, and
+ * the one at the last sample. For a random effect it is one standard deviation by the covariance of a flight with
+ * this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All effects together are flown with
+ * the random numbers of the runs sins_options.run, run + 1 and so on.
  *
- * rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
- * position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
- * the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the effects.
+ * rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
+ * position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
+ * the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
+ * effects that act on each other, and is of second order in their sizes.
  *
- * With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
- * while the sum of the deterministic contributions and the root of the sum of squares of the random ones are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
- * what that changes, left_out, is beyond a limit, the largest of them comes back.
+ * With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It collects effects
+ * from the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of squares of their random
+ * contributions. The call stops when the root sum of squares of D and R exceeds a limit. Then it
+ * flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts the largest of them
+ * back.
  *
- * But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
- * and flies 1 + each effect + runs times all together, and as many times what is random, with limits again runs times and
- * more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+ * The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame:
+ * it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1, plus one for
+ * each effect, plus runs for all effects together, plus runs for the random effects if there are any. With limits it is
+ * runs more, and again more if effects do not add up.
  *
- * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
- * may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,
- * SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
- * pole. SINS_ERROR_DIVERGED: a solution left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread
- * tells why, and at which sample.
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
+ * (To ask for the number, give NULL for rows and a capacity of 0.)
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+ * SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+ * SINS_ERROR_DIVERGED: a solution diverged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory.
+ *
+ * sins_last_error(NULL, ...) on this thread gives the reason and the sample.
  */
 SINS_API sins_status SINS_CALL sins_error_budget(
     const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,

@@ -1,12 +1,12 @@
 --  The interface of the library sins for Ada 2012: the names, the units and the documentation are those of include/sins.h, which
---  begins with what holds for all functions. An argument that is called record there is called the_record here.
+--  begins with the rules for all functions. An argument that is called record there is called the_record here.
 --
---  Structs. Every variable of a record type is ready to be used: struct_size is set and all else is zero, which is off or
---    recommended. Where the documentation says that a pointer to a struct may be NULL, hand over a fresh variable: it means
+--  Structs. Every variable of a record type is ready to use: struct_size is set, and all other fields are zero, which is off
+--    or recommended. Where the documentation says that a pointer to a struct may be NULL, pass a fresh variable: it means
 --    the same. Arrays count from 0, as in C, and matrices are (row, column).
 --  Handles of simulators, flights, scenes and logs are access types that begin as null. They are never followed.
---  Texts. One that goes to the library is Interfaces.C.To_C ("patrol"); To_Ada and Interfaces.C.Strings.Value make a String of
---    what comes back.
+--  Texts. A text for the library is Interfaces.C.To_C ("patrol"). To_Ada and Interfaces.C.Strings.Value convert a text of the
+--    library to a String.
 --  Flags are Unsigned_32, or Integer_32 where those of C are: (Unsigned_32 (flags) and SINS_IMU_GYRO_INVALID) /= 0.
 --
 --  This file is written by build.rs from the Rust sources; do not edit it.
@@ -24,9 +24,9 @@ package Sins is
    SINS_ARCMIN : constant double := 2.908882086657216e-4;
    --  second of arc [rad]
    SINS_ARCSEC : constant double := 4.84813681109536e-6;
-   --  degree an hour [rad/s]
+   --  degree per hour [rad/s]
    SINS_DEG_PER_HOUR : constant double := 4.84813681109536e-6;
-   --  degree a root hour, angle random walk [rad/sqrt(s)]
+   --  degree per root hour, angle random walk [rad/sqrt(s)]
    SINS_DEG_PER_SQRT_HOUR : constant double := 2.908882086657216e-4;
    --  g [m/s2]
    SINS_STANDARD_GRAVITY : constant double := 9.80665e0;
@@ -34,17 +34,17 @@ package Sins is
    SINS_MICRO_G : constant double := 9.806649999999999e-6;
    --  white noise of force [(m/s)/sqrt(s)]
    SINS_MICRO_G_PER_SQRT_HZ : constant double := 9.806649999999999e-6;
-   --  part in a million
+   --  part per million
    SINS_PPM : constant double := 1.0e-6;
    --  knot [m/s]
    SINS_KNOT : constant double := 5.144444444444445e-1;
    --  nautical mile [m]
    SINS_NMI : constant double := 1.852e3;
-   --  nautical mile an hour [m/s]
+   --  nautical mile per hour [m/s]
    SINS_NMI_PER_HOUR : constant double := 5.144444444444445e-1;
 
-   --  Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes when
-   --  something that was there is gone or means something else; what is added at the end does not change it.
+   --  Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
+   --  when something is removed or changes its meaning. Additions at the end do not change it.
    SINS_HEADER_ABI : constant := 1;
    --  Release of the library, semantic versioning.
    SINS_VERSION_MAJOR : constant := 0;
@@ -54,44 +54,45 @@ package Sins is
    SINS_VERSION_PATCH : constant := 0;
    --  A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
    --  sins_snapshot_size().
-   SINS_SNAPSHOT_MAX_SIZE : constant := 8192;
+   SINS_SNAPSHOT_MAX_SIZE : constant := 20480;
 
-   --  Result of a call: `SINS_OK`, positive an answer of another kind, negative an error. On an error nothing changed.
+   --  Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
+   --  changed.
    subtype sins_status is Integer_32;
 
-   --  Values of a sins_status: 0, positive an answer of another kind, negative an error.
+   --  Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither.
    subtype sins_status_code is Integer_32;
    --  The call did what it says.
    SINS_OK : constant sins_status_code := 0;
    --  There is no complete interval yet: push the next sample.
    SINS_NEED_SAMPLE : constant sins_status_code := 1;
-   --  No options meet the requirement; the outputs tell the best there are.
+   --  No options meet the requirement; the outputs hold the best options there are.
    SINS_REQUIREMENT_NOT_MET : constant sins_status_code := 2;
-   --  The text of a scene has faults: the handle was made, for sins_scene_get_fault() alone.
+   --  The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it.
    SINS_SCENE_HAS_FAULTS : constant sins_status_code := 3;
-   --  The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times each of
-   --  the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's clock ran on
-   --  while the vehicle stood still, that is wrong: see sins_move_time().
+   --  The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
+   --  each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's
+   --  clock ran on while the vehicle stood still, that is wrong: see sins_move_time().
    SINS_GAP : constant sins_status_code := 4;
-   --  A pointer that must not be null is.
+   --  A pointer is null where null is not allowed.
    SINS_ERROR_NULL_POINTER : constant sins_status_code := -1;
    --  The handle is null, made up, destroyed, or of another kind.
    SINS_ERROR_BAD_HANDLE : constant sins_status_code := -2;
-   --  A struct_size that no release knows, or a struct of a newer release that uses what this one lacks.
+   --  A struct_size that no release knows, or a struct of a newer release that sets a field which this release lacks.
    SINS_ERROR_STRUCT_SIZE : constant sins_status_code := -3;
    --  A value out of its range; sins_last_error() names field, value and limit.
    SINS_ERROR_INVALID_ARGUMENT : constant sins_status_code := -4;
-   --  The right call at the wrong moment, or on a handle that this thread is inside or that is held for ever (see Threads).
+   --  A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds (see Threads).
    SINS_ERROR_BAD_STATE : constant sins_status_code := -5;
    --  A sample that is not later than the one before, or off the stated sample period.
    SINS_ERROR_TIME_ORDER : constant sins_status_code := -6;
-   --  Truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
+   --  The truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
    SINS_ERROR_DISCONTINUITY : constant sins_status_code := -7;
    --  The queue of samples is full: step first.
    SINS_ERROR_QUEUE_FULL : constant sins_status_code := -8;
-   --  The solution left its representable range; the last good one stays readable.
+   --  The solution diverged: it left its limits. The last good solution stays readable.
    SINS_ERROR_DIVERGED : constant sins_status_code := -9;
-   --  The geographic mechanization came within reach of a pole.
+   --  The mechanization in geographic axes came too close to a pole.
    SINS_ERROR_SINGULAR : constant sins_status_code := -10;
    --  A buffer is too small for the result.
    SINS_ERROR_BUFFER_TOO_SMALL : constant sins_status_code := -11;
@@ -99,34 +100,34 @@ package Sins is
    SINS_ERROR_OUT_OF_MEMORY : constant sins_status_code := -12;
    --  The snapshot is damaged, foreign or newer.
    SINS_ERROR_SNAPSHOT : constant sins_status_code := -13;
-   --  A defect inside the library was caught; this handle answers so from now on, others live.
+   --  A defect inside the library was caught. This handle returns this status from now on; other handles still work.
    SINS_ERROR_INTERNAL : constant sins_status_code := -99;
 
    --  Axes in which the mechanization integrates.
    subtype sins_frame is Integer_32;
    --  Navigation in Earth-fixed axes: regular everywhere, poles included.
    SINS_FRAME_EARTH_FIXED : constant sins_frame := 0;
-   --  Navigation in east-north-up, as in the paper; SINS_ERROR_SINGULAR within 6.4 km of a pole, and where an update moves by more
-   --  than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+   --  Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
+   --  moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
    SINS_FRAME_GEOGRAPHIC : constant sins_frame := 1;
 
    --  Algorithms of the mechanization.
    subtype sins_scheme is Integer_32;
-   --  Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+   --  Coning, sculling and exact rotation compensation; Earth terms from the middle of the update.
    SINS_SCHEME_EXACT : constant sins_scheme := 0;
-   --  The paper's equations (7)-(24), misprints mended, approximations kept.
+   --  The paper's equations (7)-(24), misprints corrected, approximations kept.
    SINS_SCHEME_PAPER : constant sins_scheme := 1;
    --  As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
    SINS_SCHEME_POLYNOMIAL : constant sins_scheme := 2;
 
-   --  What holds the vertical channel.
+   --  What stabilizes the vertical channel.
    subtype sins_vertical is Integer_32;
-   --  Third-order loop on a barometric height, time constant 100 s. Its response is that of the continuous loop to second order in
-   --  the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+   --  Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
+   --  order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
    SINS_VERTICAL_DAMPED : constant sins_vertical := 0;
    --  Height and vertical velocity set to the truth at each sample.
    SINS_VERTICAL_FOLLOW_TRUTH : constant sins_vertical := 1;
-   --  Left to itself: any error grows by e every 569 s.
+   --  Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
    SINS_VERTICAL_FREE : constant sins_vertical := 2;
 
    --  Whether the error differential equations are integrated.
@@ -136,12 +137,19 @@ package Sins is
    --  The error differential equations (error data 1) by fourth-order Runge-Kutta.
    SINS_ERROR_MODEL_RK4 : constant sins_error_model := 1;
 
-   --  Whether the motion of the truth is summed up.
+   --  Whether the library summarizes the true motion.
    subtype sins_summary is Integer_32;
    --  sins_get_truth_summary() is not available.
    SINS_SUMMARY_OFF : constant sins_summary := 0;
-   --  The motion of the truth is summed up; the other outputs have the same bits.
+   --  sins_get_truth_summary() is available. The other outputs have the same bits as without.
    SINS_SUMMARY_ON : constant sins_summary := 1;
+
+   --  Whether the covariance of the navigation errors is propagated.
+   subtype sins_covariance_mode is Integer_32;
+   --  sins_get_covariance() is not available.
+   SINS_COVARIANCE_OFF : constant sins_covariance_mode := 0;
+   --  The covariance is propagated along the truth; the other outputs have the same bits.
+   SINS_COVARIANCE_ON : constant sins_covariance_mode := 1;
 
    --  Ellipsoids.
    subtype sins_earth is Integer_32;
@@ -170,20 +178,21 @@ package Sins is
 
    --  Ideal signals.
    subtype sins_signal is Integer_32;
-   --  Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
+   --  Ideal signals are the integrals of the true angular rate and specific force, so the navigation shows the mechanization's
+   --  own error.
    SINS_SIGNAL_PHYSICAL : constant sins_signal := 0;
-   --  The same with a small trim that holds an error-free navigator to the truth over any time, the free vertical channel too:
-   --  for hosts that want nothing but the sensors' errors. sins_accuracy tells how large it was. Where no sensor errs, that
-   --  navigator is the simulator's own and nothing is computed twice.
+   --  As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
+   --  free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
+   --  trim. If no sensor has errors, the simulator's own navigator is that navigator, and nothing is computed twice.
    SINS_SIGNAL_CLOSED_LOOP : constant sins_signal := 1;
 
    --  Flags of a sins_error_info.
    subtype sins_error_info_flags is Unsigned_32;
-   --  A value is at fault, and is in value.
+   --  The field value holds the value at fault.
    SINS_ERROR_INFO_VALUE : constant sins_error_info_flags := 1;
-   --  There is a least value, and minimum has it.
+   --  The field minimum holds the least allowed value.
    SINS_ERROR_INFO_MINIMUM : constant sins_error_info_flags := 2;
-   --  There is a greatest value, and maximum has it.
+   --  The field maximum holds the greatest allowed value.
    SINS_ERROR_INFO_MAXIMUM : constant sins_error_info_flags := 4;
    --  The field is an integer.
    SINS_ERROR_INFO_INTEGER : constant sins_error_info_flags := 8;
@@ -199,32 +208,33 @@ package Sins is
 
    --  Kinds of failure.
    subtype sins_failure_kind is Integer_32;
-   --  None: clears the failure that there is.
+   --  No failure: clears the failure that is set.
    SINS_FAILURE_NONE : constant sins_failure_kind := 0;
-   --  The output holds the measured mean of the interval before, as sins_imu told it; without one its first value. Not flagged:
-   --  it looks like data.
+   --  The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
+   --  its first value. Not flagged, because it looks like data.
    SINS_FAILURE_STUCK : constant sins_failure_kind := 1;
-   --  No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as built-in tests do; without the
-   --  altimeter the vertical channel is left to itself, flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+   --  No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
+   --  altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
    SINS_FAILURE_DEAD : constant sins_failure_kind := 2;
-   --  A bias of size more. Not flagged.
+   --  An additional bias, of the field size. Not flagged.
    SINS_FAILURE_BIAS_STEP : constant sins_failure_kind := 3;
-   --  Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample of the altimeter shows their
-   --  mean over its interval. Not flagged but where they saturate.
+   --  Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
+   --  altimeter shows their mean over its interval. Flagged only where they saturate the output.
    SINS_FAILURE_SPIKES : constant sins_failure_kind := 4;
-   --  White noise of density more; of the altimeter its mean over the interval. Not flagged.
+   --  Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
    SINS_FAILURE_NOISE : constant sins_failure_kind := 5;
-   --  Sample intervals are lost: 0, and flagged as SINS_FAILURE_DEAD. With probability each by itself, or with interval_s one in
-   --  that time, the first at once.
+   --  Sample intervals are lost: the output is 0 there, and flagged as with SINS_FAILURE_DEAD. Either each interval is lost
+   --  independently with the field probability, or one interval is lost every interval_s, the first immediately.
    SINS_FAILURE_DROP_OUTS : constant sins_failure_kind := 6;
 
    --  How the INS finds its attitude at the start.
    subtype sins_alignment is Integer_32;
    --  The INS starts with the true attitude, turned by the given and the drawn misalignment.
    SINS_ALIGNMENT_GIVEN : constant sins_alignment := 0;
-   --  The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start, turned
-   --  by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal force. Then
-   --  the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN tells that they found none.
+   --  The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
+   --  turned by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal
+   --  force. Then the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN is set if
+   --  north could not be found.
    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS : constant sins_alignment := 1;
 
    --  Flags of a sins_flight_sample.
@@ -233,27 +243,31 @@ package Sins is
    SINS_SAMPLE_ANGULAR_RATE : constant sins_sample_flags := 1;
    --  The sample carries specific_force_m_s2.
    SINS_SAMPLE_SPECIFIC_FORCE : constant sins_sample_flags := 2;
-   --  The sample has no velocity: it follows from position, with a noise of 2 to 4 position errors over the interval.
+   --  The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
+   --  interval.
    SINS_SAMPLE_NO_VELOCITY : constant sins_sample_flags := 4;
    --  The sample carries temperature_c.
    SINS_SAMPLE_TEMPERATURE : constant sins_sample_flags := 8;
 
    --  Flags of a sins_navigation.
    subtype sins_navigation_flags is Integer_32;
-   --  Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are undefined. Quaternion, height
-   --  and the errors in metres stay right.
+   --  Within 20 km of the Earth's axis: longitude and heading change fast there, and at the pole they are undefined.
+   --  Quaternion, height and the errors in metres stay correct.
    SINS_NAVIGATION_NEAR_POLE : constant sins_navigation_flags := 1;
-   --  Nothing aids the vertical channel, by the options or as the altimeter has no signal: any error grows by e every 569 s.
+   --  Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
+   --  every 569 s.
    SINS_NAVIGATION_VERTICAL_UNAIDED : constant sins_navigation_flags := 2;
-   --  Truth: the displacement since the sample before contradicts the velocities by more than 1 % and 1 cm, added as squares.
+   --  Of the truth: the displacement since the previous sample differs from the one that the velocities give by more than the
+   --  root sum of squares of 1 % and 1 cm.
    SINS_NAVIGATION_INCONSISTENT : constant sins_navigation_flags := 4;
-   --  The alignment at the start could not find north, so that any heading error is possible: the horizontal error of the levelled
-   --  rates is not smaller than the Earth rate's north part (where it is smaller, the heading error is below 90 degrees), or the
-   --  accelerometers show no force. The simulator knows that error. A real INS can be sure of it only where its levelled
-   --  horizontal rate is more than twice the Earth rate's north part. The flag stays until the INS starts again.
+   --  The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
+   --  force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
+   --  it is smaller, the heading error is below 90 degrees.) The simulator knows this error. A real INS can be sure of this
+   --  case only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays until
+   --  the INS starts again.
    SINS_NAVIGATION_NORTH_UNKNOWN : constant sins_navigation_flags := 8;
 
-   --  Where errors come from.
+   --  The two sources of errors.
    subtype sins_errors_source is Integer_32;
    --  Navigation minus truth: the paper's error data 2.
    SINS_ERRORS_NAVIGATION : constant sins_errors_source := 0;
@@ -262,10 +276,11 @@ package Sins is
 
    --  Flags of a sins_errors.
    subtype sins_errors_flags is Integer_32;
-   --  Near a pole: longitude, heading and up misalignment, and east and north of the velocity, have lost their meaning.
+   --  Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
+   --  error have no meaning.
    SINS_ERRORS_NEAR_POLE : constant sins_errors_flags := 1;
-   --  Error model: misalignment above 2 degrees, displacement above 100 km or, at high latitude, above 3.5 % of the distance to the
-   --  pole; what it drops is no longer small.
+   --  Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+   --  displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
    SINS_ERRORS_OUTSIDE_VALIDITY : constant sins_errors_flags := 2;
    --  In a sins_record: not computed, all zero.
    SINS_ERRORS_NOT_COMPUTED : constant sins_errors_flags := 4;
@@ -276,9 +291,9 @@ package Sins is
    SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
    --  The mean force of a sub-increment was beyond the range of an accelerometer.
    SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
-   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with the 0 that it gave.
+   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
    SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
-   --  An accelerometer had none.
+   --  An accelerometer had no signal in the interval: dead, or dropped out.
    SINS_IMU_ACCEL_INVALID : constant sins_imu_flags := 8;
 
    --  Grades of sensors.
@@ -305,20 +320,22 @@ package Sins is
    SINS_MANOEUVRE_REST : constant sins_manoeuvre_kind := 0;
    --  Along a geodesic at constant speed and height for duration_s.
    SINS_MANOEUVRE_STRAIGHT : constant sins_manoeuvre_kind := 1;
-   --  By speed_change_m_s in duration_s.
+   --  Changes the speed by speed_change_m_s in duration_s.
    SINS_MANOEUVRE_ACCELERATE : constant sins_manoeuvre_kind := 2;
-   --  By height_change_m in duration_s, ramp_s.
+   --  Changes the height by height_change_m in duration_s. Uses ramp_s.
    SINS_MANOEUVRE_CLIMB : constant sins_manoeuvre_kind := 3;
-   --  Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in and out; the duration
-   --  follows.
+   --  Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
+   --  duration follows from these.
    SINS_MANOEUVRE_TURN : constant sins_manoeuvre_kind := 4;
-   --  turns whole rolls (right positive) in duration_s along a straight path.
+   --  Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path.
    SINS_MANOEUVRE_ROLL : constant sins_manoeuvre_kind := 5;
-   --  turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
+   --  Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
+   --  ramp_s.
    SINS_MANOEUVRE_LOOP : constant sins_manoeuvre_kind := 6;
-   --  Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
+   --  The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
+   --  ramp_s.
    SINS_MANOEUVRE_S_TURN : constant sins_manoeuvre_kind := 7;
-   --  Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning, vibration.
+   --  Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
    SINS_MANOEUVRE_SINUSOIDS : constant sins_manoeuvre_kind := 8;
 
    --  What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
@@ -338,31 +355,31 @@ package Sins is
 
    --  Where the flight of a scene comes from: sins_scene_setup.flight.
    subtype sins_scene_flight is Integer_32;
-   --  It is composed of manoeuvres.
+   --  The flight is composed of manoeuvres.
    SINS_SCENE_FLIGHT_MANOEUVRES : constant sins_scene_flight := 0;
-   --  That of a built-in scene, SINS_SCENE_TEXT_BUILTIN.
+   --  The flight is that of a built-in scene, named by SINS_SCENE_TEXT_BUILTIN.
    SINS_SCENE_FLIGHT_BUILTIN : constant sins_scene_flight := 1;
-   --  A flight log, SINS_SCENE_TEXT_LOG.
+   --  The flight is a log, named by SINS_SCENE_TEXT_LOG.
    SINS_SCENE_FLIGHT_LOG : constant sins_scene_flight := 2;
 
    --  The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
    subtype sins_scene_text is Integer_32;
-   --  The scene in words.
+   --  Title: the scene in a few words.
    SINS_SCENE_TEXT_TITLE : constant sins_scene_text := 0;
-   --  Path of the flight log, as seen from the scene's own folder; setting it makes the flight a log.
+   --  Path of the flight log, relative to the scene's own folder. Setting it makes the flight a log.
    SINS_SCENE_TEXT_LOG : constant sins_scene_text := 1;
-   --  Name of the built-in scene whose flight is flown; setting it makes the flight that.
+   --  Name of the built-in scene whose flight is flown. Setting it selects that flight.
    SINS_SCENE_TEXT_BUILTIN : constant sins_scene_text := 2;
-   --  Folder of the files that a program writes.
+   --  Folder of the output files of a program.
    SINS_SCENE_TEXT_FOLDER : constant sins_scene_text := 3;
-   --  Base name of those files.
+   --  Base name of the output files.
    SINS_SCENE_TEXT_NAME : constant sins_scene_text := 4;
-   --  File of the measured increments.
+   --  Name of the file for the measured increments.
    SINS_SCENE_TEXT_IMU : constant sins_scene_text := 5;
 
    --  Flags of a sins_budget_row.
    subtype sins_budget_flags is Unsigned_32;
-   --  The row's figures are standard deviations (1 sigma) over the runs.
+   --  The row's figures are standard deviations (1 sigma), exact to first order.
    SINS_BUDGET_RANDOM : constant sins_budget_flags := 1;
    --  The effect can be left out together with the others that are marked so.
    SINS_BUDGET_CAN_BE_LEFT_OUT : constant sins_budget_flags := 2;
@@ -400,6 +417,7 @@ package Sins is
    SINS_SIZEOF_ERRORS : constant Unsigned_32 := 144;
    SINS_SIZEOF_ACCURACY : constant Unsigned_32 := 256;
    SINS_SIZEOF_TRUTH_SUMMARY : constant Unsigned_32 := 232;
+   SINS_SIZEOF_COVARIANCE : constant Unsigned_32 := 776;
    SINS_SIZEOF_IMU_INCREMENT : constant Unsigned_32 := 264;
    SINS_SIZEOF_STATISTICS : constant Unsigned_32 := 14920;
    SINS_SIZEOF_FIGURES : constant Unsigned_32 := 936;
@@ -431,57 +449,58 @@ package Sins is
    type sins_unsigned_64_18 is array (0 .. 17) of Unsigned_64 with Convention => C;
    type sins_unsigned_64_90 is array (0 .. 89) of Unsigned_64 with Convention => C;
 
-   --  How a simulator is made. All zero (but struct_size) is the recommended simulator.
+   --  Options of a simulator. All zero (except struct_size) is the recommended simulator.
    type sins_options is record
       --  sizeof(sins_options)
       struct_size : Unsigned_32 := SINS_SIZEOF_OPTIONS;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Of enum sins_frame.
+      --  Axes of the mechanization, of enum sins_frame.
       frame : Integer_32 := 0;
-      --  Of enum sins_scheme.
+      --  Algorithm of the mechanization, of enum sins_scheme.
       scheme : Integer_32 := 0;
       --  Sub-increments of a mechanization update, 1 to 5; 0: 2.
       subsamples : Integer_32 := 0;
       --  Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
       updates_per_sample : Integer_32 := 0;
-      --  Of enum sins_vertical.
+      --  Vertical channel, of enum sins_vertical.
       vertical : Integer_32 := 0;
-      --  Of enum sins_error_model.
+      --  Error differential equations, of enum sins_error_model.
       error_model : Integer_32 := 0;
-      --  Of enum sins_earth.
+      --  Ellipsoid, of enum sins_earth.
       earth : Integer_32 := 0;
-      --  Of enum sins_gravity.
+      --  Normal gravity, of enum sins_gravity.
       gravity : Integer_32 := 0;
       --  Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
       axes : Integer_32 := 0;
-      --  Of enum sins_signal.
+      --  Ideal signals, of enum sins_signal.
       signal : Integer_32 := 0;
       --  Seed of all random streams.
       seed : Unsigned_64 := 0;
-      --  Number of the run in an ensemble: same seed, other draws.
+      --  Number of the run in an ensemble: the same seed with another run gives other random numbers.
       run : Unsigned_64 := 0;
-      --  Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 without it.
+      --  Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 with
+      --  another signal.
       closed_loop_time_s : double := 0.0;
-      --  Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps only order and check,
-      --  each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+      --  Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
+      --  sample is at an exact multiple of the period from the first. The time stamps then only order the samples and check
+      --  them: each must be within 0.4 of a period of its multiple.
       sample_period_s : double := 0.0;
-      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest: those of
-      --  100 s cost 40 m in 12 h, longer ones many times that.
+      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest.
+      --  Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
       max_gap_s : double := 0.0;
-      --  Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6 [m/s2];
-      --  0: 2000 m/s2.
+      --  Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped.
       max_acceleration_m_s2 : double := 0.0;
-      --  Of enum sins_summary.
+      --  Summary of the true motion, of enum sins_summary.
       truth_summary : Integer_32 := 0;
-      --  Must be 0.
-      reserved2 : Unsigned_32 := 0;
+      --  Of enum sins_covariance_mode.
+      covariance : Integer_32 := 0;
    end record with Convention => C;
    type sins_options_array is array (size_t range <>) of aliased sins_options with Convention => C;
 
-   --  True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal signals
-   --  are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a tenth of the
-   --  sample rate cannot be recovered from samples; give angular rate and specific force where you have them.
+   --  True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity
+   --  and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample rate cannot be
+   --  recovered from samples; give angular rate and specific force if you have them.
    type sins_flight_sample is record
       --  sizeof(sins_flight_sample)
       struct_size : Unsigned_32 := SINS_SIZEOF_FLIGHT_SAMPLE;
@@ -492,7 +511,7 @@ package Sins is
       time_s : double := 0.0;
       --  Geodetic latitude, -pi/2 to pi/2 [rad].
       latitude_rad : double := 0.0;
-      --  Longitude, east positive, -100 to 100 [rad]: any wrap.
+      --  Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
       longitude_rad : double := 0.0;
       --  Height above the ellipsoid, -20 km to 2000 km [m].
       height_m : double := 0.0;
@@ -500,9 +519,10 @@ package Sins is
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
       --  Roll, right wing down positive, any number of turns up to 10000 rad [rad].
       roll_rad : double := 0.0;
-      --  Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude turns
-      --  by less than 170 degrees, and by less than 180 degrees more or less than foreseen by the angular rates or else by the
-      --  interval before. Whole turns that a host loses otherwise are beyond knowledge.
+      --  Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
+      --  must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
+      --  angular rates predict, or, without rates, that the previous interval predicts. Other whole turns between two samples
+      --  cannot be detected.
       pitch_rad : double := 0.0;
       --  Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
       heading_rad : double := 0.0;
@@ -512,34 +532,35 @@ package Sins is
       --  With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
       specific_force_m_s2 : sins_double_3 := (others => 0.0);
       --  With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-      --  straight from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
-      --  SINS_ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in silence.
+      --  linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+      --  SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
       temperature_c : double := 0.0;
    end record with Convention => C;
    type sins_flight_sample_array is array (size_t range <>) of aliased sins_flight_sample with Convention => C;
 
-   --  Why a call failed: what the sentence of sins_last_error() is made of.
+   --  Why a call failed: the data of which the sentence of sins_last_error() is made.
    type sins_error_info is record
       --  sizeof(sins_error_info)
       struct_size : Unsigned_32 := SINS_SIZEOF_ERROR_INFO;
       --  Flags of enum sins_error_info_flags, or'ed.
       flags : Unsigned_32 := 0;
-      --  What the call returned, of enum sins_status_code; SINS_OK if none failed.
+      --  Status that the failed call returned, of enum sins_status_code; SINS_OK if no call failed.
       status : sins_status := 0;
       --  0
       reserved : Unsigned_32 := 0;
-      --  The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty if it is the call
-      --  itself.
+      --  Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured quantity; terminated.
+      --  Empty if the call itself is at fault.
       field : sins_char_96 := (others => nul);
-      --  Element of the field, from 0; -1: the field is no array, or all of it is at fault.
+      --  Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
       index : Integer_64 := 0;
-      --  Sample of the array that the call took, from 0; -1: none.
+      --  Index of the sample in the array of the call, from 0; -1: no sample is at fault.
       sample : Integer_64 := 0;
-      --  With SINS_ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the nearest double.
+      --  With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double.
       value : double := 0.0;
-      --  With SINS_ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself is refused.
+      --  With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too.
       minimum : double := 0.0;
-      --  With SINS_ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value itself is refused.
+      --  With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
+      --  too.
       maximum : double := 0.0;
    end record with Convention => C;
    type sins_error_info_array is array (size_t range <>) of aliased sins_error_info with Convention => C;
@@ -547,15 +568,15 @@ package Sins is
    --  Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an
    --  ideal triad. Signal: the angular rate. Densities do not depend on the sample rate.
    --
-   --  Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity, of the
-   --  signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added; then dead zone,
-   --  range, quantization.
+   --  Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale factor,
+   --  misalignment, asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and temperature; then biases and
+   --  noise; then dead zone, range, quantization.
    --
    --  Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
-   --  sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a vibration of frequency f
-   --  loses by that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and, where it changes sign, up to 1 - cos x
-   --  of its mean size (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 % with two sub-increments an interval, 3.3 % and
-   --  4.9 % with one.
+   --  sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration.
+   --  With x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1 - (sin x / x)^2. Asymmetry loses
+   --  up to 1 - cos x, if the vibration changes the sign of the signal. At a tenth of the sample rate these are 0.8 % and 1.2 %
+   --  with two sub-increments per interval, 3.3 % and 4.9 % with one.
    type sins_gyro_params is record
       --  sizeof(sins_gyro_params)
       struct_size : Unsigned_32 := SINS_SIZEOF_GYRO_PARAMS;
@@ -631,9 +652,9 @@ package Sins is
    --  Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero
    --  is an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
    --
-   --  Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
-   --  nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added; then dead
-   --  zone, range, quantization. What acts on the mean of a sub-increment: see sins_gyro_params.
+   --  Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far (scale
+   --  factor, misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and noise; then dead
+   --  zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a sub-increment.
    type sins_accel_params is record
       --  sizeof(sins_accel_params)
       struct_size : Unsigned_32 := SINS_SIZEOF_ACCEL_PARAMS;
@@ -675,9 +696,9 @@ package Sins is
       --  Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
       vibration_rectification_s2_m : sins_double_3 := (others => 0.0);
       --  Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-      --  -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At the start of a flight in
-      --  motion see sins_mounting; the velocity lacks the change of rate in the first interval for good. With
-      --  sins_push_imu() the angular acceleration follows from the increments before.
+      --  -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
+      --  in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
+      --  With sins_push_imu() the angular acceleration follows from the previous increments.
       lever_arm_m : sins_double_3_3 := (others => (others => 0.0));
       --  Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
       --  sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
@@ -714,35 +735,35 @@ package Sins is
       bias_m : double := 0.0;
       --  Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
       markov_sigma_m : double := 0.0;
-      --  Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
+      --  Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
       markov_time_s : double := 0.0;
       --  Standard deviation of the independent error of each sample, up to 1e5 m [m].
       noise_m : double := 0.0;
-      --  Scale factor error of the height, -1 to 1.
+      --  Scale factor error of the height [1], -1 to 1.
       scale_factor : double := 0.0;
       --  Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
       lag_s : double := 0.0;
    end record with Convention => C;
    type sins_altimeter_params_array is array (size_t range <>) of aliased sins_altimeter_params with Convention => C;
 
-   --  A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2 of an
-   --  accelerometer, m of the altimeter.
+   --  A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
+   --  rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
    type sins_failure is record
       --  sizeof(sins_failure)
       struct_size : Unsigned_32 := SINS_SIZEOF_FAILURE;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Of enum sins_failure_kind.
+      --  Kind of the failure, of enum sins_failure_kind.
       kind : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
       --  Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
       size : double := 0.0;
-      --  Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
+      --  Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
       density : double := 0.0;
-      --  Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
+      --  Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
       interval_s : double := 0.0;
-      --  Spikes: length of one, 1e-9 s to interval_s [s].
+      --  Spikes: length of one spike, 1e-9 s to interval_s [s].
       duration_s : double := 0.0;
       --  Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
       probability : double := 0.0;
@@ -757,9 +778,9 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_INITIAL_ERRORS;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Position [m].
+      --  Position error [m].
       position_enu_m : sins_double_3 := (others => 0.0);
-      --  Velocity [m/s].
+      --  Velocity error [m/s].
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
       --  Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
       --  east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
@@ -770,97 +791,101 @@ package Sins is
       velocity_sigma_enu_m_s : sins_double_3 := (others => 0.0);
       --  Standard deviation of misalignment, 0 to 1 [rad].
       misalignment_sigma_enu_rad : sins_double_3 := (others => 0.0);
-      --  Of enum sins_alignment.
+      --  Alignment at the start, of enum sins_alignment.
       alignment : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
    end record with Convention => C;
    type sins_initial_errors_array is array (size_t range <>) of aliased sins_initial_errors with Convention => C;
 
-   --  Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes of that:
-   --  believed = true + error, component by component. All zero is a block at the reference point, along the body axes.
+   --  Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of what
+   --  the INS believes about them: believed = true + error, component by component. All zero is a block at the reference
+   --  point, along the body axes.
    --
-   --  The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins_imu is about the block. The INS
-   --  navigates the block and gives out the reference point with what it believes: sins_navigation and sins_errors are about that.
-   --  Initial errors are those of the INS's solution of the block. Angular rate and specific force of a sample are of the reference
-   --  point, along body axes; so is the barometric height.
+   --  The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
+   --  the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
+   --  believes: sins_navigation and sins_errors describe the reference point. Initial errors are those of the INS's solution
+   --  for the block. Angular rate and specific force of a sample are those of the reference point, along body axes. The
+   --  barometric height is that of the reference point too.
    --
-   --  Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular acceleration of
-   --  the first interval: the force of a block off the reference point lacks angular acceleration times arm there. The second
-   --  interval has it to first order of its length, the third to second, later ones to third. The navigation does not suffer: what
-   --  the next sample tells of the block's velocity, the INS has known from the start. With SINS_SAMPLE_ANGULAR_RATE nothing is
-   --  lacking.
+   --  Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
+   --  the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
+   --  the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
+   --  interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
+   --  starts with the velocity of the block that matches the next sample. With SINS_SAMPLE_ANGULAR_RATE no term is missing.
    type sins_mounting is record
       --  sizeof(sins_mounting)
       struct_size : Unsigned_32 := SINS_SIZEOF_MOUNTING;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  From the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
+      --  Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
       lever_arm_m : sins_double_3 := (others => 0.0);
-      --  Roll, pitch and heading of the block's axes against the body axes, as those of the body against the horizon: right side
-      --  down, nose up, nose to the right; any number of turns up to 10000 rad, as in a flight sample [rad].
+      --  Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
+      --  relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
+      --  flight sample [rad].
       boresight_rad : sins_double_3 := (others => 0.0);
       --  Believed less true lever arm, -100 to 100 [m].
       lever_arm_error_m : sins_double_3 := (others => 0.0);
-      --  Believed less true boresight angles, -pi to pi [rad]. A heading believed too large makes the heading that the INS gives
-      --  out too small by as much.
+      --  Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too large, the heading that the INS
+      --  reports is too small by the same amount.
       boresight_error_rad : sins_double_3 := (others => 0.0);
    end record with Convention => C;
    type sins_mounting_array is array (size_t range <>) of aliased sins_mounting with Convention => C;
 
-   --  True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
-   --  disturbance: both at the same point). Each has a constant part and a random one, a first-order Gauss-Markov field along the
-   --  track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest it does not change. All zero is normal
-   --  gravity.
+   --  True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
+   --  gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
+   --  first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At
+   --  rest it does not change. All zero is normal gravity.
    --
-   --  Perfect accelerometers feel it: it is in the ideal signals of sins_imu. The INS takes it for an error of its
-   --  accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both sides of R
-   --  times the deflection; a levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+   --  Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
+   --  accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
+   --  twice R times the deflection, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
+   --  tilted by the deflection.
    type sins_gravity_params is record
       --  sizeof(sins_gravity_params)
       struct_size : Unsigned_32 := SINS_SIZEOF_GRAVITY_PARAMS;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. The true zenith lies north of
-      --  the ellipsoid's normal, and the accelerometers at rest feel g times this to the north.
+      --  Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
+      --  zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
       deflection_north_rad : double := 0.0;
-      --  Standard deviation of its random part, up to 0.01 [rad].
+      --  Standard deviation of the random part of the deflection in the meridian, up to 0.01 [rad].
       deflection_north_sigma_rad : double := 0.0;
-      --  Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation is not 0.
+      --  Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
       deflection_north_distance_m : double := 0.0;
       --  Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
-      --  0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
+      --  0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
       deflection_east_rad : double := 0.0;
-      --  Standard deviation of its random part, up to 0.01 [rad].
+      --  Standard deviation of the random part of the deflection in the prime vertical, up to 0.01 [rad].
       deflection_east_sigma_rad : double := 0.0;
-      --  Correlation distance of that, 1 to 1e9 [m].
+      --  Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
       deflection_east_distance_m : double := 0.0;
       --  Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
       anomaly_m_s2 : double := 0.0;
-      --  Standard deviation of its random part, up to 0.1 [m/s2].
+      --  Standard deviation of the random part of the anomaly, up to 0.1 [m/s2].
       anomaly_sigma_m_s2 : double := 0.0;
-      --  Correlation distance of that, 1 to 1e9 [m].
+      --  Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
       anomaly_distance_m : double := 0.0;
    end record with Convention => C;
    type sins_gravity_params_array is array (size_t range <>) of aliased sins_gravity_params with Convention => C;
 
    --  A solution within a sins_record; never grows. Fields as in sins_navigation.
    type sins_record_solution is record
-      --  [rad]
+      --  Geodetic latitude [rad].
       latitude_rad : double := 0.0;
-      --  [rad]
+      --  Longitude, east positive [rad].
       longitude_rad : double := 0.0;
-      --  [m]
+      --  Height above the ellipsoid [m].
       height_m : double := 0.0;
-      --  [m/s]
+      --  Velocity against the Earth, east-north-up [m/s].
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  [rad]
+      --  Roll, right wing down positive [rad].
       roll_rad : double := 0.0;
-      --  [rad]
+      --  Pitch, nose up positive [rad].
       pitch_rad : double := 0.0;
-      --  [rad]
+      --  Heading, clockwise from true north [rad].
       heading_rad : double := 0.0;
-      --  Scalar first.
+      --  Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
       quaternion_nb : sins_double_4 := (others => 0.0);
       --  Flags of enum sins_navigation_flags, or'ed.
       flags : Integer_32 := 0;
@@ -871,23 +896,23 @@ package Sins is
 
    --  Errors within a sins_record; never grows. Fields as in sins_errors.
    type sins_record_errors is record
-      --  [m]
+      --  Displacement from truth along true east and north, and error of height [m].
       position_enu_m : sins_double_3 := (others => 0.0);
-      --  [rad]
+      --  Error of latitude [rad].
       latitude_rad : double := 0.0;
-      --  [rad]
+      --  Error of longitude [rad].
       longitude_rad : double := 0.0;
-      --  [m]
+      --  Error of height [m].
       height_m : double := 0.0;
-      --  [m/s]
+      --  Error of velocity, east-north-up [m/s].
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  [rad]
+      --  Misalignment phi, east-north-up [rad].
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
-      --  [rad]
+      --  Error of roll [rad].
       roll_rad : double := 0.0;
-      --  [rad]
+      --  Error of pitch [rad].
       pitch_rad : double := 0.0;
-      --  [rad]
+      --  Error of heading [rad].
       heading_rad : double := 0.0;
       --  Flags of enum sins_errors_flags, or'ed.
       flags : Integer_32 := 0;
@@ -904,13 +929,14 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Time [s].
       time_s : double := 0.0;
-      --  As sins_get_truth().
+      --  The truth, as sins_get_truth() gives it.
       truth : sins_record_solution;
-      --  As sins_get_navigation().
+      --  The navigated solution, as sins_get_navigation() gives it.
       navigation : sins_record_solution;
-      --  As sins_get_errors() with SINS_ERRORS_NAVIGATION: error data 2.
+      --  Error data 2, as sins_get_errors() gives it with SINS_ERRORS_NAVIGATION.
       navigation_errors : sins_record_errors;
-      --  As sins_get_errors() with SINS_ERRORS_MODEL: error data 1; flagged SINS_ERRORS_NOT_COMPUTED while the model is off.
+      --  Error data 1, as sins_get_errors() gives it with SINS_ERRORS_MODEL; flagged SINS_ERRORS_NOT_COMPUTED while the model
+      --  is off.
       model_errors : sins_record_errors;
    end record with Convention => C;
    type sins_record_array is array (size_t range <>) of aliased sins_record with Convention => C;
@@ -956,21 +982,21 @@ package Sins is
       time_s : double := 0.0;
       --  Length of the interval [s].
       interval_s : double := 0.0;
-      --  Integral of the angular rate against inertial space, perfect gyros [rad].
+      --  Integral of the angular rate against inertial space, as perfect gyros measure it [rad].
       ideal_angle_rad : sins_double_3 := (others => 0.0);
-      --  Integral of the specific force, perfect accelerometers [m/s].
+      --  Integral of the specific force, as perfect accelerometers measure it [m/s].
       ideal_velocity_m_s : sins_double_3 := (others => 0.0);
-      --  What the modelled gyros give [rad].
+      --  Integral of the angular rate that the modelled gyros measure [rad].
       measured_angle_rad : sins_double_3 := (others => 0.0);
-      --  What the modelled accelerometers give [m/s].
+      --  Integral of the specific force that the modelled accelerometers measure [m/s].
       measured_velocity_m_s : sins_double_3 := (others => 0.0);
-      --  ideal_angle_rad over the interval [rad/s].
+      --  Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s].
       ideal_rate_rad_s : sins_double_3 := (others => 0.0);
-      --  ideal_velocity_m_s over the interval [m/s2].
+      --  Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2].
       ideal_force_m_s2 : sins_double_3 := (others => 0.0);
-      --  measured_angle_rad over the interval [rad/s].
+      --  Mean angular rate of the modelled gyros: measured_angle_rad divided by interval_s [rad/s].
       measured_rate_rad_s : sins_double_3 := (others => 0.0);
-      --  measured_velocity_m_s over the interval [m/s2].
+      --  Mean specific force of the modelled accelerometers: measured_velocity_m_s divided by interval_s [m/s2].
       measured_force_m_s2 : sins_double_3 := (others => 0.0);
    end record with Convention => C;
    type sins_imu_array is array (size_t range <>) of aliased sins_imu with Convention => C;
@@ -983,24 +1009,24 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Time [s].
       time_s : double := 0.0;
-      --  Displacement from truth along true east and north, and difference of heights [m].
+      --  Position error: displacement from truth along true east and north, and difference of heights [m].
       position_enu_m : sins_double_3 := (others => 0.0);
-      --  Latitude [rad].
+      --  Error of latitude [rad].
       latitude_rad : double := 0.0;
-      --  Longitude, wrapped to -pi..pi [rad].
+      --  Error of longitude, wrapped to -pi to pi [rad].
       longitude_rad : double := 0.0;
-      --  Height [m].
+      --  Error of height [m].
       height_m : double := 0.0;
-      --  Velocity [m/s]: difference of the components, each in its own east-north-up.
+      --  Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. The error
-      --  model has it to first order, computed C = (I - [phi x]) C.
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+      --  error model it is of first order: computed C = (I - [phi x]) C.
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
-      --  Roll, wrapped [rad].
+      --  Error of roll, wrapped to -pi to pi [rad].
       roll_rad : double := 0.0;
-      --  Pitch [rad].
+      --  Error of pitch [rad].
       pitch_rad : double := 0.0;
-      --  Heading, wrapped [rad].
+      --  Error of heading, wrapped to -pi to pi [rad].
       heading_rad : double := 0.0;
       --  Flags of enum sins_errors_flags, or'ed.
       flags : Integer_32 := 0;
@@ -1009,9 +1035,9 @@ package Sins is
    end record with Convention => C;
    type sins_errors_array is array (size_t range <>) of aliased sins_errors with Convention => C;
 
-   --  Running figures of the flight since its start or last reposition (sins_move_time() and sins_move_truth() leave them), errors
-   --  sampled once a second. They describe one run, which is no ensemble. Divide the rates by SINS_NMI_PER_HOUR for the unit of
-   --  data sheets.
+   --  Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
+   --  them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by SINS_NMI_PER_HOUR
+   --  for the unit of data sheets.
    type sins_accuracy is record
       --  sizeof(sins_accuracy)
       struct_size : Unsigned_32 := SINS_SIZEOF_ACCURACY;
@@ -1021,10 +1047,10 @@ package Sins is
       time_s : double := 0.0;
       --  Time since the start [s].
       duration_s : double := 0.0;
-      --  Where the window of the radial error rates begins, in time since the start: 300 s; before, they are initial errors
-      --  over next to nothing [s].
+      --  Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates would be initial errors
+      --  divided by a very short time [s].
       window_start_s : double := 0.0;
-      --  Samples in that window; the rates are 0 while there is none.
+      --  Samples in the window of the radial error rates. While there are none, the rates are 0.
       window_samples : Unsigned_64 := 0;
       --  sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
       radial_error_rate_rms_m_s : double := 0.0;
@@ -1032,42 +1058,43 @@ package Sins is
       cep_rate_m_s : double := 0.0;
       --  R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
       radial_95_rate_m_s : double := 0.0;
-      --  Slope of the straight line of least squares through the horizontal position error [m/s].
+      --  Slope of the least-squares line through the horizontal position error [m/s].
       radial_error_slope_m_s : double := 0.0;
-      --  Root mean square velocity error since the start, east-north-up; without samples within 20 km of the Earth's axis, where
-      --  east and north turn [m/s].
+      --  Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
+      --  and north turn fast, are left out [m/s].
       velocity_rms_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Closure: navigation minus truth now, position [m].
+      --  Position closure: navigation minus truth now [m].
       closure_position_enu_m : sins_double_3 := (others => 0.0);
-      --  Closure: navigation minus truth now, velocity [m/s].
+      --  Velocity closure: navigation minus truth now [m/s].
       closure_velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Share of the horizontal position closure that the host's own inconsistency explains [m]: the Schuler-tuned answer
-      --  to displacement by velocity less displacement by position; up is 0. Closure less this is the simulator's and the
-      --  sensors'.
+      --  Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
+      --  the Schuler-tuned response to displacement by velocity less displacement by position; up is 0. The rest of the
+      --  closure is caused by the simulator and the sensors.
       host_position_enu_m : sins_double_3 := (others => 0.0);
-      --  The same of the horizontal velocity closure; up is 0 [m/s].
+      --  Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s].
       host_velocity_enu_m_s : sins_double_3 := (others => 0.0);
       --  Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
       inconsistency_enu_m : sins_double_3 := (others => 0.0);
-      --  The largest of it in one interval [m].
+      --  The largest such difference in one interval [m].
       inconsistency_max_m : double := 0.0;
       --  Samples flagged SINS_NAVIGATION_INCONSISTENT.
       inconsistent_samples : Unsigned_64 := 0;
       --  Intervals flown since the start or the last reposition: one less than the samples.
       intervals : Unsigned_64 := 0;
-      --  The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants on: the error of
-      --  generator and mechanization themselves; 0 with physical signals [rad/s].
+      --  The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its time constants: the error
+      --  of signal generator and mechanization themselves; 0 with physical signals [rad/s].
       trim_rate_max_rad_s : double := 0.0;
-      --  The same of the specific force [m/s2].
+      --  The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
       trim_force_max_m_s2 : double := 0.0;
    end record with Convention => C;
    type sins_accuracy_array is array (size_t range <>) of aliased sins_accuracy with Convention => C;
 
-   --  The motion of the truth in figures, over all intervals since the create or the last sins_reset(): those of wrong units or
-   --  exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip; east and north
-   --  exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s; feet for metres are heights
-   --  and climbs of 3.3 times their size. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is
-   --  the time stamp of the sample that it came with.
+   --  Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
+   --  and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
+   --  sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
+   --  and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
+   --  found.
    type sins_truth_summary is record
       --  sizeof(sins_truth_summary)
       struct_size : Unsigned_32 := SINS_SIZEOF_TRUTH_SUMMARY;
@@ -1075,66 +1102,107 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Intervals flown.
       intervals : Unsigned_64 := 0;
-      --  Those of them that are gaps (see SINS_GAP).
+      --  Intervals that are gaps (see SINS_GAP).
       gaps : Unsigned_64 := 0;
-      --  Samples faster than 30 m/s: sideslip and angle of attack are of these.
+      --  Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only.
       fast_samples : Unsigned_64 := 0;
       --  Sum of the lengths of the intervals [s].
       flown_s : double := 0.0;
-      --  Time stamps of the first and of the last sample [s].
+      --  Time stamp of the first sample [s].
       first_s : double := 0.0;
-      --  See first_s.
+      --  Time stamp of the last sample [s].
       last_s : double := 0.0;
       --  Longest interval [s].
       interval_max_s : double := 0.0;
-      --  When [s].
+      --  Time stamp of interval_max_s [s].
       interval_max_at_s : double := 0.0;
       --  Largest rotation in an interval [rad].
       turn_max_rad : double := 0.0;
-      --  When [s].
+      --  Time stamp of turn_max_rad [s].
       turn_max_at_s : double := 0.0;
-      --  Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s].
+      --  Largest angular rate: from the attitudes against the Earth, or the samples' own rate [rad/s].
       rate_max_rad_s : double := 0.0;
-      --  When [s].
+      --  Time stamp of rate_max_rad_s [s].
       rate_max_at_s : double := 0.0;
-      --  Largest acceleration against the Earth, by the velocities [m/s2].
+      --  Largest acceleration against the Earth, from the velocities [m/s2].
       acceleration_max_m_s2 : double := 0.0;
-      --  When [s].
+      --  Time stamp of acceleration_max_m_s2 [s].
       acceleration_max_at_s : double := 0.0;
-      --  Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
+      --  Largest specific force: from the velocities and gravity, or the samples' own force [m/s2].
       force_max_m_s2 : double := 0.0;
-      --  When [s].
+      --  Time stamp of force_max_m_s2 [s].
       force_max_at_s : double := 0.0;
-      --  Largest displacement in an interval that the mean of the velocities at its ends does not explain [m].
+      --  Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
+      --  [m].
       inconsistency_max_m : double := 0.0;
-      --  When [s].
+      --  Time stamp of inconsistency_max_m [s].
       inconsistency_max_at_s : double := 0.0;
       --  Largest speed against the Earth [m/s].
       speed_max_m_s : double := 0.0;
-      --  When [s].
+      --  Time stamp of speed_max_m_s [s].
       speed_max_at_s : double := 0.0;
-      --  Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, to the right; wind is in it
-      --  [rad].
+      --  Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, positive to the right;
+      --  includes wind [rad].
       sideslip_max_rad : double := 0.0;
-      --  When [s].
+      --  Time stamp of sideslip_max_rad [s].
       sideslip_max_at_s : double := 0.0;
       --  Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
       --  symmetry [rad].
       attack_max_rad : double := 0.0;
-      --  When [s].
+      --  Time stamp of attack_max_rad [s].
       attack_max_at_s : double := 0.0;
       --  Lowest height [m].
       height_min_m : double := 0.0;
-      --  When [s].
+      --  Time stamp of height_min_m [s].
       height_min_at_s : double := 0.0;
       --  Highest height [m].
       height_max_m : double := 0.0;
-      --  When [s].
+      --  Time stamp of height_max_m [s].
       height_max_at_s : double := 0.0;
    end record with Convention => C;
    type sins_truth_summary_array is array (size_t range <>) of aliased sins_truth_summary with Convention => C;
 
-   --  Increments of an inertial measurement unit over an interval, in count parts of equal length.
+   --  Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors
+   --  in the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+   --
+   --  It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames,
+   --  which agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn
+   --  initial errors; what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov,
+   --  flicker, rate random walk and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise;
+   --  quantization, as white noise of its variance. Given values, failures, and what is not linear (dead zone, range) are not in
+   --  it: they move the mean. One second of flight is one step of the propagation; a parameter that is set in flight counts from
+   --  the start of the step it is set in.
+   type sins_covariance is record
+      --  sizeof(sins_covariance)
+      struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
+      --  Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is.
+      flags : Integer_32 := 0;
+      --  Time [s].
+      time_s : double := 0.0;
+      --  Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+      covariance : sins_double_9_9 := (others => (others => 0.0));
+      --  Standard deviation of the position error [m].
+      position_sigma_enu_m : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the velocity error [m/s].
+      velocity_sigma_enu_m_s : sins_double_3 := (others => 0.0);
+      --  Standard deviation of the misalignment [rad].
+      misalignment_sigma_enu_rad : sins_double_3 := (others => 0.0);
+      --  Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
+      ellipse_major_m : double := 0.0;
+      --  Semi-minor axis [m].
+      ellipse_minor_m : double := 0.0;
+      --  Azimuth of the major axis, from north to the east, 0 up to pi [rad].
+      ellipse_azimuth_rad : double := 0.0;
+      --  Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
+      --  this ellipse with the mean 0 [m].
+      cep50_m : double := 0.0;
+      --  The same of 95 % [m].
+      radial_95_m : double := 0.0;
+   end record with Convention => C;
+   type sins_covariance_array is array (size_t range <>) of aliased sins_covariance with Convention => C;
+
+   --  Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
+   --  field count is their number.
    type sins_imu_increment is record
       --  sizeof(sins_imu_increment)
       struct_size : Unsigned_32 := SINS_SIZEOF_IMU_INCREMENT;
@@ -1142,12 +1210,12 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Length of the whole interval, 5e-5 to 10 [s].
       interval_s : double := 0.0;
-      --  Parts, 1 to 5.
+      --  Number of parts, 1 to 5.
       count : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the
-      --  first, of the second, ... [rad].
+      --  Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the first part, x, y,
+      --  z of the second part, and so on [rad].
       angle_rad : sins_double_5_3 := (others => (others => 0.0));
       --  Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
       velocity_m_s : sins_double_5_3 := (others => (others => 0.0));
@@ -1238,7 +1306,7 @@ package Sins is
    end record with Convention => C;
    type sins_figures_array is array (size_t range <>) of aliased sins_figures with Convention => C;
 
-   --  Where an embedded flight begins, level and straight.
+   --  Start of an embedded flight, level and straight.
    type sins_flight_start is record
       --  sizeof(sins_flight_start)
       struct_size : Unsigned_32 := SINS_SIZEOF_FLIGHT_START;
@@ -1254,11 +1322,12 @@ package Sins is
       speed_m_s : double := 0.0;
       --  Course and heading, -100 to 100 [rad].
       heading_rad : double := 0.0;
-      --  Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
+      --  Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad].
       roll_rad : double := 0.0;
-      --  Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or tilt at rest [rad].
+      --  Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
+      --  at rest [rad].
       pitch_rad : double := 0.0;
-      --  Of enum sins_earth, as in the options of the simulator that will fly it.
+      --  Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it.
       earth : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
@@ -1271,15 +1340,15 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_MANOEUVRE;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Of enum sins_manoeuvre_kind.
+      --  Kind of the manoeuvre, of enum sins_manoeuvre_kind.
       kind : Integer_32 := 0;
-      --  Sinusoids, 1 to 6.
+      --  Number of sinusoids, 1 to 6.
       sinusoid_count : Integer_32 := 0;
       --  Duration, 1e-3 to 1e8 [s].
       duration_s : double := 0.0;
-      --  Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
+      --  Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the duration. 0: 5 s [s].
       ramp_s : double := 0.0;
-      --  Change of speed, to no less than 0 and no more than 10 km/s [m/s].
+      --  Change of speed; the speed must stay between 0 and 10 km/s [m/s].
       speed_change_m_s : double := 0.0;
       --  Change of height; the climb angle must stay below 64 degrees [m].
       height_change_m : double := 0.0;
@@ -1291,12 +1360,12 @@ package Sins is
       turns : double := 0.0;
       --  What each sinusoid moves, of enum sins_channel.
       channel : sins_integer_32_6 := (others => 0);
-      --  Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together up to it [rad] or
-      --  [m/s].
+      --  Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
+      --  sinusoids together up to the speed.
       amplitude : sins_double_6 := (others => 0.0);
       --  Frequency of each sinusoid, 0 to 1000 [Hz].
       frequency_hz : sins_double_6 := (others => 0.0);
-      --  Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the manoeuvre [rad].
+      --  Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the manoeuvre [rad].
       phase_rad : sins_double_6 := (others => 0.0);
    end record with Convention => C;
    type sins_manoeuvre_array is array (size_t range <>) of aliased sins_manoeuvre with Convention => C;
@@ -1307,40 +1376,42 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_FAULT;
       --  0
       reserved : Unsigned_32 := 0;
-      --  Faults of the text, 200 at the most.
+      --  Number of faults of the text, 200 at most.
       count : Unsigned_64 := 0;
-      --  Line of this one, from 1.
+      --  Line of this fault, from 1.
       line : Unsigned_64 := 0;
-      --  Column, in characters from 1; of a flight log the column of the table.
+      --  Column, in characters from 1; for a flight log, the column of the table.
       column : Unsigned_64 := 0;
-      --  Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated, cut where it is longer.
+      --  Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
+      --  longer.
       sentence : sins_char_256 := (others => nul);
    end record with Convention => C;
    type sins_fault_array is array (size_t range <>) of aliased sins_fault with Convention => C;
 
-   --  What a scene says of its flight and of its output.
+   --  Settings of a scene for its flight and its output.
    type sins_scene_setup is record
       --  sizeof(sins_scene_setup)
       struct_size : Unsigned_32 := SINS_SIZEOF_SCENE_SETUP;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Of enum sins_scene_flight; read only: a set call passes over it.
+      --  Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set.
       flight : Integer_32 := 0;
-      --  1: samples get the temperature below; 0: none.
+      --  1: samples get the temperature below; 0: samples get no temperature.
       has_temperature : Integer_32 := 0;
       --  1: a program shows neither progress nor summary; 0: it does.
       quiet : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
+      --  Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
       duration_s : double := 0.0;
-      --  How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight has; read only [s].
+      --  Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
+      --  flight; read only [s].
       flown_s : double := 0.0;
-      --  Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
+      --  Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
       rate_hz : double := 0.0;
-      --  Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg C].
+      --  Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is 0 [deg C].
       temperature_c : double := 0.0;
-      --  Its change, -277 to 277 [deg C/s].
+      --  Rate of change of the temperature, -277 to 277 [deg C/s].
       temperature_change_c_s : double := 0.0;
       --  Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
       every_s : double := 0.0;
@@ -1353,32 +1424,32 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_PLANNED_FAILURE;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Of enum sins_sensor.
+      --  Sensor that fails, of enum sins_sensor.
       sensor : Integer_32 := 0;
-      --  0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
+      --  Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter.
       axis : Integer_32 := 0;
-      --  When it begins, 0 to 1e9 since the start of the flight [s].
+      --  Start of the failure, 0 to 1e9 since the start of the flight [s].
       from_s : double := 0.0;
-      --  When it ends, likewise; 0: at the end of the flight [s].
+      --  End of the failure, likewise; 0: the end of the flight [s].
       until_s : double := 0.0;
-      --  Of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+      --  Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
       kind : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  This and the following as in sins_failure.
+      --  Size, as in sins_failure.
       size : double := 0.0;
-      --  See sins_failure.
+      --  Density, as in sins_failure.
       density : double := 0.0;
-      --  See sins_failure [s].
+      --  Interval, as in sins_failure [s].
       interval_s : double := 0.0;
-      --  See sins_failure [s].
+      --  Duration, as in sins_failure [s].
       duration_s : double := 0.0;
-      --  See sins_failure.
+      --  Probability, as in sins_failure.
       probability : double := 0.0;
    end record with Convention => C;
    type sins_planned_failure_array is array (size_t range <>) of aliased sins_planned_failure with Convention => C;
 
-   --  What a flight log holds.
+   --  Contents of a flight log.
    type sins_log_info is record
       --  sizeof(sins_log_info)
       struct_size : Unsigned_32 := SINS_SIZEOF_LOG_INFO;
@@ -1386,294 +1457,318 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Samples.
       samples : Unsigned_64 := 0;
-      --  From the first to the last of them [s].
+      --  Duration from the first to the last sample [s].
       duration_s : double := 0.0;
       --  The comment in the first line of the log, UTF-8, terminated; empty: none.
       title : sins_char_192 := (others => nul);
    end record with Convention => C;
    type sins_log_info_array is array (size_t range <>) of aliased sins_log_info with Convention => C;
 
-   --  Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration. A limit
-   --  of 0 is none; at least one is needed.
+   --  Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
+   --  At least one limit is needed.
    type sins_requirement is record
       --  sizeof(sins_requirement)
       struct_size : Unsigned_32 := SINS_SIZEOF_REQUIREMENT;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
+      --  Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length of the piece.
       duration_s : double := 0.0;
-      --  Distance from where the exact solution on the same signals is [m].
+      --  Limit of the distance from the exact solution on the same signals [m]; 0: none.
       position_m : double := 0.0;
-      --  Speed of the difference in velocity [m/s].
+      --  Limit of the length of the velocity difference from that solution [m/s]; 0: none.
       velocity_m_s : double := 0.0;
-      --  Angle between the attitudes, against the Earth [rad].
+      --  Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
       attitude_rad : double := 0.0;
-      --  How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
+      --  Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
       margin : double := 0.0;
    end record with Convention => C;
    type sins_requirement_array is array (size_t range <>) of aliased sins_requirement with Convention => C;
 
-   --  What recommended options give, and what they cost.
+   --  Accuracy and cost of the recommended options.
    type sins_cost is record
       --  sizeof(sins_cost)
       struct_size : Unsigned_32 := SINS_SIZEOF_COST;
       --  0
       reserved : Unsigned_32 := 0;
-      --  For how long the errors are predicted [s].
+      --  Duration for which the errors are predicted [s].
       duration_s : double := 0.0;
-      --  Predicted error, the worst within the duration: position [m].
+      --  Predicted position error, the largest within the duration [m].
       position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Predicted velocity error, the largest within the duration [m/s].
       velocity_m_s : double := 0.0;
-      --  Attitude against the Earth [rad].
+      --  Predicted attitude error against the Earth, the largest within the duration [rad].
       attitude_rad : double := 0.0;
-      --  The part of it that is the uncertainty of the reference: position [m].
+      --  Part of position_m that is the uncertainty of the reference [m].
       reference_position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Part of velocity_m_s that is the uncertainty of the reference [m/s].
       reference_velocity_m_s : double := 0.0;
-      --  Attitude [rad].
+      --  Part of attitude_rad that is the uncertainty of the reference [rad].
       reference_attitude_rad : double := 0.0;
-      --  Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below 1e-100 counts as 1e-100.
+      --  Predicted error times margin divided by its limit, the largest of the three. The requirement is met up to 1. A limit
+      --  below 1e-100 counts as 1e-100.
       share : double := 0.0;
-      --  Instructions of a step that the algorithm has a part in, the same on every machine: what the algorithms are ordered by.
+      --  Instructions of the part of a step that depends on the algorithm, the same on every machine. The algorithms are
+      --  ordered by this figure.
       instructions_per_step : double := 0.0;
-      --  Measured here and now, in the options that were written, in the mounting and with ideal sensors: push and step of one
-      --  sample [ns].
+      --  Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+      --  mounting, and ideal sensors [ns].
       ns_per_step : double := 0.0;
-      --  Algorithms that were tried, the recommended one among them.
+      --  Algorithms that were tried, including the recommended one.
       tried : Unsigned_64 := 0;
    end record with Convention => C;
    type sins_cost_array is array (size_t range <>) of aliased sins_cost with Convention => C;
 
-   --  What a budget is asked for. A limit of 0 is none.
+   --  Request for an error budget. All zero is 16 runs and no limits.
    type sins_budget_request is record
       --  sizeof(sins_budget_request)
       struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET_REQUEST;
       --  Must be 0.
       reserved : Unsigned_32 := 0;
-      --  Runs of each random effect, 8 to 1000; 0: 16.
+      --  Runs of all together, if anything is random, 8 to 1000; 0: 16.
       runs : Unsigned_64 := 0;
-      --  What the effects that are left out may change together at any time of the scene: position [m].
+      --  Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+      --  0: none.
       position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Limit of the change of the velocity error, likewise [m/s]; 0: none.
       velocity_m_s : double := 0.0;
-      --  Misalignment [rad].
+      --  Limit of the change of the misalignment, likewise [rad]; 0: none.
       attitude_rad : double := 0.0;
    end record with Convention => C;
    type sins_budget_request_array is array (size_t range <>) of aliased sins_budget_request with Convention => C;
 
-   --  An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with nothing
-   --  set.
+   --  An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and the
+   --  samples, with nothing set.
    type sins_budget_row is record
       --  sizeof(sins_budget_row)
       struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET_ROW;
       --  Flags of enum sins_budget_flags, or'ed.
       flags : Unsigned_32 := 0;
-      --  Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
+      --  Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization".
       effect : sins_char_32 := (others => nul);
-      --  The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the first row.
+      --  The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
+      --  out. Empty in the first row.
       field : sins_char_48 := (others => nul);
-      --  Length of the contribution to the position error, the largest of the scene [m].
+      --  Length of the contribution to the position error, the largest in the scene [m].
       position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Length of the contribution to the velocity error, the largest in the scene [m/s].
       velocity_m_s : double := 0.0;
-      --  Misalignment [rad].
+      --  Length of the contribution to the misalignment, the largest in the scene [rad].
       attitude_rad : double := 0.0;
-      --  The same at the end of the scene: position [m].
+      --  Length of the contribution to the position error at the end of the scene [m].
       end_position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Length of the contribution to the velocity error at the end of the scene [m/s].
       end_velocity_m_s : double := 0.0;
-      --  Misalignment [rad].
+      --  Length of the contribution to the misalignment at the end of the scene [rad].
       end_attitude_rad : double := 0.0;
-      --  The largest share of a limit that the contribution takes up; 0 without limits.
+      --  The contribution divided by its limit, the largest of the three; 0 without limits.
       share : double := 0.0;
-      --  Measured here and now: what a step takes with all effects less without this one; in the first row what it takes with
-      --  nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may be negative.
+      --  Time of a step with all effects, less that of a step without this one; in the first row, time of a step with nothing
+      --  set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may
+      --  be negative.
       ns_per_step : double := 0.0;
    end record with Convention => C;
    type sins_budget_row_array is array (size_t range <>) of aliased sins_budget_row with Convention => C;
 
-   --  A budget as a whole.
+   --  Figures of a budget as a whole.
    type sins_budget is record
       --  sizeof(sins_budget)
       struct_size : Unsigned_32 := SINS_SIZEOF_BUDGET;
       --  0
       reserved : Unsigned_32 := 0;
-      --  Time that was looked at: from the end of the first interval to that of the last [s].
+      --  Duration of the evaluation: from the end of the first interval to the end of the last [s].
       duration_s : double := 0.0;
-      --  Runs of each random effect; 1 if there is none.
+      --  Runs of all together; 1 if nothing is random.
       runs : Unsigned_64 := 0;
       --  Flights that were flown.
       flights : Unsigned_64 := 0;
-      --  A standard deviation lies with 95 % probability between its row's figure times this, ...
+      --  Lower end of the 95 % interval of the root mean square of the random part of all together, as a factor to that of
+      --  these runs; 1 if nothing is random.
       sigma_low : double := 0.0;
-      --  ... and times this; both are 1 if nothing is random.
+      --  Upper end of that interval, likewise.
       sigma_high : double := 0.0;
-      --  Errors with all effects together, root mean square over the runs, the largest of the scene: position [m].
+      --  Position error with all effects together, root mean square over the runs, the largest in the scene [m].
       position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Velocity error with all effects together, likewise [m/s].
       velocity_m_s : double := 0.0;
-      --  Misalignment [rad].
+      --  Misalignment with all effects together, likewise [rad].
       attitude_rad : double := 0.0;
-      --  What of that the sum of all rows does not explain: position [m].
+      --  Part of the position error that the sum of all rows does not explain [m].
       remainder_position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Part of the velocity error that the sum of all rows does not explain [m/s].
       remainder_velocity_m_s : double := 0.0;
-      --  Misalignment [rad].
+      --  Part of the misalignment that the sum of all rows does not explain [rad].
       remainder_attitude_rad : double := 0.0;
-      --  What the errors change by without the marked rows, flown: position [m].
+      --  Change of the position error when the marked rows are left out, as flown [m].
       left_out_position_m : double := 0.0;
-      --  Velocity [m/s].
+      --  Change of the velocity error when the marked rows are left out, as flown [m/s].
       left_out_velocity_m_s : double := 0.0;
-      --  Misalignment [rad].
+      --  Change of the misalignment when the marked rows are left out, as flown [rad].
       left_out_attitude_rad : double := 0.0;
-      --  Measured here and now: what a step takes with all effects [ns].
+      --  Time of a step with all effects, measured in this call on this machine [ns].
       ns_per_step : double := 0.0;
    end record with Convention => C;
    type sins_budget_array is array (size_t range <>) of aliased sins_budget with Convention => C;
 
-   --  The version of the interface that the loaded library has: compare it with SINS_HEADER_ABI.
+   --  Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI.
    function sins_abi_version return Unsigned_32
      with Import, Convention => C, External_Name => "sins_abi_version";
 
-   --  The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded.
+   --  Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded.
    function sins_version_string return chars_ptr
      with Import, Convention => C, External_Name => "sins_version_string";
 
-   --  The name of a status code, "SINS_OK"; "unknown status" for a number that is none. Lives as long as the library is
-   --  loaded.
+   --  Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
+   --  as the library is loaded.
    function sins_status_string (status : sins_status) return chars_ptr
      with Import, Convention => C, External_Name => "sins_status_string";
 
-   --  Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of 0.
+   --  Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
    function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
      with Import, Convention => C, External_Name => "sins_get_options";
 
-   --  Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+   --  Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
    --
-   --  On an error *sim is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_OUT_OF_MEMORY: no
-   --  memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+   --  On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+   --  frame: it allocates.
+   --
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
    function sins_create (options : sins_options; sim : in out sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_create";
 
-   --  Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+   --  Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
    --
    --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
    function sins_destroy (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_destroy";
 
-   --  Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+   --  Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
-   --  SINS_ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4 of it.
-   --  SINS_GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its sins_step() flies it
-   --  as motion, the velocity times its length, up to max_gap_s. After a pause of the host whose clock ran on, call
-   --  sins_move_time() before this push; the push cannot be taken back. SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a
-   --  jump or half a turn since the last that was taken: no other is taken until one fits, or until sins_move_time() for a gap,
-   --  sins_move_truth() or sins_reposition() for a jump. SINS_ERROR_QUEUE_FULL: step first. SINS_ERROR_BAD_STATE: navigating on
-   --  increments.
+   --  SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
+   --  by more than 0.4 of the period.
+   --  SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
+   --  before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
+   --  on, call sins_move_time() before this push; a push cannot be undone.
+   --  SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
+   --  samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
+   --  (for a jump).
+   --  SINS_ERROR_QUEUE_FULL: step first.
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
    function sins_push_sample (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_push_sample";
 
    --  Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
-   --  further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown like any other,
-   --  the velocity times its length; sins_push_sample() answers SINS_GAP for it.
+   --  later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
+   --  like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
    --
-   --  SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_DIVERGED: the interval would lead the solution of the block, of the
-   --  reference point or of the closed loop's own error-free navigator beyond -500 km or
-   --  20000 km of height or 100 km/s; SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
-   --  solution before it stays readable, and sins_reposition() or sins_reset() start anew. SINS_ERROR_BAD_STATE: navigating on
-   --  increments.
+   --  SINS_NEED_SAMPLE: no complete interval is waiting.
+   --  SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
+   --  100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
+   --  navigator.
+   --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
+   --
+   --  After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+   --  sins_reposition() or sins_reset() start anew.
    function sins_step (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_step";
 
-   --  The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it: for a pause
-   --  in which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is as it was: errors,
-   --  noise, waiting samples, sensor processes, failures, running figures, and the stated period, whose grid moves along. A flight
-   --  goes on to the same bits as one whose stamps never jumped if the differences between successive stamps are the same doubles;
-   --  with a stated period they always are. (Without velocities the differences over three samples count too; durations in
-   --  sins_accuracy are rounded as the time stamps are.) flight_start_s of sins_scene_prepare() is the host's: move it by as much.
+   --  Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
+   --  time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+   --  stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
+   --  along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
+   --  stamps are the same doubles; with a stated period they always are. (Without velocities the differences over three
+   --  samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
+   --  flight_start_s of sins_scene_prepare() by the same time.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. SINS_ERROR_BAD_STATE: no sample yet, or navigating on
-   --  increments, which have no stamps.
+   --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+   --  SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
    function sins_move_time (sim : sins_sim; time_s : double) return sins_status
      with Import, Convention => C, External_Name => "sins_move_time";
 
-   --  The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. No interval is flown from the
-   --  sample before to this one, so the errors do not grow between them. Position error in metres (along the truth's east and
-   --  north, and in height), velocity error (components) and misalignment that sins_get_errors() tells are those before, from both
-   --  sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the latitude and the velocity there. Noise,
-   --  sensor processes, failures, the vertical channel, the altimeter's error (but that of its scale factor, which is of the new
-   --  height) and running figures go on; no draw moves. The sensors follow the new signals at once. Waiting samples are dropped;
-   --  time may jump too, all clocks with it, as in sins_move_time(). sins_get_imu() still tells the interval before. Where the
-   --  sample has no velocity, the solution has its velocity error alone until the next is pushed.
+   --  Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
+   --  sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
+   --  as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
+   --  misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
+   --  new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
+   --  and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
+   --  the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
+   --  sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+   --  solution is its velocity error alone until the next sample is pushed.
    --
-   --  Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution have no
-   --  common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's vertical by the
-   --  shortest way. With a mounting the errors kept are those of the sensor block; those of the reference point are what its arm
-   --  and boresight, and what is wrong of them, make of that in the new attitude.
+   --  If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
+   --  solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes, turned to the
+   --  solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
+   --  the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
    --
-   --  Before the first step there is no INS with errors: it is sins_reposition() then. SINS_ERROR_INVALID_ARGUMENT,
-   --  SINS_ERROR_BAD_STATE: as sins_reposition(). SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
-   --  SINS_ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the Earth
-   --  away.
+   --  Before the first step there are no errors to keep, and the call acts as sins_reposition().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
+   --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
+   --  SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
+   --  that no place has it.
    function sins_move_truth (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_move_truth";
 
-   --  The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors. The errors
-   --  that it had are lost; to keep them call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures go
-   --  on where they were. Waiting samples and the running accuracy figures are dropped. Time may jump too, forward or back: the
-   --  run, and the count of a stated period, go on from the sample's time stamp. What is read until the next step is that of the
-   --  sample; an interval to read there is none. It may be the first call of a run: the sample is then the first, and the next push
-   --  makes an interval.
+   --  Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
+   --  with its initial errors. Its previous errors are lost; to keep them, call sins_move_truth() (slew) or sins_move_time()
+   --  (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures are dropped. The time may
+   --  jump too, forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the
+   --  next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
+   --  run: the sample is then the first one, and the next push completes an interval.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample(). SINS_ERROR_BAD_STATE: navigating on increments. Where no INS can start
-   --  (a pole, in geographic axes) it is the reads and the next step that say so.
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
+   --
+   --  If no INS can start there (a pole, in geographic axes), the reads and
+   --  the next step return the error.
    function sins_reposition (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_reposition";
 
-   --  Back to before the first sample: same options, the parameters as they were set last, no failures, and the same draws again
-   --  from their start, so that the same samples and settings give the same bits. For other draws create a simulator with another
-   --  seed or run; to come back to a moment in flight, see sins_snapshot_save().
+   --  Returns to the state before the first sample: the same options, the parameters as they were set last, no failures, and
+   --  the random streams at their start. So the same samples and settings give the same bits. For other random numbers, create
+   --  a simulator with another seed or run. To return to a moment in flight, see sins_snapshot_save().
    function sins_reset (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_reset";
 
-   --  Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always terminated;
-   --  "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator (create,
-   --  presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE,
-   --  or SINS_ERROR_BAD_STATE: see Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+   --  Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and always
+   --  terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that has no
+   --  simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle was rejected
+   --  (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves no
+   --  sentence.
    --
-   --  needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
-   --  alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+   --  needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
+   --  size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
    function sins_last_error (sim : sins_sim; buffer : in out char_array; capacity : size_t;
        needed : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_last_error";
 
-   --  Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which sins_last_error() has the
-   --  sentence.
+   --  Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
+   --  of which sins_last_error() gives the sentence.
    function sins_last_error_info (sim : sins_sim; info : in out sins_error_info) return sins_status
      with Import, Convention => C, External_Name => "sins_last_error_info";
 
-   --  Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects do not
-   --  move; processes that were active go on from where they are.
+   --  Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
+   --  effects do not change. Processes that were active continue.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: temperature coefficients while samples without
-   --  a temperature wait, or while navigating on increments.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+   --  increments.
    function sins_set_gyro (sim : sins_sim; params : sins_gyro_params) return sins_status
      with Import, Convention => C, External_Name => "sins_set_gyro";
 
-   --  Reads the gyro errors, as they were set last: at any moment, after sins_snapshot_load() too.
+   --  Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load().
    function sins_get_gyro (sim : sins_sim; params : in out sins_gyro_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_gyro";
 
-   --  Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
-   --  effects do not move; processes that were active go on from where they are.
+   --  Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
+   --  other effects do not change. Processes that were active continue.
    --
    --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
    function sins_set_accel (sim : sins_sim; params : sins_accel_params) return sins_status
      with Import, Convention => C, External_Name => "sins_set_accel";
 
-   --  Reads the accelerometer errors, as they were set last: at any moment, after sins_snapshot_load() too.
+   --  Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load().
    function sins_get_accel (sim : sins_sim; params : in out sins_accel_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_accel";
 
@@ -1684,27 +1779,27 @@ package Sins is
    function sins_set_altimeter (sim : sins_sim; params : sins_altimeter_params) return sins_status
      with Import, Convention => C, External_Name => "sins_set_altimeter";
 
-   --  Reads the errors of the altimeter, as they were set last: at any moment, after sins_snapshot_load() too.
+   --  Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load().
    function sins_get_altimeter (sim : sins_sim; params : in out sins_altimeter_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_altimeter";
 
-   --  Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next interval on,
-   --  until it is cleared by SINS_FAILURE_NONE or another failure of the same output takes its place. Several outputs may fail at
-   --  once.
+   --  Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
+   --  interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
+   --  outputs may fail at the same time.
    --
-   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
-   --  range and quantization, the others replace the output. No draw of another effect moves, and what runs on behind a failure is
-   --  there again when it is cleared. Both error data hear of it. The alignment at the start does not see failures.
-   --  sins_reposition() keeps them; sins_reset() clears them all, so that an exercise begins anew with sound sensors, and failures
-   --  set again at the same intervals give the same bits.
+   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
+   --  zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
+   --  Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
+   --  not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
+   --  begins anew with working sensors; failures that are set again at the same intervals give the same bits.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that throws the
-   --  solution away makes sins_step() answer SINS_ERROR_DIVERGED.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
+   --  solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
    function sins_set_failure (sim : sins_sim; sensor : Integer_32; axis : Integer_32; failure : sins_failure) return sins_status
      with Import, Convention => C, External_Name => "sins_set_failure";
 
-   --  Reads the failure of one output: at any moment, after sins_snapshot_load() too; SINS_FAILURE_NONE if it is sound. sensor and
-   --  axis as in sins_set_failure().
+   --  Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
+   --  failure. sensor and axis as in sins_set_failure().
    --
    --  SINS_ERROR_INVALID_ARGUMENT: no such output.
    function sins_get_failure (sim : sins_sim; sensor : Integer_32; axis : Integer_32;
@@ -1713,65 +1808,75 @@ package Sins is
 
    --  Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: steps have been made.
    function sins_set_initial_errors (sim : sins_sim; errors : sins_initial_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_set_initial_errors";
 
-   --  Reads the errors with which the navigation starts, as they were set last: at any moment, after sins_snapshot_load() too.
+   --  Reads the errors with which the navigation starts, as they were set last: at any moment, also after
+   --  sins_snapshot_load().
    function sins_get_initial_errors (sim : sins_sim; errors : in out sins_initial_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_get_initial_errors";
 
-   --  Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A navigator on
-   --  increments is not concerned: its solution is that of the block.
+   --  Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
+   --  mounting does not affect a navigator on increments: its solution is that of the block.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: steps have been made.
    function sins_set_mounting (sim : sins_sim; mounting : sins_mounting) return sins_status
      with Import, Convention => C, External_Name => "sins_set_mounting";
 
-   --  Reads place and attitude of the sensor block, as they were set last: at any moment, after sins_snapshot_load() too.
+   --  Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load().
    function sins_get_mounting (sim : sins_sim; mounting : in out sins_mounting) return sins_status
      with Import, Convention => C, External_Name => "sins_get_mounting";
 
-   --  Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings the
-   --  same field back; after a reposition it goes on from its values there. A navigator on increments is not concerned: these have
-   --  felt their own gravity.
+   --  Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
+   --  reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
+   --  disturbance does not affect a navigator on increments, because these contain their own gravity.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: steps have been made.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: steps have been made.
    function sins_set_gravity_disturbance (sim : sins_sim; params : sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_set_gravity_disturbance";
 
-   --  Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins_snapshot_load() too.
+   --  Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load().
    function sins_get_gravity_disturbance (sim : sins_sim; params : in out sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_gravity_disturbance";
 
-   --  Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of a
-   --  flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+   --  Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
+   --  flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+   --  by sample.
    --
-   --  samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be 0,
-   --  those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on an error.
+   --  samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
+   --  other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
+   --  of records, also on an error.
    --
    --  SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
    --  sins_get_truth_summary() counts them.
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
-   --  SINS_ERROR_BAD_STATE: navigating on increments. Any error of sins_push_sample() or sins_step() stops the run at the
-   --  sample that it concerns, which sins_last_error() names: the samples before it have been flown, this and the rest not;
-   --  sins_accuracy.intervals counts them. A sample that could be pushed but not flown waits in the queue, as after
-   --  sins_step(); sins_reposition() and sins_reset() empty it.
+   --  SINS_ERROR_BAD_STATE: navigating on increments.
+   --
+   --  Any error of sins_push_sample() or sins_step() stops the run at the
+   --  sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
+   --  not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
+   --  as after sins_step(); sins_reposition() and sins_reset() empty the queue.
    function sins_run (sim : sins_sim; samples : sins_flight_sample_array; count : size_t; every : size_t;
        records : in out sins_record_array; capacity : size_t; written : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_run";
 
-   --  Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
-   --  velocity, that of the first is 0 until the second is pushed.
+   --  Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
+   --  velocity, the velocity at the first one is 0 until the second one is pushed.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
    function sins_get_truth (sim : sins_sim; truth : in out sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth";
 
    --  Reads the navigated solution for the same instant as sins_get_truth().
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the
-   --  first sample with these options and initial errors.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+   --  and initial errors.
    function sins_get_navigation (sim : sins_sim; navigation : in out sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_get_navigation";
 
@@ -1783,79 +1888,97 @@ package Sins is
 
    --  Reads the errors of the navigated solution; source is of enum sins_errors_source.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
-   --  the error model is off, as it is by default (create the simulator with sins_options.error_model), or navigating on
-   --  increments. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_INVALID_ARGUMENT: no such source.
+   --  SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+   --  sins_options.error_model), or navigating on increments.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_errors (sim : sins_sim; source : Integer_32; errors : in out sins_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_get_errors";
 
    --  Reads the running accuracy figures.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_accuracy (sim : sins_sim; accuracy : in out sins_accuracy) return sins_status
      with Import, Convention => C, External_Name => "sins_get_accuracy";
 
-   --  Reads the motion of the truth in figures; sins_reposition() and sins_move_truth() leave them.
+   --  Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
    --
-   --  SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments,
-   --  there is no truth.
+   --  SINS_NEED_SAMPLE: no interval yet.
+   --  SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
    function sins_get_truth_summary (sim : sins_sim; summary : in out sins_truth_summary) return sins_status
      with Import, Convention => C, External_Name => "sins_get_truth_summary";
 
-   --  Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+   --  Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start.
+   --  It changes no other output.
    --
-   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: navigating on increments, there is no truth.
+   --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+   --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+   function sins_get_covariance (sim : sins_sim; covariance : in out sins_covariance) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_covariance";
+
+   --  Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
+   --
+   --  SINS_NEED_SAMPLE: no sample yet.
+   --  SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_record (sim : sins_sim; the_record : in out sins_record) return sins_status
      with Import, Convention => C, External_Name => "sins_get_record";
 
-   --  Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are not read) of
-   --  navigation, on increments that sins_push_imu() gives. Ranges are those of a flight sample, the norm of the quaternion is 1
-   --  within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical channel is free and flagged so,
-   --  errors and accuracy are SINS_ERROR_BAD_STATE until sins_reset().
+   --  Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
+   --  gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
+   --  flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
+   --  truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
+   --  until sins_reset().
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: samples were pushed, or it was
-   --  started already; sins_reset() first; or temperature coefficients are set, for which increments have no temperature.
-   --  SINS_ERROR_SINGULAR: within reach of a pole, in geographic axes.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
+   --  coefficients are set, but increments have no temperature.
+   --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
    function sins_start_navigation (sim : sins_sim; navigation : sins_navigation) return sins_status
      with Import, Convention => C, External_Name => "sins_start_navigation";
 
-   --  Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes on by
-   --  interval_s; sins_get_imu() tells the host's increments as the ideal ones.
-   --  sins_options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+   --  Navigates over one interval on the host's increments. Sensor errors that are set are added to the increments. The time
+   --  advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
+   --  updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
    --
-   --  SINS_ERROR_BAD_STATE: sins_start_navigation() first. SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a
-   --  turn in a part or in the interval. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the
-   --  solution before it stays readable, and sins_reset() and sins_start_navigation() start anew.
+   --  SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+   --  SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
+   --  readable, and sins_reset() and sins_start_navigation() start anew.
    function sins_push_imu (sim : sins_sim; increment : sins_imu_increment) return sins_status
      with Import, Convention => C, External_Name => "sins_push_imu";
 
-   --  The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB
-   --  with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity, temperature and failures
-   --  besides; up to 154 bytes more for each sample that waits. It changes with what is set and with the samples that wait.
+   --  Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
+   --  waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
+   --  altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
+   --  bytes.
    function sins_snapshot_size (sim : sins_sim; size : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_snapshot_size";
 
-   --  Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each random
-   --  stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address:
-   --  keep them in a file, send them to another machine. The same state gives the same bytes. No allocation, no system call.
+   --  Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
+   --  position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
+   --  no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
+   --  allocation, no system call.
    --
-   --  Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR it is the last
-   --  good solution that is saved, after SINS_ERROR_INTERNAL nothing: load an earlier snapshot into a fresh handle.
+   --  Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR the last
+   --  good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
    --
-   --  SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are as they were.
+   --  SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are unchanged.
    function sins_snapshot_save (sim : sins_sim; buffer : System.Address; capacity : size_t;
        written : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_snapshot_save";
 
-   --  Makes the simulator the one that was saved, whatever it was before: its options too, as sins_get_options() tells, so that a
-   --  fresh handle of sins_create(NULL, ...) will do. From there the run goes on to the same bits as the saved one did. size is
-   --  what sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
+   --  Replaces the simulator by the saved one, including its options (see sins_get_options()). So a fresh handle of
+   --  sins_create(NULL, ...) is enough. The run continues to the same bits as the saved one. size is the size that
+   --  sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
    --
-   --  SINS_ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
-   --  sins_last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the same bits
-   --  where CHANGELOG does not say that the algorithms changed. SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+   --  SINS_ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has changed,
+   --  and sins_last_error() says which it is. Later releases read the snapshots of earlier ones; the run continues to the same
+   --  bits unless CHANGELOG says that the algorithms changed.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
    function sins_snapshot_load (sim : sins_sim; snapshot : System.Address; size : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_snapshot_load";
 
@@ -2012,8 +2135,8 @@ package Sins is
    function sins_ensemble_snapshot_load (ensemble : sins_ensemble; snapshot : System.Address; size : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_snapshot_load";
 
-   --  Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are drawn at
-   --  turn-on with the standard deviations that the source states; what it does not state is 0.
+   --  Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
+   --  drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: no such grade.
    function sins_gyro_preset (grade : Integer_32; params : in out sins_gyro_params) return sins_status
@@ -2025,25 +2148,29 @@ package Sins is
    function sins_accel_preset (grade : Integer_32; params : in out sins_accel_params) return sins_status
      with Import, Convention => C, External_Name => "sins_accel_preset";
 
-   --  Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time, smooth
-   --  to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far apart they are.
+   --  Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
+   --  forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
+   --  manoeuvres[0].struct_size is the distance between the manoeuvres.
    --
-   --  Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is up to 600
-   --  s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and heading need none.
+   --  Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
+   --  to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
+   --  and heading need no pieces.
    --
-   --  On an error *flight is untouched, and sins_last_error(NULL, ...) on this thread tells why: SINS_ERROR_INVALID_ARGUMENT a
-   --  value out of its range, or a height on the way out of the range of sins_flight_sample.height_m, which no simulator takes (the
-   --  index in the sentence is that of the manoeuvre), SINS_ERROR_OUT_OF_MEMORY no memory, more than
-   --  200000 pieces (which take 3 s), or 4096 flights that live.
+   --  On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
+   --  sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
    function sins_flight_create (start : sins_flight_start; manoeuvres : sins_manoeuvre_array; count : size_t;
        flight : in out sins_flight) return sins_status
      with Import, Convention => C, External_Name => "sins_flight_create";
 
-   --  Length of the flight [s].
+   --  Reads the duration of the flight [s].
    function sins_flight_duration (flight : sins_flight; duration_s : in out double) return sins_status
      with Import, Convention => C, External_Name => "sins_flight_duration";
 
-   --  The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
+   --  Reads the sample at time_s, from 0 to the duration [s]. It is exact at any time, and times may come in any order. No
+   --  allocation; 0.5 to 2 us.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
    function sins_flight_sample_at (flight : sins_flight; time_s : double; sample : in out sins_flight_sample) return sins_status
@@ -2058,35 +2185,38 @@ package Sins is
    --  Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
    --  height 0, sampled at 100 Hz.
    --
-   --  On an error *scene is untouched, and sins_last_error(NULL, ...) on this thread tells why, as for every function of scenes.
-   --  SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but sins_scene_prepare() is for
-   --  a real-time frame. They ask for all the memory of a call first; where it runs out within the call, as another thread takes
-   --  it, the process ends. So it is of sins_log_parse(), but for the samples.
+   --  On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
+   --  of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
+   --  sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If it runs
+   --  out later within the call, because another thread takes it, the process ends. The same holds for sins_log_parse(),
+   --  except for the samples.
    function sins_scene_create (scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create";
 
-   --  Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins_scene_write_keys() lists the keys.
+   --  Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
+   --  sins_scene_write_keys() lists the keys.
    --
-   --  SINS_SCENE_HAS_FAULTS: the text is no scene; sins_scene_get_fault() tells every fault and its place. The handle is made for
-   --  that alone: any other function but sins_scene_destroy() answers SINS_ERROR_BAD_STATE. SINS_ERROR_OUT_OF_MEMORY: as
-   --  sins_scene_create().
+   --  SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
+   --  is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
    function sins_scene_parse (text : char_array; size : size_t; scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_parse";
 
-   --  Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+   --  Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+   --  SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
    function sins_scene_get_fault (scene : sins_scene; index : size_t; fault : in out sins_fault) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_fault";
 
    --  Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
    --  "over_the_pole", "coning", "commuter".
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: no scene has that name. SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   --  SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
    function sins_scene_create_builtin (name : char_array; scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_builtin";
 
-   --  The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
+   --  Reads the name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
    --
    --  SINS_ERROR_INVALID_ARGUMENT: there are no more.
    function sins_scene_builtin_name (index : size_t; buffer : in out char_array; capacity : size_t;
@@ -2095,22 +2225,24 @@ package Sins is
 
    --  Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
    --
-   --  needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that alone.
-   --  SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or so many
-   --  manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   --  needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the size
+   --  only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
+   --  so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
    function sins_scene_write (scene : sins_scene; buffer : in out char_array; capacity : size_t;
        needed : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_write";
 
-   --  Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer, capacity and
+   --  Writes every section and key of a scene, one in a line, with its values, its unit and its meaning. buffer, capacity and
    --  needed as in sins_scene_write().
    function sins_scene_write_keys (buffer : in out char_array; capacity : size_t; needed : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_write_keys";
 
-   --  Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity. Failures come in
-   --  their time by sins_scene_prepare(). Of a flight that is not a log the sample period is stated: 1 / rate.
+   --  Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
+   --  sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
+   --  rate.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   --  SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
+   --  SINS_ERROR_BAD_STATE: as sins_scene_parse().
    --  SINS_ERROR_OUT_OF_MEMORY: as sins_create().
    function sins_scene_create_simulator (scene : sins_scene; sim : in out sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_simulator";
@@ -2118,29 +2250,30 @@ package Sins is
    --  Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
    --  up to sins_scene_setup.flown_s.
    --
-   --  SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse(). Else as
-   --  sins_flight_create().
+   --  SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
+   --  Else as sins_flight_create().
    function sins_scene_create_flight (scene : sins_scene; flight : in out sins_flight) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create_flight";
 
-   --  Destroys a scene. Simulators and flights that were made of it live on.
+   --  Destroys a scene. Simulators and flights that were created from it stay valid.
    --
    --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
    function sins_scene_destroy (scene : sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_destroy";
 
-   --  Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step before the
-   --  next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and end on sim with the
-   --  first interval that starts at their time or later; failures of outputs for which it plans none are left alone. flight_start_s
-   --  is the time stamp of the flight's first sample. No allocation, no system call.
+   --  Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of
+   --  the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval that starts at or
+   --  after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
+   --  flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
    --
-   --  SINS_ERROR_BAD_HANDLE: of scene or sim. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not
-   --  from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+   --  SINS_ERROR_BAD_HANDLE: of scene or sim.
+   --  SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+   --  SINS_ERROR_BAD_STATE: as sins_scene_parse().
    function sins_scene_prepare (scene : sins_scene; sim : sins_sim; flight_start_s : double;
        sample : in out sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_prepare";
 
-   --  The same for all runs of an ensemble: as sins_scene_prepare().
+   --  Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator.
    --
    --  SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
    function sins_scene_prepare_ensemble (scene : sins_scene; ensemble : sins_ensemble; flight_start_s : double;
@@ -2153,8 +2286,8 @@ package Sins is
    function sins_scene_get_options (scene : sins_scene; options : in out sins_options) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_options";
 
-   --  Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any order:
-   --  whether they go together is checked where the scene is written and its simulator is created.
+   --  Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any order:
+   --  whether they go together is checked when the scene is written, and when its simulator is created.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: as sins_create().
    function sins_scene_set_options (scene : sins_scene; options : sins_options) return sins_status
@@ -2200,113 +2333,114 @@ package Sins is
    function sins_scene_set_initial_errors (scene : sins_scene; errors : sins_initial_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_initial_errors";
 
-   --  Reads where the sensor block of the scene sits.
+   --  Reads the mounting of the scene's sensor block.
    function sins_scene_get_mounting (scene : sins_scene; mounting : in out sins_mounting) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_mounting";
 
-   --  Sets where the sensor block of the scene sits.
+   --  Sets the mounting of the scene's sensor block.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    function sins_scene_set_mounting (scene : sins_scene; mounting : sins_mounting) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_mounting";
 
-   --  Reads true gravity less normal gravity of the scene.
+   --  Reads the gravity disturbance of the scene.
    function sins_scene_get_gravity_disturbance (scene : sins_scene; params : in out sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_gravity_disturbance";
 
-   --  Sets true gravity less normal gravity of the scene.
+   --  Sets the gravity disturbance of the scene.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    function sins_scene_set_gravity_disturbance (scene : sins_scene; params : sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_gravity_disturbance";
 
-   --  Reads what a scene says of its flight and of its output.
+   --  Reads the settings of a scene for its flight and its output.
    function sins_scene_get_setup (scene : sins_scene; setup : in out sins_scene_setup) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_setup";
 
-   --  Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+   --  Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    function sins_scene_set_setup (scene : sins_scene; setup : sins_scene_setup) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_setup";
 
-   --  Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how many times
-   --  all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be NULL, and to ask for
-   --  count alone manoeuvres with a capacity of 0.
+   --  Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
+   --  how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the manoeuvres. start
+   --  and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
    --
-   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. SINS_ERROR_BAD_STATE: the flight
-   --  is a log; or as sins_scene_parse().
+   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
+   --  SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
    function sins_scene_get_manoeuvres (scene : sins_scene; start : in out sins_flight_start;
        manoeuvres : in out sins_manoeuvre_array; capacity : size_t; count : in out size_t;
        repeat : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_manoeuvres";
 
-   --  Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most.
-   --  start->earth is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at 100 Hz from
-   --  then on.
+   --  Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+   --  start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
+   --  sampled at 100 Hz.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), but for the height on the way.
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
    function sins_scene_set_manoeuvres (scene : sins_scene; start : sins_flight_start; manoeuvres : sins_manoeuvre_array;
        count : size_t; repeat : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_manoeuvres";
 
-   --  Reads a text of the scene, which of enum sins_scene_text; an empty one is none. buffer, capacity and needed as in
-   --  sins_scene_write().
+   --  Reads a text of the scene; which is of enum sins_scene_text. An empty text means that it is not set. buffer, capacity
+   --  and needed as in sins_scene_write().
    --
    --  SINS_ERROR_INVALID_ARGUMENT: no such text.
    function sins_scene_get_text (scene : sins_scene; which : Integer_32; buffer : in out char_array; capacity : size_t;
        needed : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_text";
 
-   --  Sets a text of the scene, which of enum sins_scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is none; the
-   --  flight of a scene is never none.
+   --  Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
+   --  text clears it; a text that selects the flight cannot be empty.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
    function sins_scene_set_text (scene : sins_scene; which : Integer_32; text : char_array) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_text";
 
-   --  How many failures the scene plans.
+   --  Reads the number of failures that the scene plans.
    function sins_scene_get_failure_count (scene : sins_scene; count : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_failure_count";
 
-   --  Planned failure `index`, from 0.
+   --  Reads planned failure `index`, from 0.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: no such failure.
    function sins_scene_get_failure (scene : sins_scene; index : size_t; failure : in out sins_planned_failure) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_failure";
 
-   --  Plans one failure more.
+   --  Adds a planned failure.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
    function sins_scene_add_failure (scene : sins_scene; failure : sins_planned_failure) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_add_failure";
 
-   --  Plans no failure any more.
+   --  Removes all planned failures.
    function sins_scene_clear_failures (scene : sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_clear_failures";
 
    --  Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
-   --  order; columns of other names are passed over, and a row with more fields than columns is a fault:
+   --  order; columns of other names are ignored, and a row with more fields than columns is a fault:
    --
-   --  time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
-   --  heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
-   --  rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
+   --  time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
+   --  or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
+   --  force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
    --
-   --  Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before; their
-   --  ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates, 184 bytes a
-   --  sample.
+   --  Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
+   --  ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it allocates,
+   --  184 bytes a sample.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place, and
-   --  *log is untouched. SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+   --  SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
+   --  and *log is unchanged.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
    function sins_log_parse (text : char_array; size : size_t; log : in out sins_log; fault : in out sins_fault) return sins_status
      with Import, Convention => C, External_Name => "sins_log_parse";
 
-   --  Tells how many samples a log has, how long it is, and its title.
+   --  Reads the number of samples of a log, its duration and its title.
    function sins_log_get_info (log : sins_log; info : in out sins_log_info) return sins_status
      with Import, Convention => C, External_Name => "sins_log_get_info";
 
-   --  The sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets the line of the
-   --  text on which it stands, from 1. No allocation.
+   --  Reads sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets its line in
+   --  the text, from 1. No allocation.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: no such sample.
    function sins_log_get_sample (log : sins_log; index : size_t; sample : in out sins_flight_sample;
@@ -2319,68 +2453,82 @@ package Sins is
    function sins_log_destroy (log : sins_log) return sins_status
      with Import, Convention => C, External_Name => "sins_log_destroy";
 
-   --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples; all that
-   --  are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+   --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
+   --  cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
    --
-   --  configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It is read at
-   --  the start of the call and neither stepped nor changed. NULL is the recommended simulator with its sensor block at the
-   --  reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready
-   --  for sins_create(); what these three were does not matter.
+   --  configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
+   --  the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
+   --  point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready for
+   --  sins_create(). The previous values of these three do not matter.
    --
-   --  Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every sample with
-   --  that of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates change) is added. The error
-   --  is that of the algorithm alone: errors of sensors, altimeter, start, gravity and of the believed mounting move both solutions
-   --  alike and are left out, and so is what the host's samples contradict themselves by. SINS_SIGNAL_CLOSED_LOOP would hide the
-   --  error: the signals are without it. For a duration beyond the piece its errors go on as steady rates, through Schuler's
-   --  pendulum: more than the flight will show as long as it goes on like the piece. With SINS_VERTICAL_FREE each error counts as
-   --  one of height, which grows by e every 569 s.
+   --  Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
+   --  reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
+   --  with half as many updates) is added to the error. So the error is that of the algorithm only. Errors of sensors,
+   --  altimeter, start, gravity and believed mounting are left out, because they act on both solutions alike; so are
+   --  contradictions within the host's samples. The signals are without SINS_SIGNAL_CLOSED_LOOP, which would hide the error.
+   --  For a duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. This predicts
+   --  more than the flight will show, as long as the flight continues like the piece. With SINS_VERTICAL_FREE each error
+   --  counts as a height error, which grows e-fold every 569 s.
    --
-   --  The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and every day;
-   --  ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a sample, up to 0.4 ms where
+   --  The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every day;
+   --  only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
    --  nothing meets the requirement.
    --
-   --  SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes closest.
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as
-   --  sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes within reach of a pole. SINS_ERROR_DIVERGED: the solution of every
-   --  algorithm left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread tells why, and at which sample.
+   --  SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
+   --  closest.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+   --  SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+   --  SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory.
+   --
+   --  sins_last_error(NULL, ...) on this thread gives the reason and the sample.
    function sins_recommend (configured : sins_sim; samples : sins_flight_sample_array; count : size_t;
        requirement : sins_requirement; options : in out sins_options; cost : in out sins_cost) return sins_status
      with Import, Convention => C, External_Name => "sins_recommend";
 
-   --  Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can be left
-   --  out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others' may be 0, those
-   --  of the rows anything.
+   --  Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+   --  can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
+   --  struct_size of the other samples may be 0, that of the other rows anything.
    --
-   --  configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of the gyros,
-   --  the accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is read at the start of the
-   --  call and neither stepped nor changed. NULL is the recommended simulator, in which nothing errs. NULL for request is 16 runs
-   --  and no limits; written and budget may be NULL.
+   --  configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
+   --  accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
+   --  neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
+   --  limits. written and budget may be NULL.
    --
-   --  An effect is what one field sets; it is active, and has a row, if that is not 0. (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS is
-   --  none: each effect brings the misalignment along that it causes; nor are lever_arm_m and boresight_rad of the mounting: all
-   --  runs fly with them.) Its contribution is the error, navigation less truth, of a run with this effect alone less that of a
-   --  run with nothing set: the length of the vector in position, in velocity and in misalignment, the largest of up to 1000
-   --  instants, equally spaced, and that of the last sample. Of an effect that is drawn it is the root mean square over the runs
-   --  sins_options.run, run + 1 and so on (SINS_BUDGET_RANDOM).
+   --  Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two things are
+   --  no effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect that causes it.
+   --  lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+   --  (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the
+   --  length of this vector in position, velocity and misalignment: the largest of up to 1000 instants, equally spaced, and
+   --  the one at the last sample. For a random effect it is one standard deviation by the covariance of a flight with
+   --  this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All effects together are flown with
+   --  the random numbers of the runs sins_options.run, run + 1 and so on.
    --
-   --  rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the largest
-   --  position first, then velocity, then misalignment; with limits the largest share of a limit first. What is not the sum of
-   --  the rows is in the remainder, draw by draw: effects that act on each other, of second order in their sizes.
+   --  rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
+   --  position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
+   --  the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
+   --  effects that act on each other, and is of second order in their sizes.
    --
-   --  With limits the effects are marked that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT): from the smallest share on
-   --  while the sum of the deterministic contributions, and the root of the sum of squares of the random ones times sigma_high,
-   --  are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run; while
-   --  what that changes, left_out, is beyond a limit, the largest of them comes back.
+   --  With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It collects effects from
+   --  the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of squares of their random
+   --  contributions. The call stops when the root sum of squares of D and R exceeds a limit. Then it flies all runs again without
+   --  these effects. While the change (left_out) exceeds a limit, it puts the largest of them back.
    --
-   --  But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it allocates,
-   --  and flies 1 + each deterministic effect + runs times each random effect and all together, with limits again runs times
-   --  and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+   --  The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame:
+   --  it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1, plus one for
+   --  each effect, plus runs for all effects together, plus runs for the random effects if there are any. With limits it is
+   --  runs more, and again more if effects do not add up.
    --
-   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown (rows
-   --  may be NULL with a capacity of 0, to ask). SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_TIME_ORDER,
-   --  SINS_ERROR_DISCONTINUITY: as sins_push_sample(). SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, within reach of a
-   --  pole. SINS_ERROR_DIVERGED: a solution left its range. SINS_ERROR_OUT_OF_MEMORY. sins_last_error(NULL, ...) on this thread
-   --  tells why, and at which sample.
+   --  SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
+   --  (To ask for the number, give NULL for rows and a capacity of 0.)
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+   --  SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
+   --  SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+   --  SINS_ERROR_DIVERGED: a solution diverged.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory.
+   --
+   --  sins_last_error(NULL, ...) on this thread gives the reason and the sample.
    function sins_error_budget (configured : sins_sim; samples : sins_flight_sample_array; count : size_t;
        request : sins_budget_request; rows : in out sins_budget_row_array; capacity : size_t; written : in out size_t;
        budget : in out sins_budget) return sins_status

@@ -2,7 +2,7 @@
 
     import sins
 
-    gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # what is not named is 0: off
+    gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # fields that are not named are 0: off
     errors = sins.errors()
     with sins.sim() as sim:                                                # destroyed at the end
         sins.create(None, sim)
@@ -14,13 +14,13 @@
     print(errors.position_enu_m[0], errors.position_enu_m[1])
 
 sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
-header, but for the number of elements behind an array, which Python knows. NULL is None. An output is an object that the call
-fills: a struct, a handle, or a number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised
-as sins.Error; the others are returned. Whole numbers that are too large for their type in C are cut, as everywhere in ctypes.
+header, but without the length after an array. NULL is None. An output is an object that the call fills: a struct, a handle, or a
+number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised as sins.Error; other statuses are
+returned. Whole numbers that are too large for their type in C are truncated, as everywhere in ctypes.
 
-An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both; nothing is copied.
+An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both, without copies.
 
-The library is the file that SINS_LIBRARY in the environment names, or else lies beside this file, or is the system's.
+The library is the file that SINS_LIBRARY in the environment names, or else the one in the folder of this file, or the system's.
 
 This file is written by build.rs from the Rust sources; do not edit it.
 """
@@ -32,8 +32,8 @@ import os
 import sys
 from ctypes import POINTER, c_char, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64
 
-# Version of the interface that this header declares: a host compares it with what sins.abi_version() gives. It changes when
-# something that was there is gone or means something else; what is added at the end does not change it.
+# Version of the interface that this header declares: a host compares it with what sins.abi_version() gives. It changes
+# when something is removed or changes its meaning. Additions at the end do not change it.
 HEADER_ABI = 1
 # Release of the library, semantic versioning.
 VERSION_MAJOR = 0
@@ -47,15 +47,15 @@ SNAPSHOT_MAX_SIZE = 20480
 DEG = 0.017453292519943295  # degree [rad]
 ARCMIN = 0.0002908882086657216  # minute of arc [rad]
 ARCSEC = 4.84813681109536e-6  # second of arc [rad]
-DEG_PER_HOUR = 4.84813681109536e-6  # degree an hour [rad/s]
-DEG_PER_SQRT_HOUR = 0.0002908882086657216  # degree a root hour, angle random walk [rad/sqrt(s)]
+DEG_PER_HOUR = 4.84813681109536e-6  # degree per hour [rad/s]
+DEG_PER_SQRT_HOUR = 0.0002908882086657216  # degree per root hour, angle random walk [rad/sqrt(s)]
 STANDARD_GRAVITY = 9.80665  # g [m/s2]
 MICRO_G = 9.806649999999999e-6  # millionth of g [m/s2]
 MICRO_G_PER_SQRT_HZ = 9.806649999999999e-6  # white noise of force [(m/s)/sqrt(s)]
-PPM = 1e-6  # part in a million
+PPM = 1e-6  # part per million
 KNOT = 0.5144444444444445  # knot [m/s]
 NMI = 1852.0  # nautical mile [m]
-NMI_PER_HOUR = 0.5144444444444445  # nautical mile an hour [m/s]
+NMI_PER_HOUR = 0.5144444444444445  # nautical mile per hour [m/s]
 
 
 def _load():
@@ -147,31 +147,34 @@ class _Handle(ctypes.c_void_p):
 
 @_exported
 class status_code(enum.IntEnum):
-    """Values of a sins.status: 0, positive an answer of another kind, negative an error.
+    """Values of a sins.status: 0 is success, a negative status is an error, a positive status is neither.
 
     OK: The call did what it says.
     NEED_SAMPLE: There is no complete interval yet: push the next sample.
-    REQUIREMENT_NOT_MET: No options meet the requirement; the outputs tell the best there are.
-    SCENE_HAS_FAULTS: The text of a scene has faults: the handle was made, for sins.scene_get_fault() alone.
-    GAP: The sample was taken, or all samples of the run were flown, but there is a gap: an interval of more than
-        2.5 times each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at
-        213 m/s. If the host's clock ran on while the vehicle stood still, that is wrong: see sins.move_time().
-    ERROR_NULL_POINTER: A pointer that must not be null is.
+    REQUIREMENT_NOT_MET: No options meet the requirement; the outputs hold the best options there are.
+    SCENE_HAS_FAULTS: The text of a scene has faults. The handle was made, but only sins.scene_get_fault() and
+        sins.scene_destroy() accept it.
+    GAP: The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more
+        than 2.5 times each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s
+        at 213 m/s. If the host's clock ran on while the vehicle stood still, that is wrong: see sins.move_time().
+    ERROR_NULL_POINTER: A pointer is null where null is not allowed.
     ERROR_BAD_HANDLE: The handle is null, made up, destroyed, or of another kind.
-    ERROR_STRUCT_SIZE: A struct_size that no release knows, or a struct of a newer release that uses what this one
-        lacks.
+    ERROR_STRUCT_SIZE: A struct_size that no release knows, or a struct of a newer release that sets a field which
+        this release lacks.
     ERROR_INVALID_ARGUMENT: A value out of its range; sins.last_error() names field, value and limit.
-    ERROR_BAD_STATE: The right call at the wrong moment, or on a handle that this thread is inside or that is held
-        for ever (see Threads).
+    ERROR_BAD_STATE: A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds
+        (see Threads).
     ERROR_TIME_ORDER: A sample that is not later than the one before, or off the stated sample period.
-    ERROR_DISCONTINUITY: Truth jumped: a gap, a teleport, half a turn between two samples. See sins.move_truth().
+    ERROR_DISCONTINUITY: The truth jumped: a gap, a teleport, half a turn between two samples. See
+        sins.move_truth().
     ERROR_QUEUE_FULL: The queue of samples is full: step first.
-    ERROR_DIVERGED: The solution left its representable range; the last good one stays readable.
-    ERROR_SINGULAR: The geographic mechanization came within reach of a pole.
+    ERROR_DIVERGED: The solution diverged: it left its limits. The last good solution stays readable.
+    ERROR_SINGULAR: The mechanization in geographic axes came too close to a pole.
     ERROR_BUFFER_TOO_SMALL: A buffer is too small for the result.
     ERROR_OUT_OF_MEMORY: No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
     ERROR_SNAPSHOT: The snapshot is damaged, foreign or newer.
-    ERROR_INTERNAL: A defect inside the library was caught; this handle answers so from now on, others live.
+    ERROR_INTERNAL: A defect inside the library was caught. This handle returns this status from now on; other
+        handles still work.
     """
 
     OK = 0
@@ -200,8 +203,9 @@ class frame(enum.IntEnum):
     """Axes in which the mechanization integrates.
 
     FRAME_EARTH_FIXED: Navigation in Earth-fixed axes: regular everywhere, poles included.
-    FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper; sins.ERROR_SINGULAR within 6.4 km of a pole,
-        and where an update moves by more than 1 % of the distance to it: 25 km at 250 m/s and updates of 1 s.
+    FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper. sins.ERROR_SINGULAR within 6.4 km of a pole,
+        and also where an update moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and
+        updates of 1 s.
     """
 
     FRAME_EARTH_FIXED = 0
@@ -212,8 +216,8 @@ class frame(enum.IntEnum):
 class scheme(enum.IntEnum):
     """Algorithms of the mechanization.
 
-    SCHEME_EXACT: Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
-    SCHEME_PAPER: The paper's equations (7)-(24), misprints mended, approximations kept.
+    SCHEME_EXACT: Coning, sculling and exact rotation compensation; Earth terms from the middle of the update.
+    SCHEME_PAPER: The paper's equations (7)-(24), misprints corrected, approximations kept.
     SCHEME_POLYNOMIAL: As sins.SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large
         rotations within an update.
     """
@@ -225,12 +229,12 @@ class scheme(enum.IntEnum):
 
 @_exported
 class vertical(enum.IntEnum):
-    """What holds the vertical channel.
+    """What stabilizes the vertical channel.
 
-    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response is that of the
-        continuous loop to second order in the interval: to 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response equals that of the
+        continuous loop to second order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
     VERTICAL_FOLLOW_TRUTH: Height and vertical velocity set to the truth at each sample.
-    VERTICAL_FREE: Left to itself: any error grows by e every 569 s.
+    VERTICAL_FREE: Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
     """
 
     VERTICAL_DAMPED = 0
@@ -252,10 +256,10 @@ class error_model(enum.IntEnum):
 
 @_exported
 class summary(enum.IntEnum):
-    """Whether the motion of the truth is summed up.
+    """Whether the library summarizes the true motion.
 
     SUMMARY_OFF: sins.get_truth_summary() is not available.
-    SUMMARY_ON: The motion of the truth is summed up; the other outputs have the same bits.
+    SUMMARY_ON: sins.get_truth_summary() is available. The other outputs have the same bits as without.
     """
 
     SUMMARY_OFF = 0
@@ -319,10 +323,12 @@ class axes(enum.IntEnum):
 class signal(enum.IntEnum):
     """Ideal signals.
 
-    SIGNAL_PHYSICAL: Ideal signals are the integrals of the physics, so that the mechanization's own error shows.
-    SIGNAL_CLOSED_LOOP: The same with a small trim that holds an error-free navigator to the truth over any time,
-        the free vertical channel too: for hosts that want nothing but the sensors' errors. sins.accuracy tells how
-        large it was. Where no sensor errs, that navigator is the simulator's own and nothing is computed twice.
+    SIGNAL_PHYSICAL: Ideal signals are the integrals of the true angular rate and specific force, so the
+        navigation shows the mechanization's own error.
+    SIGNAL_CLOSED_LOOP: As sins.SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth
+        for any time, even with a free vertical channel. It is for hosts that want the errors of the sensors only.
+        sins.accuracy reports the size of the trim. If no sensor has errors, the simulator's own navigator is that
+        navigator, and nothing is computed twice.
     """
 
     SIGNAL_PHYSICAL = 0
@@ -333,9 +339,9 @@ class signal(enum.IntEnum):
 class error_info_flags(enum.IntFlag):
     """Flags of a sins.error_info.
 
-    ERROR_INFO_VALUE: A value is at fault, and is in value.
-    ERROR_INFO_MINIMUM: There is a least value, and minimum has it.
-    ERROR_INFO_MAXIMUM: There is a greatest value, and maximum has it.
+    ERROR_INFO_VALUE: The field value holds the value at fault.
+    ERROR_INFO_MINIMUM: The field minimum holds the least allowed value.
+    ERROR_INFO_MAXIMUM: The field maximum holds the greatest allowed value.
     ERROR_INFO_INTEGER: The field is an integer.
     """
 
@@ -363,18 +369,21 @@ class sensor(enum.IntEnum):
 class failure_kind(enum.IntEnum):
     """Kinds of failure.
 
-    FAILURE_NONE: None: clears the failure that there is.
-    FAILURE_STUCK: The output holds the measured mean of the interval before, as sins.imu told it; without one its
-        first value. Not flagged: it looks like data.
-    FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as built-in
-        tests do; without the altimeter the vertical channel is left to itself, flagged
+    FAILURE_NONE: No failure: clears the failure that is set.
+    FAILURE_STUCK: The output stays at its mean over the interval before the failure, as sins.imu reported it;
+        without such an interval, at its first value. Not flagged, because it looks like data.
+    FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as by a
+        built-in test. Without the altimeter nothing stabilizes the vertical channel, which is flagged
         sins.NAVIGATION_VERTICAL_UNAIDED.
-    FAILURE_BIAS_STEP: A bias of size more. Not flagged.
-    FAILURE_SPIKES: Rectangular pulses of size, duration_s long, one each interval_s, the first at once; a sample
-        of the altimeter shows their mean over its interval. Not flagged but where they saturate.
-    FAILURE_NOISE: White noise of density more; of the altimeter its mean over the interval. Not flagged.
-    FAILURE_DROP_OUTS: Sample intervals are lost: 0, and flagged as sins.FAILURE_DEAD. With probability each by
-        itself, or with interval_s one in that time, the first at once.
+    FAILURE_BIAS_STEP: An additional bias, of the field size. Not flagged.
+    FAILURE_SPIKES: Rectangular pulses of height size and length duration_s, one every interval_s, the first
+        immediately. A sample of the altimeter shows their mean over its interval. Flagged only where they saturate
+        the output.
+    FAILURE_NOISE: Additional white noise of the field density; for the altimeter, its mean over the interval. Not
+        flagged.
+    FAILURE_DROP_OUTS: Sample intervals are lost: the output is 0 there, and flagged as with sins.FAILURE_DEAD.
+        Either each interval is lost independently with the field probability, or one interval is lost every
+        interval_s, the first immediately.
     """
 
     FAILURE_NONE = 0
@@ -394,7 +403,7 @@ class alignment(enum.IntEnum):
     ALIGNMENT_LEVEL_AND_GYROCOMPASS: The INS starts with the attitude that levelling and gyrocompassing at rest
         find with the sensor errors of the start, turned by the given and the drawn misalignment. Level first: the
         tilt at which the accelerometers sense no horizontal force. Then the heading at which the levelled rate of the
-        gyros points north. sins.NAVIGATION_NORTH_UNKNOWN tells that they found none.
+        gyros points north. sins.NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
     """
 
     ALIGNMENT_GIVEN = 0
@@ -407,8 +416,8 @@ class sample_flags(enum.IntFlag):
 
     SAMPLE_ANGULAR_RATE: The sample carries angular_rate_rad_s.
     SAMPLE_SPECIFIC_FORCE: The sample carries specific_force_m_s2.
-    SAMPLE_NO_VELOCITY: The sample has no velocity: it follows from position, with a noise of 2 to 4 position
-        errors over the interval.
+    SAMPLE_NO_VELOCITY: The sample has no velocity. The library derives it from positions, with a noise of 2 to 4
+        position errors divided by the interval.
     SAMPLE_TEMPERATURE: The sample carries temperature_c.
     """
 
@@ -422,17 +431,17 @@ class sample_flags(enum.IntFlag):
 class navigation_flags(enum.IntFlag):
     """Flags of a sins.navigation.
 
-    NAVIGATION_NEAR_POLE: Within 20 km of the Earth's axis: longitude and heading turn fast; at the pole they are
-        undefined. Quaternion, height and the errors in metres stay right.
-    NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, by the options or as the altimeter has no
-        signal: any error grows by e every 569 s.
-    NAVIGATION_INCONSISTENT: Truth: the displacement since the sample before contradicts the velocities by more
-        than 1 % and 1 cm, added as squares.
-    NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so that any heading error is
-        possible: the horizontal error of the levelled rates is not smaller than the Earth rate's north part (where it
-        is smaller, the heading error is below 90 degrees), or the accelerometers show no force. The simulator knows
-        that error. A real INS can be sure of it only where its levelled horizontal rate is more than twice the Earth
-        rate's north part. The flag stays until the INS starts again.
+    NAVIGATION_NEAR_POLE: Within 20 km of the Earth's axis: longitude and heading change fast there, and at the
+        pole they are undefined. Quaternion, height and the errors in metres stay correct.
+    NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, because of the options or because the
+        altimeter has no signal: any error grows e-fold every 569 s.
+    NAVIGATION_INCONSISTENT: Of the truth: the displacement since the previous sample differs from the one that
+        the velocities give by more than the root sum of squares of 1 % and 1 cm.
+    NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so any heading error is possible.
+        Either the accelerometers show no force, or the horizontal error of the levelled rates is at least as large as
+        the north component of the Earth rate. (If it is smaller, the heading error is below 90 degrees.) The
+        simulator knows this error. A real INS can be sure of this case only if its levelled horizontal rate is more
+        than twice the north component of the Earth rate. The flag stays until the INS starts again.
     """
 
     NAVIGATION_NEAR_POLE = 1
@@ -443,7 +452,7 @@ class navigation_flags(enum.IntFlag):
 
 @_exported
 class errors_source(enum.IntEnum):
-    """Where errors come from.
+    """The two sources of errors.
 
     ERRORS_NAVIGATION: Navigation minus truth: the paper's error data 2.
     ERRORS_MODEL: The error differential equations: the paper's error data 1 (sins.options.error_model).
@@ -457,10 +466,11 @@ class errors_source(enum.IntEnum):
 class errors_flags(enum.IntFlag):
     """Flags of a sins.errors.
 
-    ERRORS_NEAR_POLE: Near a pole: longitude, heading and up misalignment, and east and north of the velocity,
-        have lost their meaning.
-    ERRORS_OUTSIDE_VALIDITY: Error model: misalignment above 2 degrees, displacement above 100 km or, at high
-        latitude, above 3.5 % of the distance to the pole; what it drops is no longer small.
+    ERRORS_NEAR_POLE: Near a pole: the errors of longitude and heading, the up misalignment, and the east and
+        north components of the velocity error have no meaning.
+    ERRORS_OUTSIDE_VALIDITY: Of the error model: the terms that it neglects are no longer small. The misalignment
+        is above 2 degrees, or the displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to
+        the pole.
     ERRORS_NOT_COMPUTED: In a sins.record: not computed, all zero.
     """
 
@@ -475,9 +485,9 @@ class imu_flags(enum.IntFlag):
 
     IMU_GYRO_SATURATED: The mean rate of a sub-increment was beyond the range of a gyro.
     IMU_ACCEL_SATURATED: The mean force of a sub-increment was beyond the range of an accelerometer.
-    IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization goes on with
-        the 0 that it gave.
-    IMU_ACCEL_INVALID: An accelerometer had none.
+    IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with
+        its output of 0.
+    IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out.
     """
 
     IMU_GYRO_SATURATED = 1
@@ -519,15 +529,18 @@ class manoeuvre_kind(enum.IntEnum):
 
     MANOEUVRE_REST: At rest for duration_s; the speed must be 0.
     MANOEUVRE_STRAIGHT: Along a geodesic at constant speed and height for duration_s.
-    MANOEUVRE_ACCELERATE: By speed_change_m_s in duration_s.
-    MANOEUVRE_CLIMB: By height_change_m in duration_s, ramp_s.
-    MANOEUVRE_TURN: Level coordinated turn by heading_change_rad (right positive) at bank_rad, ramp_s to roll in
-        and out; the duration follows.
-    MANOEUVRE_ROLL: turns whole rolls (right positive) in duration_s along a straight path.
-    MANOEUVRE_LOOP: turns whole vertical loops (nose up positive) in duration_s at constant speed, ramp_s.
-    MANOEUVRE_S_TURN: Course swings by heading_change_rad to both sides, turns times in duration_s, ramp_s.
-    MANOEUVRE_SINUSOIDS: Sum of sinusoid_count sinusoids for duration_s, ramp_s: patrol patterns, rocking, coning,
-        vibration.
+    MANOEUVRE_ACCELERATE: Changes the speed by speed_change_m_s in duration_s.
+    MANOEUVRE_CLIMB: Changes the height by height_change_m in duration_s. Uses ramp_s.
+    MANOEUVRE_TURN: Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll
+        in and to roll out. The duration follows from these.
+    MANOEUVRE_ROLL: Makes a number of whole rolls, in the field turns (right positive), in duration_s along a
+        straight path.
+    MANOEUVRE_LOOP: Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s
+        at constant speed. Uses ramp_s.
+    MANOEUVRE_S_TURN: The course swings by heading_change_rad to both sides; the field turns is the number of
+        swings in duration_s. Uses ramp_s.
+    MANOEUVRE_SINUSOIDS: Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning,
+        vibration. Uses ramp_s.
     """
 
     MANOEUVRE_REST = 0
@@ -565,9 +578,9 @@ class channel(enum.IntEnum):
 class scene_flight(enum.IntEnum):
     """Where the flight of a scene comes from: sins.scene_setup.flight.
 
-    SCENE_FLIGHT_MANOEUVRES: It is composed of manoeuvres.
-    SCENE_FLIGHT_BUILTIN: That of a built-in scene, sins.SCENE_TEXT_BUILTIN.
-    SCENE_FLIGHT_LOG: A flight log, sins.SCENE_TEXT_LOG.
+    SCENE_FLIGHT_MANOEUVRES: The flight is composed of manoeuvres.
+    SCENE_FLIGHT_BUILTIN: The flight is that of a built-in scene, named by sins.SCENE_TEXT_BUILTIN.
+    SCENE_FLIGHT_LOG: The flight is a log, named by sins.SCENE_TEXT_LOG.
     """
 
     SCENE_FLIGHT_MANOEUVRES = 0
@@ -579,13 +592,12 @@ class scene_flight(enum.IntEnum):
 class scene_text(enum.IntEnum):
     """The texts of a scene: sins.scene_get_text(), sins.scene_set_text().
 
-    SCENE_TEXT_TITLE: The scene in words.
-    SCENE_TEXT_LOG: Path of the flight log, as seen from the scene's own folder; setting it makes the flight a
-        log.
-    SCENE_TEXT_BUILTIN: Name of the built-in scene whose flight is flown; setting it makes the flight that.
-    SCENE_TEXT_FOLDER: Folder of the files that a program writes.
-    SCENE_TEXT_NAME: Base name of those files.
-    SCENE_TEXT_IMU: File of the measured increments.
+    SCENE_TEXT_TITLE: Title: the scene in a few words.
+    SCENE_TEXT_LOG: Path of the flight log, relative to the scene's own folder. Setting it makes the flight a log.
+    SCENE_TEXT_BUILTIN: Name of the built-in scene whose flight is flown. Setting it selects that flight.
+    SCENE_TEXT_FOLDER: Folder of the output files of a program.
+    SCENE_TEXT_NAME: Base name of the output files.
+    SCENE_TEXT_IMU: Name of the file for the measured increments.
     """
 
     SCENE_TEXT_TITLE = 0
@@ -632,30 +644,31 @@ class log(_Handle):
 
 
 class options(_Struct):
-    """How a simulator is made. All zero (but struct_size) is the recommended simulator.
+    """Options of a simulator. All zero (except struct_size) is the recommended simulator.
 
-    frame: Of enum sins.frame.
-    scheme: Of enum sins.scheme.
+    frame: Axes of the mechanization, of enum sins.frame.
+    scheme: Algorithm of the mechanization, of enum sins.scheme.
     subsamples: Sub-increments of a mechanization update, 1 to 5; 0: 2.
     updates_per_sample: Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see
         "Gaps" above).
-    vertical: Of enum sins.vertical.
-    error_model: Of enum sins.error_model.
-    earth: Of enum sins.earth.
-    gravity: Of enum sins.gravity.
+    vertical: Vertical channel, of enum sins.vertical.
+    error_model: Error differential equations, of enum sins.error_model.
+    earth: Ellipsoid, of enum sins.earth.
+    gravity: Normal gravity, of enum sins.gravity.
     axes: Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins.axes.
-    signal: Of enum sins.signal.
+    signal: Ideal signals, of enum sins.signal.
     seed: Seed of all random streams.
-    run: Number of the run in an ensemble: same seed, other draws.
+    run: Number of the run in an ensemble: the same seed with another run gives other random numbers.
     closed_loop_time_s: Time constant of sins.SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0:
-        30 s. Must be 0 without it.
-    sample_period_s: Stated sample period [s]: sample k is then at exactly k periods from the first, time stamps
-        only order and check, each within 0.4 of a period. 5e-5 to max_gap_s. 0: the samples' own time stamps.
+        30 s. Must be 0 with another signal.
+    sample_period_s: Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a
+        stated period, each sample is at an exact multiple of the period from the first. The time stamps then only
+        order the samples and check them: each must be within 0.4 of a period of its multiple.
     max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
-        at rest: those of 100 s cost 40 m in 12 h, longer ones many times that.
-    max_acceleration_m_s2: Mean acceleration between two samples beyond which truth has jumped, 1e-3 to 1e6
-        [m/s2]; 0: 2000 m/s2.
-    truth_summary: Of enum sins.summary.
+        at rest. Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
+    max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond
+        it the truth has jumped.
+    truth_summary: Summary of the true motion, of enum sins.summary.
     covariance: Of enum sins.covariance_mode.
     """
 
@@ -685,32 +698,31 @@ class options(_Struct):
 
 
 class flight_sample(_Struct):
-    """True motion of the vehicle at an instant, as a flight simulator gives it. Velocity is trusted most: the ideal
-    signals are made of velocity and attitude, position enters through gravity and curvature alone. Vibration above a
-    tenth of the sample rate cannot be recovered from samples; give angular rate and specific force where you have
-    them.
+    """True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from
+    velocity and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample
+    rate cannot be recovered from samples; give angular rate and specific force if you have them.
 
     flags: Flags of enum sins.sample_flags, or'ed.
     time_s: Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins.options.max_gap_s. Large
         stamps are coarse (2e-7 s at 1e9 s): state sins.options.sample_period_s with them.
     latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
-    longitude_rad: Longitude, east positive, -100 to 100 [rad]: any wrap.
+    longitude_rad: Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
     height_m: Height above the ellipsoid, -20 km to 2000 km [m].
     velocity_enu_m_s[3]: Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
     roll_rad: Roll, right wing down positive, any number of turns up to 10000 rad [rad].
     pitch_rad: Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the
-        next the attitude turns by less than 170 degrees, and by less than 180 degrees more or less than foreseen by
-        the angular rates or else by the interval before. Whole turns that a host loses otherwise are beyond
-        knowledge.
+        next the attitude must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from
+        the turn that the angular rates predict, or, without rates, that the previous interval predicts. Other whole
+        turns between two samples cannot be detected.
     heading_rad: Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this
         instant, each up to 1000 rad/s [rad/s].
     specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each
         up to 1e5 m/s2 [m/s2].
     temperature_c: With sins.SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant,
-        -273.15 to 1000 [deg C]; straight from one sample to the next. Needed while temperature coefficients are set:
-        a sample without it is then sins.ERROR_INVALID_ARGUMENT, as a flag forgotten would be an effect lost in
-        silence.
+        -273.15 to 1000 [deg C]; linear from one sample to the next. Needed while temperature coefficients are set: a
+        sample without it is then sins.ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the
+        effect.
     """
 
     __slots__ = ()
@@ -732,20 +744,20 @@ class flight_sample(_Struct):
 
 
 class error_info(_Struct):
-    """Why a call failed: what the sentence of sins.last_error() is made of.
+    """Why a call failed: the data of which the sentence of sins.last_error() is made.
 
     flags: Flags of enum sins.error_info_flags, or'ed.
-    status: What the call returned, of enum sins.status_code; sins.OK if none failed.
-    field[96]: The field or argument at fault, "gyro.markov_time_s", or what else is measured, terminated. Empty
-        if it is the call itself.
-    index: Element of the field, from 0; -1: the field is no array, or all of it is at fault.
-    sample: Sample of the array that the call took, from 0; -1: none.
-    value: With sins.ERROR_INFO_VALUE: the value at fault, which may be no number or infinite; of an integer the
+    status: Status that the failed call returned, of enum sins.status_code; sins.OK if no call failed.
+    field[96]: Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured
+        quantity; terminated. Empty if the call itself is at fault.
+    index: Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
+    sample: Index of the sample in the array of the call, from 0; -1: no sample is at fault.
+    value: With sins.ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the
         nearest double.
-    minimum: With sins.ERROR_INFO_MINIMUM: the least value. Where the sentence says "more than", that value itself
-        is refused.
-    maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. Where the sentence says "less than", that value
-        itself is refused.
+    minimum: With sins.ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is
+        rejected too.
+    maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself
+        is rejected too.
     """
 
     __slots__ = ()
@@ -767,15 +779,15 @@ class gyro_params(_Struct):
     """Errors of the gyros; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by row. All
     zero is an ideal triad. Signal: the angular rate. Densities do not depend on the sample rate.
 
-    Effects act along the path of the signal: bandwidth; then scale factor, misalignment, asymmetry and nonlinearity,
-    of the signal so far, g-sensitivity, of the true specific force, and temperature; then biases and noise are added;
-    then dead zone, range, quantization.
+    Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale
+    factor, misalignment, asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and
+    temperature; then biases and noise; then dead zone, range, quantization.
 
     Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean
-    signal of a sub-increment of the length dt = interval / (updates_per_sample * subsamples). With x = pi f dt, a
-    vibration of frequency f loses by that 1 - (sin x / x)^2 of its mean square (nonlinearity, rectification) and,
-    where it changes sign, up to 1 - cos x of its mean size (asymmetry): at a tenth of the sample rate 0.8 % and 1.2 %
-    with two sub-increments an interval, 3.3 % and 4.9 % with one.
+    signal of a sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
+    effect of a vibration. With x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1
+    - (sin x / x)^2. Asymmetry loses up to 1 - cos x, if the vibration changes the sign of the signal. At a tenth of
+    the sample rate these are 0.8 % and 1.2 % with two sub-increments per interval, 3.3 % and 4.9 % with one.
 
     bias_rad_s[3]: Constant bias, measured less true [rad/s], -100 to 100.
     bias_sigma_rad_s[3]: Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
@@ -864,9 +876,10 @@ class accel_params(_Struct):
     """Errors of the accelerometers; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by
     row. All zero is an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
 
-    Effects act along the path of the signal: size effect, bandwidth; then scale factor, misalignment, asymmetry,
-    nonlinearity, vibration rectification, of the signal so far, and temperature; then biases and noise are added;
-    then dead zone, range, quantization. What acts on the mean of a sub-increment: see sins.gyro_params.
+    Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far
+    (scale factor, misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and
+    noise; then dead zone, range, quantization. sins.gyro_params describes the effects that act on the mean of a
+    sub-increment.
 
     bias_m_s2[3]: Constant bias, measured less true [m/s2], -10000 to 10000.
     bias_sigma_m_s2[3]: Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000.
@@ -893,9 +906,9 @@ class accel_params(_Struct):
     vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r
         makes a bias of this times r2.
     lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size
-        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At the start of
-        a flight in motion see sins.mounting; the velocity lacks the change of rate in the first interval for good.
-        With sins.push_imu() the angular acceleration follows from the increments before.
+        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. For the start of
+        a flight in motion see sins.mounting; the measured velocity never recovers the change of rate in the first
+        interval. With sins.push_imu() the angular acceleration follows from the previous increments.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
         -273.15 to 1000. T is sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0,
         every sample needs a temperature, and sins.push_imu() is not available.
@@ -953,9 +966,10 @@ class altimeter_params(_Struct):
     bias_m: Constant bias, up to 1e5 m [m].
     markov_sigma_m: Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on,
         up to 1e5 m [m].
-    markov_time_s: Its correlation time, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
+    markov_time_s: Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is
+        not 0.
     noise_m: Standard deviation of the independent error of each sample, up to 1e5 m [m].
-    scale_factor: Scale factor error of the height, -1 to 1.
+    scale_factor: Scale factor error of the height [1], -1 to 1.
     lag_s: Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
     """
 
@@ -973,14 +987,14 @@ class altimeter_params(_Struct):
 
 
 class failure(_Struct):
-    """A failure of one output of a sensor. All zero is none. What the kind does not use is 0. u is rad/s of a gyro, m/s2
-    of an accelerometer, m of the altimeter.
+    """A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit
+    u is rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
 
-    kind: Of enum sins.failure_kind.
+    kind: Kind of the failure, of enum sins.failure_kind.
     size: Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
-    density: Noise: density as the random walk N of the sensor, up to 100, 1e4, 1e5 [u sqrt(s)].
-    interval_s: Spikes: from the start of one to the next; drop-outs: from one to the next; 1e-4 to 1e9 [s].
-    duration_s: Spikes: length of one, 1e-9 s to interval_s [s].
+    density: Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
     probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     """
 
@@ -1003,15 +1017,15 @@ class initial_errors(_Struct):
     added. Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up
     to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
 
-    position_enu_m[3]: Position [m].
-    velocity_enu_m_s[3]: Velocity [m/s].
+    position_enu_m[3]: Position error [m].
+    velocity_enu_m_s[3]: Velocity error [m/s].
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x])
         C, C from sensor axes to east-north-up, the true one or with sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that
         the alignment finds.
     position_sigma_enu_m[3]: Standard deviation of position [m].
     velocity_sigma_enu_m_s[3]: Standard deviation of velocity [m/s].
     misalignment_sigma_enu_rad[3]: Standard deviation of misalignment, 0 to 1 [rad].
-    alignment: Of enum sins.alignment.
+    alignment: Alignment at the start, of enum sins.alignment.
     """
 
     __slots__ = ()
@@ -1030,28 +1044,31 @@ class initial_errors(_Struct):
 
 
 class mounting(_Struct):
-    """Where the sensor block sits against the reference point of the flight samples, and what the INS wrongly believes
-    of that: believed = true + error, component by component. All zero is a block at the reference point, along the
-    body axes.
+    """Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of
+    what the INS believes about them: believed = true + error, component by component. All zero is a block at the
+    reference point, along the body axes.
 
-    The ideal sensors feel the motion of the block, and sensor errors act in its axes: sins.imu is about the block.
-    The INS navigates the block and gives out the reference point with what it believes: sins.navigation and
-    sins.errors are about that. Initial errors are those of the INS's solution of the block. Angular rate and specific
-    force of a sample are of the reference point, along body axes; so is the barometric height.
+    The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins.imu
+    describes the block. The INS navigates the block, and converts its solution to the reference point with the
+    mounting that it believes: sins.navigation and sins.errors describe the reference point. Initial errors are those
+    of the INS's solution for the block. Angular rate and specific force of a sample are those of the reference point,
+    along body axes. The barometric height is that of the reference point too.
 
-    Where a flight begins in motion, or is repositioned, samples without an angular rate do not tell the angular
-    acceleration of the first interval: the force of a block off the reference point lacks angular acceleration times
-    arm there. The second interval has it to first order of its length, the third to second, later ones to third. The
-    navigation does not suffer: what the next sample tells of the block's velocity, the INS has known from the start.
-    With sins.SAMPLE_ANGULAR_RATE nothing is lacking.
+    Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not
+    show the angular acceleration of the first interval. The specific force of a block away from the reference point
+    then lacks the term angular acceleration times lever arm. In the second interval this term is correct to first
+    order in the interval's length, in the third to second order, later to third order. The navigation is not
+    affected, because the INS starts with the velocity of the block that matches the next sample. With
+    sins.SAMPLE_ANGULAR_RATE no term is missing.
 
-    lever_arm_m[3]: From the reference point to the block, body axes (sins.options.axes), -100 to 100 [m].
-    boresight_rad[3]: Roll, pitch and heading of the block's axes against the body axes, as those of the body
-        against the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
-        flight sample [rad].
+    lever_arm_m[3]: Lever arm from the reference point to the block, body axes (sins.options.axes), -100 to 100
+        [m].
+    boresight_rad[3]: Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as
+        those of the body relative to the horizon: right side down, nose up, nose to the right; any number of turns up
+        to 10000 rad, as in a flight sample [rad].
     lever_arm_error_m[3]: Believed less true lever arm, -100 to 100 [m].
-    boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. A heading believed too large
-        makes the heading that the INS gives out too small by as much.
+    boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too
+        large, the heading that the INS reports is too small by the same amount.
     """
 
     __slots__ = ()
@@ -1067,27 +1084,32 @@ class mounting(_Struct):
 
 class gravity_params(_Struct):
     """True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
-    gravity disturbance: both at the same point). Each has a constant part and a random one, a first-order
-    Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At rest
-    it does not change. All zero is normal gravity.
+    gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
+    first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
+    ground. At rest it does not change. All zero is normal gravity.
 
-    Perfect accelerometers feel it: it is in the ideal signals of sins.imu. The INS takes it for an error of its
-    accelerometers: at rest, without a levelled start, a deflection makes it swing by R times the deflection to both
-    sides of R times the deflection; a levelled start (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS) leans by it.
+    Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins.imu. In the INS it acts like
+    an accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between
+    0 and twice R times the deflection, where R is the Earth's radius. A levelled start
+    (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
 
     deflection_north_rad: Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad].
-        The true zenith lies north of the ellipsoid's normal, and the accelerometers at rest feel g times this to the
-        north.
-    deflection_north_sigma_rad: Standard deviation of its random part, up to 0.01 [rad].
-    deflection_north_distance_m: Correlation distance D of that, 1 to 1e9 [m]; needed where the standard deviation
-        is not 0.
+        If positive, the true zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g
+        times this to the north.
+    deflection_north_sigma_rad: Standard deviation of the random part of the deflection in the meridian, up to
+        0.01 [rad].
+    deflection_north_distance_m: Correlation distance D of that random part, 1 to 1e9 [m]; needed where its
+        standard deviation is not 0.
     deflection_east_rad: Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the
-        cosine of latitude, -0.01 to 0.01 [rad]. The true zenith lies east of the ellipsoid's normal.
-    deflection_east_sigma_rad: Standard deviation of its random part, up to 0.01 [rad].
-    deflection_east_distance_m: Correlation distance of that, 1 to 1e9 [m].
+        cosine of latitude, -0.01 to 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
+    deflection_east_sigma_rad: Standard deviation of the random part of the deflection in the prime vertical, up
+        to 0.01 [rad].
+    deflection_east_distance_m: Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard
+        deviation is not 0.
     anomaly_m_s2: Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
-    anomaly_sigma_m_s2: Standard deviation of its random part, up to 0.1 [m/s2].
-    anomaly_distance_m: Correlation distance of that, 1 to 1e9 [m].
+    anomaly_sigma_m_s2: Standard deviation of the random part of the anomaly, up to 0.1 [m/s2].
+    anomaly_distance_m: Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard
+        deviation is not 0.
     """
 
     __slots__ = ()
@@ -1109,14 +1131,14 @@ class gravity_params(_Struct):
 class record_solution(_Struct):
     """A solution within a sins.record; never grows. Fields as in sins.navigation.
 
-    latitude_rad: [rad]
-    longitude_rad: [rad]
-    height_m: [m]
-    velocity_enu_m_s[3]: [m/s]
-    roll_rad: [rad]
-    pitch_rad: [rad]
-    heading_rad: [rad]
-    quaternion_nb[4]: Scalar first.
+    latitude_rad: Geodetic latitude [rad].
+    longitude_rad: Longitude, east positive [rad].
+    height_m: Height above the ellipsoid [m].
+    velocity_enu_m_s[3]: Velocity against the Earth, east-north-up [m/s].
+    roll_rad: Roll, right wing down positive [rad].
+    pitch_rad: Pitch, nose up positive [rad].
+    heading_rad: Heading, clockwise from true north [rad].
+    quaternion_nb[4]: Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
     flags: Flags of enum sins.navigation_flags, or'ed.
     """
 
@@ -1138,15 +1160,15 @@ class record_solution(_Struct):
 class record_errors(_Struct):
     """Errors within a sins.record; never grows. Fields as in sins.errors.
 
-    position_enu_m[3]: [m]
-    latitude_rad: [rad]
-    longitude_rad: [rad]
-    height_m: [m]
-    velocity_enu_m_s[3]: [m/s]
-    misalignment_enu_rad[3]: [rad]
-    roll_rad: [rad]
-    pitch_rad: [rad]
-    heading_rad: [rad]
+    position_enu_m[3]: Displacement from truth along true east and north, and error of height [m].
+    latitude_rad: Error of latitude [rad].
+    longitude_rad: Error of longitude [rad].
+    height_m: Error of height [m].
+    velocity_enu_m_s[3]: Error of velocity, east-north-up [m/s].
+    misalignment_enu_rad[3]: Misalignment phi, east-north-up [rad].
+    roll_rad: Error of roll [rad].
+    pitch_rad: Error of pitch [rad].
+    heading_rad: Error of heading [rad].
     flags: Flags of enum sins.errors_flags, or'ed.
     """
 
@@ -1170,11 +1192,11 @@ class record(_Struct):
     """Truth, navigation and both errors at one instant.
 
     time_s: Time [s].
-    truth: As sins.get_truth().
-    navigation: As sins.get_navigation().
-    navigation_errors: As sins.get_errors() with sins.ERRORS_NAVIGATION: error data 2.
-    model_errors: As sins.get_errors() with sins.ERRORS_MODEL: error data 1; flagged sins.ERRORS_NOT_COMPUTED
-        while the model is off.
+    truth: The truth, as sins.get_truth() gives it.
+    navigation: The navigated solution, as sins.get_navigation() gives it.
+    navigation_errors: Error data 2, as sins.get_errors() gives it with sins.ERRORS_NAVIGATION.
+    model_errors: Error data 1, as sins.get_errors() gives it with sins.ERRORS_MODEL; flagged
+        sins.ERRORS_NOT_COMPUTED while the model is off.
     """
 
     __slots__ = ()
@@ -1228,14 +1250,17 @@ class imu(_Struct):
     flags: Flags of enum sins.imu_flags, or'ed.
     time_s: Time of the end of the interval [s].
     interval_s: Length of the interval [s].
-    ideal_angle_rad[3]: Integral of the angular rate against inertial space, perfect gyros [rad].
-    ideal_velocity_m_s[3]: Integral of the specific force, perfect accelerometers [m/s].
-    measured_angle_rad[3]: What the modelled gyros give [rad].
-    measured_velocity_m_s[3]: What the modelled accelerometers give [m/s].
-    ideal_rate_rad_s[3]: ideal_angle_rad over the interval [rad/s].
-    ideal_force_m_s2[3]: ideal_velocity_m_s over the interval [m/s2].
-    measured_rate_rad_s[3]: measured_angle_rad over the interval [rad/s].
-    measured_force_m_s2[3]: measured_velocity_m_s over the interval [m/s2].
+    ideal_angle_rad[3]: Integral of the angular rate against inertial space, as perfect gyros measure it [rad].
+    ideal_velocity_m_s[3]: Integral of the specific force, as perfect accelerometers measure it [m/s].
+    measured_angle_rad[3]: Integral of the angular rate that the modelled gyros measure [rad].
+    measured_velocity_m_s[3]: Integral of the specific force that the modelled accelerometers measure [m/s].
+    ideal_rate_rad_s[3]: Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s].
+    ideal_force_m_s2[3]: Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s
+        [m/s2].
+    measured_rate_rad_s[3]: Mean angular rate of the modelled gyros: measured_angle_rad divided by interval_s
+        [rad/s].
+    measured_force_m_s2[3]: Mean specific force of the modelled accelerometers: measured_velocity_m_s divided by
+        interval_s [m/s2].
     """
 
     __slots__ = ()
@@ -1259,16 +1284,18 @@ class errors(_Struct):
     """Errors of the navigated solution, computed less true.
 
     time_s: Time [s].
-    position_enu_m[3]: Displacement from truth along true east and north, and difference of heights [m].
-    latitude_rad: Latitude [rad].
-    longitude_rad: Longitude, wrapped to -pi..pi [rad].
-    height_m: Height [m].
-    velocity_enu_m_s[3]: Velocity [m/s]: difference of the components, each in its own east-north-up.
+    position_enu_m[3]: Position error: displacement from truth along true east and north, and difference of
+        heights [m].
+    latitude_rad: Error of latitude [rad].
+    longitude_rad: Error of longitude, wrapped to -pi to pi [rad].
+    height_m: Error of height [m].
+    velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
+        own position.
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from
-        sensor axes to east-north-up. The error model has it to first order, computed C = (I - [phi x]) C.
-    roll_rad: Roll, wrapped [rad].
-    pitch_rad: Pitch [rad].
-    heading_rad: Heading, wrapped [rad].
+        sensor axes to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) C.
+    roll_rad: Error of roll, wrapped to -pi to pi [rad].
+    pitch_rad: Error of pitch [rad].
+    heading_rad: Error of heading, wrapped to -pi to pi [rad].
     flags: Flags of enum sins.errors_flags, or'ed.
     """
 
@@ -1292,37 +1319,38 @@ class errors(_Struct):
 
 
 class accuracy(_Struct):
-    """Running figures of the flight since its start or last reposition (sins.move_time() and sins.move_truth() leave
-    them), errors sampled once a second. They describe one run, which is no ensemble. Divide the rates by
+    """Running figures of the flight since its start or last reposition; sins.move_time() and sins.move_truth() do not
+    restart them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by
     sins.NMI_PER_HOUR for the unit of data sheets.
 
     time_s: Time [s].
     duration_s: Time since the start [s].
-    window_start_s: Where the window of the radial error rates begins, in time since the start: 300 s; before,
-        they are initial errors over next to nothing [s].
-    window_samples: Samples in that window; the rates are 0 while there is none.
+    window_start_s: Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates
+        would be initial errors divided by a very short time [s].
+    window_samples: Samples in the window of the radial error rates. While there are none, the rates are 0.
     radial_error_rate_rms_m_s: sqrt(mean RER^2); radial error rate RER = horizontal position error / time since
         the start [m/s].
     cep_rate_m_s: R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
     radial_95_rate_m_s: R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
-    radial_error_slope_m_s: Slope of the straight line of least squares through the horizontal position error
+    radial_error_slope_m_s: Slope of the least-squares line through the horizontal position error [m/s].
+    velocity_rms_enu_m_s[3]: Root mean square velocity error since the start, east-north-up; samples within 20 km
+        of the Earth's axis, where east and north turn fast, are left out [m/s].
+    closure_position_enu_m[3]: Position closure: navigation minus truth now [m].
+    closure_velocity_enu_m_s[3]: Velocity closure: navigation minus truth now [m/s].
+    host_position_enu_m[3]: Part of the horizontal position closure that the host causes, because its velocities
+        contradict its positions [m]: the Schuler-tuned response to displacement by velocity less displacement by
+        position; up is 0. The rest of the closure is caused by the simulator and the sensors.
+    host_velocity_enu_m_s[3]: Part of the horizontal velocity closure that the host causes in this way; up is 0
         [m/s].
-    velocity_rms_enu_m_s[3]: Root mean square velocity error since the start, east-north-up; without samples
-        within 20 km of the Earth's axis, where east and north turn [m/s].
-    closure_position_enu_m[3]: Closure: navigation minus truth now, position [m].
-    closure_velocity_enu_m_s[3]: Closure: navigation minus truth now, velocity [m/s].
-    host_position_enu_m[3]: Share of the horizontal position closure that the host's own inconsistency explains
-        [m]: the Schuler-tuned answer to displacement by velocity less displacement by position; up is 0. Closure less
-        this is the simulator's and the sensors'.
-    host_velocity_enu_m_s[3]: The same of the horizontal velocity closure; up is 0 [m/s].
     inconsistency_enu_m[3]: Displacement by the host's velocities less displacement by its positions, summed over
         the flight [m].
-    inconsistency_max_m: The largest of it in one interval [m].
+    inconsistency_max_m: The largest such difference in one interval [m].
     inconsistent_samples: Samples flagged sins.NAVIGATION_INCONSISTENT.
     intervals: Intervals flown since the start or the last reposition: one less than the samples.
-    trim_rate_max_rad_s: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its
-        time constants on: the error of generator and mechanization themselves; 0 with physical signals [rad/s].
-    trim_force_max_m_s2: The same of the specific force [m/s2].
+    trim_rate_max_rad_s: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its
+        time constants: the error of signal generator and mechanization themselves; 0 with physical signals [rad/s].
+    trim_force_max_m_s2: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the specific force, likewise
+        [m/s2].
     """
 
     __slots__ = ()
@@ -1352,43 +1380,44 @@ class accuracy(_Struct):
 
 
 class truth_summary(_Struct):
-    """The motion of the truth in figures, over all intervals since the create or the last sins.reset(): those of wrong
-    units or exchanged axes are none of a vehicle. Attitudes in degrees turn 57 times as fast and show any sideslip;
-    east and north exchanged are a sideslip and a contradiction between velocity and position, as are knots for m/s;
-    feet for metres are heights and climbs of 3.3 times their size. Rates, accelerations and forces are means from one
-    sample to the next. Each ..._at_s is the time stamp of the sample that it came with.
+    """Extreme values of the true motion over all intervals since the create or the last sins.reset(). They reveal wrong
+    units and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and
+    give any sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots
+    instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large.
+    Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of the
+    sample at which the value was found.
 
     intervals: Intervals flown.
-    gaps: Those of them that are gaps (see sins.GAP).
-    fast_samples: Samples faster than 30 m/s: sideslip and angle of attack are of these.
+    gaps: Intervals that are gaps (see sins.GAP).
+    fast_samples: Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only.
     flown_s: Sum of the lengths of the intervals [s].
-    first_s: Time stamps of the first and of the last sample [s].
-    last_s: See first_s.
+    first_s: Time stamp of the first sample [s].
+    last_s: Time stamp of the last sample [s].
     interval_max_s: Longest interval [s].
-    interval_max_at_s: When [s].
+    interval_max_at_s: Time stamp of interval_max_s [s].
     turn_max_rad: Largest rotation in an interval [rad].
-    turn_max_at_s: When [s].
-    rate_max_rad_s: Largest angular rate: by the attitudes against the Earth, or the samples' own [rad/s].
-    rate_max_at_s: When [s].
-    acceleration_max_m_s2: Largest acceleration against the Earth, by the velocities [m/s2].
-    acceleration_max_at_s: When [s].
-    force_max_m_s2: Largest specific force: by the velocities and gravity, or the samples' own [m/s2].
-    force_max_at_s: When [s].
-    inconsistency_max_m: Largest displacement in an interval that the mean of the velocities at its ends does not
-        explain [m].
-    inconsistency_max_at_s: When [s].
+    turn_max_at_s: Time stamp of turn_max_rad [s].
+    rate_max_rad_s: Largest angular rate: from the attitudes against the Earth, or the samples' own rate [rad/s].
+    rate_max_at_s: Time stamp of rate_max_rad_s [s].
+    acceleration_max_m_s2: Largest acceleration against the Earth, from the velocities [m/s2].
+    acceleration_max_at_s: Time stamp of acceleration_max_m_s2 [s].
+    force_max_m_s2: Largest specific force: from the velocities and gravity, or the samples' own force [m/s2].
+    force_max_at_s: Time stamp of force_max_m_s2 [s].
+    inconsistency_max_m: Largest difference, in one interval, between the displacement and the mean velocity of
+        its two ends times its length [m].
+    inconsistency_max_at_s: Time stamp of inconsistency_max_m [s].
     speed_max_m_s: Largest speed against the Earth [m/s].
-    speed_max_at_s: When [s].
+    speed_max_at_s: Time stamp of speed_max_m_s [s].
     sideslip_max_rad: Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth,
-        to the right; wind is in it [rad].
-    sideslip_max_at_s: When [s].
+        positive to the right; includes wind [rad].
+    sideslip_max_at_s: Time stamp of sideslip_max_rad [s].
     attack_max_rad: Angle of attack of the largest size, from the velocity against the Earth up to the forward
         axis, in the plane of symmetry [rad].
-    attack_max_at_s: When [s].
+    attack_max_at_s: Time stamp of attack_max_rad [s].
     height_min_m: Lowest height [m].
-    height_min_at_s: When [s].
+    height_min_at_s: Time stamp of height_min_m [s].
     height_max_m: Highest height [m].
-    height_max_at_s: When [s].
+    height_max_at_s: Time stamp of height_max_m [s].
     """
 
     __slots__ = ()
@@ -1471,12 +1500,13 @@ class covariance(_Struct):
 
 
 class imu_increment(_Struct):
-    """Increments of an inertial measurement unit over an interval, in count parts of equal length.
+    """Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length;
+    the field count is their number.
 
     interval_s: Length of the whole interval, 5e-5 to 10 [s].
-    count: Parts, 1 to 5.
+    count: Number of parts, 1 to 5.
     angle_rad[15]: Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of
-        the first, of the second, ... [rad].
+        the first part, x, y, z of the second part, and so on [rad].
     velocity_m_s[15]: Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     """
 
@@ -1585,17 +1615,17 @@ class figures(_Struct):
 
 
 class flight_start(_Struct):
-    """Where an embedded flight begins, level and straight.
+    """Start of an embedded flight, level and straight.
 
     latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
     longitude_rad: Longitude, east positive, -100 to 100 [rad].
     height_m: Height above the ellipsoid, -20 km to 2000 km [m].
     speed_m_s: Speed against the Earth, 0 to 10 km/s [m/s].
     heading_rad: Course and heading, -100 to 100 [rad].
-    roll_rad: Roll of the body against the path's axes throughout the flight, -pi to pi [rad].
-    pitch_rad: Pitch of the body against the path's axes throughout the flight, -pi/2 to pi/2: angle of attack, or
-        tilt at rest [rad].
-    earth: Of enum sins.earth, as in the options of the simulator that will fly it.
+    roll_rad: Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad].
+    pitch_rad: Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of
+        attack, or tilt at rest [rad].
+    earth: Ellipsoid, of enum sins.earth, as in the options of the simulator that will fly it.
     """
 
     __slots__ = ()
@@ -1618,21 +1648,22 @@ class manoeuvre(_Struct):
     """One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use
     must be 0.
 
-    kind: Of enum sins.manoeuvre_kind.
-    sinusoid_count: Sinusoids, 1 to 6.
+    kind: Kind of the manoeuvre, of enum sins.manoeuvre_kind.
+    sinusoid_count: Number of sinusoids, 1 to 6.
     duration_s: Duration, 1e-3 to 1e8 [s].
-    ramp_s: Time in which the manoeuvre sets in, and in which it ends; at most half of it. 0: 5 s [s].
-    speed_change_m_s: Change of speed, to no less than 0 and no more than 10 km/s [m/s].
+    ramp_s: Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the
+        duration. 0: 5 s [s].
+    speed_change_m_s: Change of speed; the speed must stay between 0 and 10 km/s [m/s].
     height_change_m: Change of height; the climb angle must stay below 64 degrees [m].
     heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad
         [rad].
     bank_rad: Bank of a turn, 1e-3 to 1.5 [rad].
     turns: Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     channel[6]: What each sinusoid moves, of enum sins.channel.
-    amplitude[6]: Amplitude of each sinusoid, up to 10 rad, 1.5 rad for the climb angle, all of the speed together
-        up to it [rad] or [m/s].
+    amplitude[6]: Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of
+        the speed, all sinusoids together up to the speed.
     frequency_hz[6]: Frequency of each sinusoid, 0 to 1000 [Hz].
-    phase_rad[6]: Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), t since the begin of the
+    phase_rad[6]: Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the
         manoeuvre [rad].
     """
 
@@ -1659,11 +1690,11 @@ class manoeuvre(_Struct):
 class fault(_Struct):
     """A fault of the text of a scene or of a flight log.
 
-    count: Faults of the text, 200 at the most.
-    line: Line of this one, from 1.
-    column: Column, in characters from 1; of a flight log the column of the table.
-    sentence[256]: Which key, which value, which limit, and the key that was probably meant; UTF-8, terminated,
-        cut where it is longer.
+    count: Number of faults of the text, 200 at most.
+    line: Line of this fault, from 1.
+    column: Column, in characters from 1; for a flight log, the column of the table.
+    sentence[256]: Sentence that names key, value and limit, and the key that was probably meant; UTF-8,
+        terminated, cut if it is longer.
     """
 
     __slots__ = ()
@@ -1678,18 +1709,18 @@ class fault(_Struct):
 
 
 class scene_setup(_Struct):
-    """What a scene says of its flight and of its output.
+    """Settings of a scene for its flight and its output.
 
-    flight: Of enum sins.scene_flight; read only: a set call passes over it.
-    has_temperature: 1: samples get the temperature below; 0: none.
+    flight: Kind of the flight, of enum sins.scene_flight; read only: ignored when it is set.
+    has_temperature: 1: samples get the temperature below; 0: samples get no temperature.
     quiet: 1: a program shows neither progress nor summary; 0: it does.
-    duration_s: How long to fly, 0.036 to 3.6e8; 0: the whole flight, or as long as the built-in scene [s].
-    flown_s: How long that is; 0 of a log, whose length the log tells, or if duration_s is more than the flight
-        has; read only [s].
-    rate_hz: Sample rate, 1e-3 to 2e4; 0 of a log, which has its own time stamps [Hz].
-    temperature_c: Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if there is none [deg
-        C].
-    temperature_change_c_s: Its change, -277 to 277 [deg C/s].
+    duration_s: Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
+    flown_s: Duration that will be flown; 0 for a log, whose duration is in sins.log_info, or if duration_s is
+        longer than the flight; read only [s].
+    rate_hz: Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
+    temperature_c: Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is
+        0 [deg C].
+    temperature_change_c_s: Rate of change of the temperature, -277 to 277 [deg C/s].
     every_s: Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s].
     """
 
@@ -1713,16 +1744,16 @@ class scene_setup(_Struct):
 class planned_failure(_Struct):
     """A failure that a scene plans.
 
-    sensor: Of enum sins.sensor.
-    axis: 0, 1, 2: x, y, z of the sensor axes; of the altimeter 0.
-    from_s: When it begins, 0 to 1e9 since the start of the flight [s].
-    until_s: When it ends, likewise; 0: at the end of the flight [s].
-    kind: Of enum sins.failure_kind, but not sins.FAILURE_NONE.
-    size: This and the following as in sins.failure.
-    density: See sins.failure.
-    interval_s: See sins.failure [s].
-    duration_s: See sins.failure [s].
-    probability: See sins.failure.
+    sensor: Sensor that fails, of enum sins.sensor.
+    axis: Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter.
+    from_s: Start of the failure, 0 to 1e9 since the start of the flight [s].
+    until_s: End of the failure, likewise; 0: the end of the flight [s].
+    kind: Kind, of enum sins.failure_kind, but not sins.FAILURE_NONE.
+    size: Size, as in sins.failure.
+    density: Density, as in sins.failure.
+    interval_s: Interval, as in sins.failure [s].
+    duration_s: Duration, as in sins.failure [s].
+    probability: Probability, as in sins.failure.
     """
 
     __slots__ = ()
@@ -1744,10 +1775,10 @@ class planned_failure(_Struct):
 
 
 class log_info(_Struct):
-    """What a flight log holds.
+    """Contents of a flight log.
 
     samples: Samples.
-    duration_s: From the first to the last of them [s].
+    duration_s: Duration from the first to the last sample [s].
     title[192]: The comment in the first line of the log, UTF-8, terminated; empty: none.
     """
 
@@ -1762,14 +1793,15 @@ class log_info(_Struct):
 
 
 class requirement(_Struct):
-    """Largest error that the algorithm itself may make, apart from those of the sensors, at any time within a duration.
-    A limit of 0 is none; at least one is needed.
+    """Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a
+    duration. At least one limit is needed.
 
-    duration_s: For how long, up to 1e6 [s]; 0, or less than the piece's length: for the piece.
-    position_m: Distance from where the exact solution on the same signals is [m].
-    velocity_m_s: Speed of the difference in velocity [m/s].
-    attitude_rad: Angle between the attitudes, against the Earth [rad].
-    margin: How many times the predicted error has to fit into each limit, 1 to 1e6; 0: 2.
+    duration_s: Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length
+        of the piece.
+    position_m: Limit of the distance from the exact solution on the same signals [m]; 0: none.
+    velocity_m_s: Limit of the length of the velocity difference from that solution [m/s]; 0: none.
+    attitude_rad: Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
+    margin: Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
     """
 
     __slots__ = ()
@@ -1785,22 +1817,22 @@ class requirement(_Struct):
 
 
 class cost(_Struct):
-    """What recommended options give, and what they cost.
+    """Accuracy and cost of the recommended options.
 
-    duration_s: For how long the errors are predicted [s].
-    position_m: Predicted error, the worst within the duration: position [m].
-    velocity_m_s: Velocity [m/s].
-    attitude_rad: Attitude against the Earth [rad].
-    reference_position_m: The part of it that is the uncertainty of the reference: position [m].
-    reference_velocity_m_s: Velocity [m/s].
-    reference_attitude_rad: Attitude [rad].
-    share: Predicted error times margin over its limit, the largest of the three: met up to 1. A limit below
-        1e-100 counts as 1e-100.
-    instructions_per_step: Instructions of a step that the algorithm has a part in, the same on every machine:
-        what the algorithms are ordered by.
-    ns_per_step: Measured here and now, in the options that were written, in the mounting and with ideal sensors:
-        push and step of one sample [ns].
-    tried: Algorithms that were tried, the recommended one among them.
+    duration_s: Duration for which the errors are predicted [s].
+    position_m: Predicted position error, the largest within the duration [m].
+    velocity_m_s: Predicted velocity error, the largest within the duration [m/s].
+    attitude_rad: Predicted attitude error against the Earth, the largest within the duration [rad].
+    reference_position_m: Part of position_m that is the uncertainty of the reference [m].
+    reference_velocity_m_s: Part of velocity_m_s that is the uncertainty of the reference [m/s].
+    reference_attitude_rad: Part of attitude_rad that is the uncertainty of the reference [rad].
+    share: Predicted error times margin divided by its limit, the largest of the three. The requirement is met up
+        to 1. A limit below 1e-100 counts as 1e-100.
+    instructions_per_step: Instructions of the part of a step that depends on the algorithm, the same on every
+        machine. The algorithms are ordered by this figure.
+    ns_per_step: Time of push and step of one sample, measured in this call on this machine, with the options that
+        were written, the mounting, and ideal sensors [ns].
+    tried: Algorithms that were tried, including the recommended one.
     """
 
     __slots__ = ()
@@ -1822,12 +1854,13 @@ class cost(_Struct):
 
 
 class budget_request(_Struct):
-    """What a budget is asked for. A limit of 0 is none.
+    """Request for an error budget. All zero is 16 runs and no limits.
 
     runs: Runs of all together, if anything is random, 8 to 1000; 0: 16.
-    position_m: What the effects that are left out may change together at any time of the scene: position [m].
-    velocity_m_s: Velocity [m/s].
-    attitude_rad: Misalignment [rad].
+    position_m: Limit of the change of the position error, at any time of the scene, by all effects that are left
+        out together [m]; 0: none.
+    velocity_m_s: Limit of the change of the velocity error, likewise [m/s]; 0: none.
+    attitude_rad: Limit of the change of the misalignment, likewise [rad]; 0: none.
     """
 
     __slots__ = ()
@@ -1842,23 +1875,23 @@ class budget_request(_Struct):
 
 
 class budget_row(_Struct):
-    """An effect and what it contributes; in the first row of a budget, what the mechanization and the samples leave with
-    nothing set.
+    """An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and
+    the samples, with nothing set.
 
     flags: Flags of enum sins.budget_flags, or'ed.
-    effect[32]: Name of the effect, "gyro turn-on bias", terminated; of the first row "mechanization".
-    field[48]: The field that sets it, "gyro.bias_sigma_rad_s", terminated: 0 there leaves it out. Empty in the
-        first row.
-    position_m: Length of the contribution to the position error, the largest of the scene [m].
-    velocity_m_s: Velocity [m/s].
-    attitude_rad: Misalignment [rad].
-    end_position_m: The same at the end of the scene: position [m].
-    end_velocity_m_s: Velocity [m/s].
-    end_attitude_rad: Misalignment [rad].
-    share: The largest share of a limit that the contribution takes up; 0 without limits.
-    ns_per_step: Measured here and now: what a step takes with all effects less without this one; in the first row
-        what it takes with nothing set [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so that it may
-        be negative.
+    effect[32]: Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization".
+    field[48]: The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there
+        leaves the effect out. Empty in the first row.
+    position_m: Length of the contribution to the position error, the largest in the scene [m].
+    velocity_m_s: Length of the contribution to the velocity error, the largest in the scene [m/s].
+    attitude_rad: Length of the contribution to the misalignment, the largest in the scene [rad].
+    end_position_m: Length of the contribution to the position error at the end of the scene [m].
+    end_velocity_m_s: Length of the contribution to the velocity error at the end of the scene [m/s].
+    end_attitude_rad: Length of the contribution to the misalignment at the end of the scene [rad].
+    share: The contribution divided by its limit, the largest of the three; 0 without limits.
+    ns_per_step: Time of a step with all effects, less that of a step without this one; in the first row, time of
+        a step with nothing set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on
+        a busy machine, so it may be negative.
     """
 
     __slots__ = ()
@@ -1879,25 +1912,25 @@ class budget_row(_Struct):
 
 
 class budget(_Struct):
-    """A budget as a whole.
+    """Figures of a budget as a whole.
 
-    duration_s: Time that was looked at: from the end of the first interval to that of the last [s].
+    duration_s: Duration of the evaluation: from the end of the first interval to the end of the last [s].
     runs: Runs of all together; 1 if nothing is random.
     flights: Flights that were flown.
-    sigma_low: The root mean square of what is random in all together lies with 95 % probability between that of
-        the runs times this, ...
-    sigma_high: ... and times this; both are 1 if nothing is random.
-    position_m: Errors with all effects together, root mean square over the runs, the largest of the scene:
-        position [m].
-    velocity_m_s: Velocity [m/s].
-    attitude_rad: Misalignment [rad].
-    remainder_position_m: What of that the sum of all rows does not explain: position [m].
-    remainder_velocity_m_s: Velocity [m/s].
-    remainder_attitude_rad: Misalignment [rad].
-    left_out_position_m: What the errors change by without the marked rows, flown: position [m].
-    left_out_velocity_m_s: Velocity [m/s].
-    left_out_attitude_rad: Misalignment [rad].
-    ns_per_step: Measured here and now: what a step takes with all effects [ns].
+    sigma_low: Lower end of the 95 % interval of the root mean square of the random part of all together, as a
+        factor to that of these runs; 1 if nothing is random.
+    sigma_high: Upper end of that interval, likewise.
+    position_m: Position error with all effects together, root mean square over the runs, the largest in the scene
+        [m].
+    velocity_m_s: Velocity error with all effects together, likewise [m/s].
+    attitude_rad: Misalignment with all effects together, likewise [rad].
+    remainder_position_m: Part of the position error that the sum of all rows does not explain [m].
+    remainder_velocity_m_s: Part of the velocity error that the sum of all rows does not explain [m/s].
+    remainder_attitude_rad: Part of the misalignment that the sum of all rows does not explain [rad].
+    left_out_position_m: Change of the position error when the marked rows are left out, as flown [m].
+    left_out_velocity_m_s: Change of the velocity error when the marked rows are left out, as flown [m/s].
+    left_out_attitude_rad: Change of the misalignment when the marked rows are left out, as flown [rad].
+    ns_per_step: Time of a step with all effects, measured in this call on this machine [ns].
     """
 
     __slots__ = ()
@@ -2025,40 +2058,44 @@ def _function(result, *kinds):
 
 @_function(c_uint32)
 def abi_version():
-    """The version of the interface that the loaded library has: compare it with sins.HEADER_ABI."""
+    """Returns the version of the interface of the loaded library: compare it with sins.HEADER_ABI."""
 
 
 @_function(ctypes.c_char_p)
 def version_string():
-    """The release of the loaded library as text, "0.1.0"; lives as long as the library is loaded."""
+    """Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is
+    loaded.
+    """
 
 
 @_function(ctypes.c_char_p, status)
 def status_string(status):
-    """The name of a status code, "sins.OK"; "unknown status" for a number that is none. Lives as long as the library is
-    loaded.
+    """Returns the name of a status code, such as "sins.OK", or "unknown status" for any other number. The text lives as
+    long as the library is loaded.
     """
 
 
 @_function(status, sim, POINTER(options))
 def get_options(sim, options):
-    """Reads the options in effect: those of the create or of the snapshot that was loaded, with the defaults in place of
-    0.
+    """Reads the options in effect: those of sins.create() or of the snapshot that was loaded, with the defaults in place
+    of 0.
     """
 
 
 @_function(status, POINTER(options), _New(sim))
 def create(options, sim):
-    """Creates a simulator with ideal sensors. options may be NULL: the recommended simulator.
+    """Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
 
-    On an error *sim is untouched, and sins.last_error(NULL, ...) on this thread tells why. sins.ERROR_OUT_OF_MEMORY:
-    no memory, or 4096 simulators live. Not for a real-time frame: it allocates.
+    On an error *sim is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason. Not for a real-time
+    frame: it allocates.
+
+    sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
     """
 
 
 @_function(status, sim)
 def destroy(sim):
-    """Destroys a simulator. A call on it in another thread is waited for; the handle is never used again.
+    """Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
     """
@@ -2066,133 +2103,144 @@ def destroy(sim):
 
 @_function(status, sim, POINTER(flight_sample))
 def push_sample(sim, sample):
-    """Takes one flight-control sample into the queue (16 samples). Each is checked by itself and against the one before.
+    """Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one
+    before.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
-    sins.ERROR_TIME_ORDER: not later than the one before, by less than 5e-5 s, or off a stated period by more than 0.4
-    of it. sins.GAP: taken, and the interval before it is a gap, of more than 2.5 times each of the two before: its
-    sins.step() flies it as motion, the velocity times its length, up to max_gap_s. After a pause of the host whose
-    clock ran on, call sins.move_time() before this push; the push cannot be taken back. sins.ERROR_DISCONTINUITY: a
-    gap of more than max_gap_s, a jump or half a turn since the last that was taken: no other is taken until one fits,
-    or until sins.move_time() for a gap, sins.move_truth() or sins.reposition() for a jump. sins.ERROR_QUEUE_FULL:
-    step first. sins.ERROR_BAD_STATE: navigating on increments.
+    sins.ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated
+    period by more than 0.4 of the period. sins.GAP: the sample was accepted, and the interval before it is a gap,
+    more than 2.5 times as long as each of the two before. sins.step() flies the gap as motion, velocity times its
+    length. After a pause of the host in which its clock ran on, call sins.move_time() before this push; a push cannot
+    be undone. sins.ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted
+    sample. Later samples are rejected too, until one fits, or until sins.move_time() (for a gap), sins.move_truth()
+    or sins.reposition() (for a jump). sins.ERROR_QUEUE_FULL: step first. sins.ERROR_BAD_STATE: navigating on
+    increments.
     """
 
 
 @_function(status, sim)
 def step(sim):
     """Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples,
-    each further one one more. No allocation, no system call. An interval in which the host's clock ran on is flown
-    like any other, the velocity times its length; sins.push_sample() answers sins.GAP for it.
+    each later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on
+    is flown like any other, as velocity times its length; sins.push_sample() returns sins.GAP for it.
 
-    sins.NEED_SAMPLE: no complete interval waits. sins.ERROR_DIVERGED: the interval would lead the solution of the
-    block, of the reference point or of the closed loop's own error-free navigator beyond -500 km or 20000 km of
-    height or 100 km/s; sins.ERROR_SINGULAR: within reach of a pole, in geographic axes. The step is not made, the
-    solution before it stays readable, and sins.reposition() or sins.reset() start anew. sins.ERROR_BAD_STATE:
-    navigating on increments.
+    sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_DIVERGED: after the interval the solution would be
+    below -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solutions of the block and
+    of the reference point, and for the closed loop's error-free navigator. sins.ERROR_SINGULAR: too close to a pole,
+    in geographic axes. sins.ERROR_BAD_STATE: navigating on increments.
+
+    After sins.ERROR_DIVERGED and sins.ERROR_SINGULAR the step is not made, and the solution before it stays readable;
+    sins.reposition() or sins.reset() start anew.
     """
 
 
 @_function(status, sim, c_double)
 def move_time(sim, time_s):
-    """The newest accepted sample counts as at time_s from now on [s], and the stamps of samples to come follow on it:
-    for a pause in which the host's clock ran on. time_s is where the clock was when the vehicle moved on. All else is
-    as it was: errors, noise, waiting samples, sensor processes, failures, running figures, and the stated period,
-    whose grid moves along. A flight goes on to the same bits as one whose stamps never jumped if the differences
-    between successive stamps are the same doubles; with a stated period they always are. (Without velocities the
-    differences over three samples count too; durations in sins.accuracy are rounded as the time stamps are.)
-    flight_start_s of sins.scene_prepare() is the host's: move it by as much.
+    """Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time
+    stamp time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on.
+    Everything else stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of
+    a stated period moves along. The flight continues to the same bits as one whose stamps never jumped, if the
+    differences between successive stamps are the same doubles; with a stated period they always are. (Without
+    velocities the differences over three samples count too. Durations in sins.accuracy are rounded as the time stamps
+    are.) The host must also move its flight_start_s of sins.scene_prepare() by the same time.
 
-    sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9. sins.ERROR_BAD_STATE: no sample yet, or
-    navigating on increments, which have no stamps.
+    sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
+    sins.ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
     """
 
 
 @_function(status, sim, POINTER(flight_sample))
 def move_truth(sim, sample):
-    """The vehicle was slewed: truth jumps to the sample, and the INS keeps the errors that it has. No interval is flown
-    from the sample before to this one, so the errors do not grow between them. Position error in metres (along the
-    truth's east and north, and in height), velocity error (components) and misalignment that sins.get_errors() tells
-    are those before, from both sources, to 1e-8 m, 1e-11 m/s and 1e-14 rad; what comes of them is up to gravity, the
-    latitude and the velocity there. Noise, sensor processes, failures, the vertical channel, the altimeter's error
-    (but that of its scale factor, which is of the new height) and running figures go on; no draw moves. The sensors
-    follow the new signals at once. Waiting samples are dropped; time may jump too, all clocks with it, as in
-    sins.move_time(). sins.get_imu() still tells the interval before. Where the sample has no velocity, the solution
-    has its velocity error alone until the next is pushed.
+    """Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the
+    previous sample to this one, so the errors do not grow between them. From both sources, sins.get_errors() reports
+    the same errors as before: position error in metres (along the truth's east and north, and in height), velocity
+    error (components) and misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity,
+    latitude and velocity at the new place. Noise, sensor processes, failures, the vertical channel, the altimeter's
+    error and running figures continue, and no random number changes. (The scale factor error of the altimeter is that
+    of the new height.) The sensors follow the new signals immediately. Waiting samples are dropped. The time may jump
+    too, and all clocks with it, as in sins.move_time(). sins.get_imu() still reports the previous interval. If the
+    sample has no velocity, the velocity of the solution is its velocity error alone until the next sample is pushed.
 
-    Within 20 km of the Earth's axis, before or after, where the components along east and north of truth and solution
-    have no common meaning, errors of velocity and attitude are those in the truth's axes, turned to the solution's
-    vertical by the shortest way. With a mounting the errors kept are those of the sensor block; those of the
-    reference point are what its arm and boresight, and what is wrong of them, make of that in the new attitude.
+    If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of
+    truth and solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes,
+    turned to the solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are
+    kept. The errors of the reference point follow from them with the lever arm, the boresight and their errors, in
+    the new attitude.
 
-    Before the first step there is no INS with errors: it is sins.reposition() then. sins.ERROR_INVALID_ARGUMENT,
-    sins.ERROR_BAD_STATE: as sins.reposition(). sins.ERROR_SINGULAR: within reach of a pole, in geographic axes.
-    sins.ERROR_DIVERGED: the solution would leave its range, or there is no place with such an error, a quarter of the
-    Earth away.
+    Before the first step there are no errors to keep, and the call acts as sins.reposition().
+
+    sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.reposition(). sins.ERROR_SINGULAR: too close to a pole,
+    in geographic axes. sins.ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a
+    quarter of the Earth) that no place has it.
     """
 
 
 @_function(status, sim, POINTER(flight_sample))
 def reposition(sim, sample):
-    """The flight simulator was reloaded: truth jumps to the sample, the INS starts again there with its initial errors.
-    The errors that it had are lost; to keep them call sins.move_truth() (slew) or sins.move_time() (pause) instead.
-    Noise and failures go on where they were. Waiting samples and the running accuracy figures are dropped. Time may
-    jump too, forward or back: the run, and the count of a stated period, go on from the sample's time stamp. What is
-    read until the next step is that of the sample; an interval to read there is none. It may be the first call of a
-    run: the sample is then the first, and the next push makes an interval.
+    """Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again
+    there with its initial errors. Its previous errors are lost; to keep them, call sins.move_truth() (slew) or
+    sins.move_time() (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures
+    are dropped. The time may jump too, forward or back: the run, and the grid of a stated period, continue from the
+    sample's time stamp. Until the next step, the reads give the state at this sample, and there is no interval to
+    read. The call may be the first of a run: the sample is then the first one, and the next push completes an
+    interval.
 
-    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample(). sins.ERROR_BAD_STATE: navigating on increments. Where no INS
-    can start (a pole, in geographic axes) it is the reads and the next step that say so.
+    sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
+    sins.ERROR_BAD_STATE: navigating on increments.
+
+    If no INS can start there (a pole, in geographic axes), the reads and
+    the next step return the error.
     """
 
 
 @_function(status, sim)
 def reset(sim):
-    """Back to before the first sample: same options, the parameters as they were set last, no failures, and the same
-    draws again from their start, so that the same samples and settings give the same bits. For other draws create a
-    simulator with another seed or run; to come back to a moment in flight, see sins.snapshot_save().
+    """Returns to the state before the first sample: the same options, the parameters as they were set last, no failures,
+    and the random streams at their start. So the same samples and settings give the same bits. For other random
+    numbers, create a simulator with another seed or run. To return to a moment in flight, see sins.snapshot_save().
     """
 
 
 @_function(status, sim, _Array(c_char), POINTER(c_size_t))
 def last_error(sim, buffer, needed):
-    """Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
-    terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
-    simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was
-    refused (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). This call and sins.last_error_info() leave
-    no sentence where they fail themselves.
+    """Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8
+    and always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this
+    thread that has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget),
+    or whose handle was rejected (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). If this call or
+    sins.last_error_info() fails, it leaves no sentence.
 
     needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for
-    that alone. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+    the size only. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
     """
 
 
 @_function(status, sim, POINTER(error_info))
 def last_error_info(sim, info):
-    """Reads why the last call on this handle failed, or with a NULL handle on this thread: that of which
-    sins.last_error() has the sentence.
+    """Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same
+    failure of which sins.last_error() gives the sentence.
     """
 
 
 @_function(status, sim, POINTER(gyro_params))
 def set_gyro(sim, params):
-    """Sets the gyro errors: before the first sample or in flight, from the next interval on. The draws of other effects
-    do not move; processes that were active go on from where they are.
+    """Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
+    effects do not change. Processes that were active continue.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: temperature coefficients while
-    samples without a temperature wait, or while navigating on increments.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+    increments.
     """
 
 
 @_function(status, sim, POINTER(gyro_params))
 def get_gyro(sim, params):
-    """Reads the gyro errors, as they were set last: at any moment, after sins.snapshot_load() too."""
+    """Reads the gyro errors, as they were set last: at any moment, also after sins.snapshot_load()."""
 
 
 @_function(status, sim, POINTER(accel_params))
 def set_accel(sim, params):
-    """Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The draws of other
-    effects do not move; processes that were active go on from where they are.
+    """Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers
+    of other effects do not change. Processes that were active continue.
 
     sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.set_gyro().
     """
@@ -2200,7 +2248,7 @@ def set_accel(sim, params):
 
 @_function(status, sim, POINTER(accel_params))
 def get_accel(sim, params):
-    """Reads the accelerometer errors, as they were set last: at any moment, after sins.snapshot_load() too."""
+    """Reads the accelerometer errors, as they were set last: at any moment, also after sins.snapshot_load()."""
 
 
 @_function(status, sim, POINTER(altimeter_params))
@@ -2214,30 +2262,31 @@ def set_altimeter(sim, params):
 
 @_function(status, sim, POINTER(altimeter_params))
 def get_altimeter(sim, params):
-    """Reads the errors of the altimeter, as they were set last: at any moment, after sins.snapshot_load() too."""
+    """Reads the errors of the altimeter, as they were set last: at any moment, also after sins.snapshot_load()."""
 
 
 @_function(status, sim, c_int32, c_int32, POINTER(failure))
 def set_failure(sim, sensor, axis, failure):
-    """Lets one output fail, as an instructor's station does: before the first sample or in flight, from the next
-    interval on, until it is cleared by sins.FAILURE_NONE or another failure of the same output takes its place.
-    Several outputs may fail at once.
+    """Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
+    interval on. It lasts until sins.FAILURE_NONE clears it, or another failure of the same output replaces it.
+    Several outputs may fail at the same time.
 
     sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before
-    dead zone, range and quantization, the others replace the output. No draw of another effect moves, and what runs
-    on behind a failure is there again when it is cleared. Both error data hear of it. The alignment at the start does
-    not see failures. sins.reposition() keeps them; sins.reset() clears them all, so that an exercise begins anew with
-    sound sensors, and failures set again at the same intervals give the same bits.
+    dead zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not
+    change. Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error
+    data. It does not act on the alignment at the start. sins.reposition() keeps failures. sins.reset() clears all of
+    them, so an exercise begins anew with working sensors; failures that are set again at the same intervals give the
+    same bits.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. A failure that
-    throws the solution away makes sins.step() answer sins.ERROR_DIVERGED.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes
+    the solution diverge, sins.step() returns sins.ERROR_DIVERGED.
     """
 
 
 @_function(status, sim, c_int32, c_int32, POINTER(failure))
 def get_failure(sim, sensor, axis, failure):
-    """Reads the failure of one output: at any moment, after sins.snapshot_load() too; sins.FAILURE_NONE if it is sound.
-    sensor and axis as in sins.set_failure().
+    """Reads the failure of one output: at any moment, also after sins.snapshot_load(). sins.FAILURE_NONE: the output has
+    no failure. sensor and axis as in sins.set_failure().
 
     sins.ERROR_INVALID_ARGUMENT: no such output.
     """
@@ -2247,74 +2296,80 @@ def get_failure(sim, sensor, axis, failure):
 def set_initial_errors(sim, errors):
     """Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: steps have been made.
     """
 
 
 @_function(status, sim, POINTER(initial_errors))
 def get_initial_errors(sim, errors):
-    """Reads the errors with which the navigation starts, as they were set last: at any moment, after
-    sins.snapshot_load() too.
+    """Reads the errors with which the navigation starts, as they were set last: at any moment, also after
+    sins.snapshot_load().
     """
 
 
 @_function(status, sim, POINTER(mounting))
 def set_mounting(sim, mounting):
-    """Sets where the sensor block sits: before the first step, after a reset or after a reposition; both keep it. A
-    navigator on increments is not concerned: its solution is that of the block.
+    """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it.
+    The mounting does not affect a navigator on increments: its solution is that of the block.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: steps have been made.
     """
 
 
 @_function(status, sim, POINTER(mounting))
 def get_mounting(sim, mounting):
-    """Reads place and attitude of the sensor block, as they were set last: at any moment, after sins.snapshot_load()
-    too.
-    """
+    """Reads the mounting of the sensor block, as it was set last: at any moment, also after sins.snapshot_load()."""
 
 
 @_function(status, sim, POINTER(gravity_params))
 def set_gravity_disturbance(sim, params):
-    """Sets true gravity less normal gravity: before the first step, after a reset or after a reposition. A reset brings
-    the same field back; after a reposition it goes on from its values there. A navigator on increments is not
-    concerned: these have felt their own gravity.
+    """Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
+    reposition. A reset brings the same field back; after a reposition the field continues from its current values.
+    The disturbance does not affect a navigator on increments, because these contain their own gravity.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: steps have been made.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range.
+    sins.ERROR_BAD_STATE: steps have been made.
     """
 
 
 @_function(status, sim, POINTER(gravity_params))
 def get_gravity_disturbance(sim, params):
-    """Reads the parameters of the gravity disturbance, as they were set last: at any moment, after sins.snapshot_load()
-    too.
+    """Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after
+    sins.snapshot_load().
     """
 
 
 @_function(status, sim, _Array(flight_sample, is_input=True), c_size_t, _Array(record), POINTER(c_size_t))
 def run(sim, samples, every, records, written):
-    """Pushes and steps count samples, and writes a record each `every` intervals since the flight's start. Any split of
-    a flight into calls gives the same bits, records included, as pushing and stepping sample by sample.
+    """Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
+    flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping
+    sample by sample.
 
-    samples[0].struct_size tells how far apart the samples are, records[0].struct_size the records; the others' may be
-    0, those of the records anything. every 0: no records. written (may be NULL) gets the number of records, also on
-    an error.
+    samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size
+    of the other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets
+    the number of records, also on an error.
 
     sins.GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-    sins.get_truth_summary() counts them. sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the
-    call would make; nothing is flown. sins.ERROR_BAD_STATE: navigating on increments. Any error of sins.push_sample()
-    or sins.step() stops the run at the sample that it concerns, which sins.last_error() names: the samples before it
-    have been flown, this and the rest not; sins.accuracy.intervals counts them. A sample that could be pushed but not
-    flown waits in the queue, as after sins.step(); sins.reposition() and sins.reset() empty it.
+    sins.get_truth_summary() counts them.
+    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+    sins.ERROR_BAD_STATE: navigating on increments.
+
+    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns, which
+    sins.last_error() names: the samples before it were flown, this one and the rest were not; sins.accuracy.intervals
+    counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
+    sins.reposition() and sins.reset() empty the queue.
     """
 
 
 @_function(status, sim, POINTER(navigation))
 def get_truth(sim, truth):
-    """Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples
-    have no velocity, that of the first is 0 until the second is pushed.
+    """Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples
+    have no velocity, the velocity at the first one is 0 until the second one is pushed.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     """
 
 
@@ -2350,17 +2405,18 @@ def get_errors(sim, source, errors):
 def get_accuracy(sim, accuracy):
     """Reads the running accuracy figures.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
     """
 
 
 @_function(status, sim, POINTER(truth_summary))
 def get_truth_summary(sim, summary):
-    """Reads the motion of the truth in figures; sins.reposition() and sins.move_truth() leave them.
+    """Reads the extreme values of the true motion. sins.reposition() and sins.move_truth() do not restart them.
 
-    sins.NEED_SAMPLE: no interval yet. sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on
-    increments, there is no truth.
+    sins.NEED_SAMPLE: no interval yet.
+    sins.ERROR_BAD_STATE: sins.options.truth_summary is off, or navigating on increments, without a truth.
     """
 
 
@@ -2376,72 +2432,77 @@ def get_covariance(sim, covariance):
 
 @_function(status, sim, POINTER(record))
 def get_record(sim, record):
-    """Reads truth, navigation and both errors of this moment at once; before the first step, of the first sample.
+    """Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first
+    sample.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: navigating on increments, there is no truth.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
     """
 
 
 @_function(status, sim, POINTER(navigation))
 def start_navigation(sim, navigation):
-    """Starts the simulator as a navigator alone, at time, place, velocity and attitude (quaternion_nb; the angles are
-    not read) of navigation, on increments that sins.push_imu() gives. Ranges are those of a flight sample, the norm
-    of the quaternion is 1 within 1e-3; initial errors that are set do not apply. There is no truth then: the vertical
-    channel is free and flagged so, errors and accuracy are sins.ERROR_BAD_STATE until sins.reset().
+    """Starts the simulator as a navigator only: it navigates on the increments of sins.push_imu(). The argument
+    navigation gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges
+    are those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not
+    apply. There is no truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy
+    return sins.ERROR_BAD_STATE until sins.reset().
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: samples were pushed, or it was
-    started already; sins.reset() first; or temperature coefficients are set, for which increments have no
-    temperature. sins.ERROR_SINGULAR: within reach of a pole, in geographic axes.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: samples were pushed, or the navigator
+    was started before (call sins.reset() first); or temperature coefficients are set, but increments have no
+    temperature. sins.ERROR_SINGULAR: too close to a pole, in geographic axes.
     """
 
 
 @_function(status, sim, POINTER(imu_increment))
 def push_imu(sim, increment):
-    """Navigates over one interval on the host's increments; sensor errors that are set are added to them. The time goes
-    on by interval_s; sins.get_imu() tells the host's increments as the ideal ones. sins.options.subsamples and
-    updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
+    """Navigates over one interval on the host's increments. Sensor errors that are set are added to the increments. The
+    time advances by interval_s. sins.get_imu() reports the host's increments as the ideal ones.
+    sins.options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one
+    update.
 
-    sins.ERROR_BAD_STATE: sins.start_navigation() first. sins.ERROR_INVALID_ARGUMENT: a value out of its range, or
-    half a turn in a part or in the interval. sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval
-    is not flown, the solution before it stays readable, and sins.reset() and sins.start_navigation() start anew.
+    sins.ERROR_BAD_STATE: sins.start_navigation() first.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+    sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the solution before it stays
+    readable, and sins.reset() and sins.start_navigation() start anew.
     """
 
 
 @_function(status, sim, POINTER(c_size_t))
 def snapshot_size(sim, size):
-    """The size that a snapshot has now, while each sample is flown as it comes: 1.3 to 2.1 KiB without sensor errors, up
-    to 4.5 KiB with every error of gyros, accelerometers and altimeter, up to 5.25 KiB with mounting, gravity,
-    temperature and failures besides; up to 154 bytes more for each sample that waits. It changes with what is set and
-    with the samples that wait.
+    """Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples.
+    Without waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros,
+    accelerometers and altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each
+    waiting sample adds up to 154 bytes.
     """
 
 
 @_function(status, sim, _Array(c_char), POINTER(c_size_t))
 def snapshot_save(sim, buffer, written):
-    """Saves the whole simulator, at any moment: options, parameters, samples that wait, the state of every block, each
-    random stream where it is. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
-    no address: keep them in a file, send them to another machine. The same state gives the same bytes. No allocation,
-    no system call.
+    """Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
+    position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and
+    hold no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
+    allocation, no system call.
 
-    Not saved: handles, and the sentence of sins.last_error(). After sins.ERROR_DIVERGED or sins.ERROR_SINGULAR it is
-    the last good solution that is saved, after sins.ERROR_INTERNAL nothing: load an earlier snapshot into a fresh
+    Not saved: handles, and the sentence of sins.last_error(). After sins.ERROR_DIVERGED or sins.ERROR_SINGULAR the
+    last good solution is saved. After sins.ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh
     handle.
 
-    sins.ERROR_BUFFER_TOO_SMALL: see sins.snapshot_size(); buffer and written are as they were.
+    sins.ERROR_BUFFER_TOO_SMALL: see sins.snapshot_size(); buffer and written are unchanged.
     """
 
 
 @_function(status, sim, _Array(c_char, is_input=True))
 def snapshot_load(sim, snapshot):
-    """Makes the simulator the one that was saved, whatever it was before: its options too, as sins.get_options() tells,
-    so that a fresh handle of sins.create(NULL, ...) will do. From there the run goes on to the same bits as the saved
-    one did. size is what sins.snapshot_save() wrote. Not for a real-time frame: it allocates.
+    """Replaces the simulator by the saved one, including its options (see sins.get_options()). So a fresh handle of
+    sins.create(NULL, ...) is enough. The run continues to the same bits as the saved one. size is the size that
+    sins.snapshot_save() wrote. Not for a real-time frame: it allocates.
 
-    sins.ERROR_SNAPSHOT: the bytes are no snapshot, cut off, altered, or of a newer release; nothing has changed, and
-    sins.last_error() tells which it is. Later releases read the snapshots of earlier ones; the run goes on to the
-    same bits where CHANGELOG does not say that the algorithms changed. sins.ERROR_OUT_OF_MEMORY: no memory for a
-    second simulator.
+    sins.ERROR_SNAPSHOT: the bytes are not a snapshot, or are cut off, altered, or of a newer release; nothing has
+    changed, and sins.last_error() says which it is. Later releases read the snapshots of earlier ones; the run
+    continues to the same bits unless CHANGELOG says that the algorithms changed. sins.ERROR_OUT_OF_MEMORY: no memory
+    for a second simulator.
     """
 
 
@@ -2640,7 +2701,8 @@ def ensemble_snapshot_load(ensemble, snapshot):
 @_function(status, c_int32, POINTER(gyro_params))
 def gyro_preset(grade, params):
     """Fills params with the gyro errors of a grade, of enum sins.grade. Biases, scale factor errors and misalignments
-    are drawn at turn-on with the standard deviations that the source states; what it does not state is 0.
+    are drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not
+    state are 0.
 
     sins.ERROR_INVALID_ARGUMENT: no such grade.
     """
@@ -2656,29 +2718,31 @@ def accel_preset(grade, params):
 
 @_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), _New(flight))
 def flight_create(start, manoeuvres, flight):
-    """Creates a flight of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
-    smooth to the third derivative; position is their integral to rounding. manoeuvres[0].struct_size tells how far
-    apart they are.
+    """Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are
+    closed forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
+    manoeuvres[0].struct_size is the distance between the manoeuvres.
 
-    Not for a real-time frame: it allocates, and integrates the path in pieces, some 20 us and 0.5 KB each. A piece is
-    up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; roll, pitch and
-    heading need none.
+    Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece
+    is up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of
+    roll, pitch and heading need no pieces.
 
-    On an error *flight is untouched, and sins.last_error(NULL, ...) on this thread tells why:
-    sins.ERROR_INVALID_ARGUMENT a value out of its range, or a height on the way out of the range of
-    sins.flight_sample.height_m, which no simulator takes (the index in the sentence is that of the manoeuvre),
-    sins.ERROR_OUT_OF_MEMORY no memory, more than 200000 pieces (which take 3 s), or 4096 flights that live.
+    On an error *flight is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
+
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
+    sins.flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+    sins.ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
     """
 
 
 @_function(status, flight, POINTER(c_double))
 def flight_duration(flight, duration_s):
-    """Length of the flight [s]."""
+    """Reads the duration of the flight [s]."""
 
 
 @_function(status, flight, c_double, POINTER(flight_sample))
 def flight_sample_at(flight, time_s, sample):
-    """The sample at time_s, 0 to the duration [s]: exact at any time, in any order. No allocation; 0.5 to 2 us.
+    """Reads the sample at time_s, from 0 to the duration [s]. It is exact at any time, and times may come in any order.
+    No allocation; 0.5 to 2 us.
 
     sins.ERROR_INVALID_ARGUMENT: a time before the start or after the end.
     """
@@ -2697,29 +2761,30 @@ def scene_create(scene):
     """Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0,
     longitude 0, height 0, sampled at 100 Hz.
 
-    On an error *scene is untouched, and sins.last_error(NULL, ...) on this thread tells why, as for every function of
-    scenes. sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes live. Functions of scenes allocate: none but
-    sins.scene_prepare() is for a real-time frame. They ask for all the memory of a call first; where it runs out
-    within the call, as another thread takes it, the process ends. So it is of sins.log_parse(), but for the samples.
+    On an error *scene is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason, as for every
+    function of scenes. sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
+    sins.scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If
+    it runs out later within the call, because another thread takes it, the process ends. The same holds for
+    sins.log_parse(), except for the samples.
     """
 
 
 @_function(status, _Array(c_char, is_input=True), _New(scene))
 def scene_parse(text, scene):
-    """Creates the scene of a text: TOML in UTF-8, of at most 1 MiB. The bytes are not kept. sins.scene_write_keys()
-    lists the keys.
+    """Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
+    sins.scene_write_keys() lists the keys.
 
-    sins.SCENE_HAS_FAULTS: the text is no scene; sins.scene_get_fault() tells every fault and its place. The handle is
-    made for that alone: any other function but sins.scene_destroy() answers sins.ERROR_BAD_STATE.
+    sins.SCENE_HAS_FAULTS: the text is not a valid scene; sins.scene_get_fault() gives every fault and its place. The
+    handle is made for that only: all other functions except sins.scene_destroy() return sins.ERROR_BAD_STATE.
     sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
     """
 
 
 @_function(status, scene, c_size_t, POINTER(fault))
 def scene_get_fault(scene, index, fault):
-    """Fault `index` of the scene's text, from 0 in the order of the text; fault->count tells how many there are.
+    """Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
 
-    sins.ERROR_INVALID_ARGUMENT: no such fault; the scene has none, or fewer.
+    sins.ERROR_INVALID_ARGUMENT: there is no such fault.
     """
 
 
@@ -2728,13 +2793,14 @@ def scene_create_builtin(name, scene):
     """Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
     "over_the_pole", "coning", "commuter".
 
-    sins.ERROR_INVALID_ARGUMENT: no scene has that name. sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
+    sins.ERROR_INVALID_ARGUMENT: no scene has that name.
+    sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
     """
 
 
 @_function(status, c_size_t, _Array(c_char), POINTER(c_size_t))
 def scene_builtin_name(index, buffer, needed):
-    """The name of built-in scene `index`, from 0. buffer, capacity and needed as in sins.scene_write().
+    """Reads the name of built-in scene `index`, from 0. buffer, capacity and needed as in sins.scene_write().
 
     sins.ERROR_INVALID_ARGUMENT: there are no more.
     """
@@ -2744,8 +2810,8 @@ def scene_builtin_name(index, buffer, needed):
 def scene_write(scene, buffer, needed):
     """Writes the scene as commented TOML, which sins.scene_parse() reads back to the same scene, to the bit.
 
-    needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for that
-    alone. sins.ERROR_BUFFER_TOO_SMALL: the text was cut. sins.ERROR_INVALID_ARGUMENT: settings that do not go
+    needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the
+    size only. sins.ERROR_BUFFER_TOO_SMALL: the text was cut. sins.ERROR_INVALID_ARGUMENT: settings that do not go
     together, or so many manoeuvres and failures that the text would have more than 1 MiB. sins.ERROR_BAD_STATE: as
     sins.scene_parse().
     """
@@ -2753,7 +2819,7 @@ def scene_write(scene, buffer, needed):
 
 @_function(status, _Array(c_char), POINTER(c_size_t))
 def scene_write_keys(buffer, needed):
-    """Writes every section and key of a scene with what it takes, its unit and its meaning, a line each. buffer,
+    """Writes every section and key of a scene, one in a line, with its values, its unit and its meaning. buffer,
     capacity and needed as in sins.scene_write().
     """
 
@@ -2761,10 +2827,11 @@ def scene_write_keys(buffer, needed):
 @_function(status, scene, _New(sim))
 def scene_create_simulator(scene, sim):
     """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-    Failures come in their time by sins.scene_prepare(). Of a flight that is not a log the sample period is stated: 1
+    sins.scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1
     / rate.
 
-    sins.ERROR_INVALID_ARGUMENT: settings that do not go together. sins.ERROR_BAD_STATE: as sins.scene_parse().
+    sins.ERROR_INVALID_ARGUMENT: settings that do not go together.
+    sins.ERROR_BAD_STATE: as sins.scene_parse().
     sins.ERROR_OUT_OF_MEMORY: as sins.create().
     """
 
@@ -2781,7 +2848,7 @@ def scene_create_flight(scene, flight):
 
 @_function(status, scene)
 def scene_destroy(scene):
-    """Destroys a scene. Simulators and flights that were made of it live on.
+    """Destroys a scene. Simulators and flights that were created from it stay valid.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
     """
@@ -2789,19 +2856,21 @@ def scene_destroy(scene):
 
 @_function(status, scene, sim, c_double, POINTER(flight_sample))
 def scene_prepare(scene, sim, flight_start_s, sample):
-    """Makes ready for the next interval what the scene plans over time: call it before each sample is pushed, and step
-    before the next sample. The sample gets the scene's temperature, if it plans one. Failures of the scene begin and
-    end on sim with the first interval that starts at their time or later; failures of outputs for which it plans none
-    are left alone. flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+    """Prepares the next interval: call it before each push, and step before the next call. The sample gets the
+    temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval
+    that starts at or after their time. If the scene plans no failure of an output, the call does not touch the
+    failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
+    call.
 
-    sins.ERROR_BAD_HANDLE: of scene or sim. sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s
-    not from -2e10 to 2e10. sins.ERROR_BAD_STATE: as sins.scene_parse().
+    sins.ERROR_BAD_HANDLE: of scene or sim.
+    sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
+    sins.ERROR_BAD_STATE: as sins.scene_parse().
     """
 
 
 @_function(status, scene, ensemble, c_double, POINTER(flight_sample))
 def scene_prepare_ensemble(scene, ensemble, flight_start_s, sample):
-    """The same for all runs of an ensemble: as sins.scene_prepare().
+    """Prepares the next interval of all runs of an ensemble, as sins.scene_prepare() does for a simulator.
 
     sins.ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins.scene_prepare().
     """
@@ -2817,8 +2886,8 @@ def scene_get_options(scene, options):
 
 @_function(status, scene, POINTER(options))
 def scene_set_options(scene, options):
-    """Sets the options of the scene. On an error, as for every part, the scene is as it was. Parts can be set in any
-    order: whether they go together is checked where the scene is written and its simulator is created.
+    """Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any
+    order: whether they go together is checked when the scene is written, and when its simulator is created.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.create().
     """
@@ -2878,12 +2947,12 @@ def scene_set_initial_errors(scene, errors):
 
 @_function(status, scene, POINTER(mounting))
 def scene_get_mounting(scene, mounting):
-    """Reads where the sensor block of the scene sits."""
+    """Reads the mounting of the scene's sensor block."""
 
 
 @_function(status, scene, POINTER(mounting))
 def scene_set_mounting(scene, mounting):
-    """Sets where the sensor block of the scene sits.
+    """Sets the mounting of the scene's sensor block.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     """
@@ -2891,12 +2960,12 @@ def scene_set_mounting(scene, mounting):
 
 @_function(status, scene, POINTER(gravity_params))
 def scene_get_gravity_disturbance(scene, params):
-    """Reads true gravity less normal gravity of the scene."""
+    """Reads the gravity disturbance of the scene."""
 
 
 @_function(status, scene, POINTER(gravity_params))
 def scene_set_gravity_disturbance(scene, params):
-    """Sets true gravity less normal gravity of the scene.
+    """Sets the gravity disturbance of the scene.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     """
@@ -2904,12 +2973,12 @@ def scene_set_gravity_disturbance(scene, params):
 
 @_function(status, scene, POINTER(scene_setup))
 def scene_get_setup(scene, setup):
-    """Reads what a scene says of its flight and of its output."""
+    """Reads the settings of a scene for its flight and its output."""
 
 
 @_function(status, scene, POINTER(scene_setup))
 def scene_set_setup(scene, setup):
-    """Sets what a scene says of its flight and of its output; flight and flown_s are passed over.
+    """Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     """
@@ -2917,29 +2986,29 @@ def scene_set_setup(scene, setup):
 
 @_function(status, scene, POINTER(flight_start), _Array(manoeuvre), POINTER(c_size_t), POINTER(c_size_t))
 def scene_get_manoeuvres(scene, start, manoeuvres, count, repeat):
-    """Reads the flight of the scene, composed of manoeuvres or built-in: start, manoeuvres, how many there are, and how
-    many times all of them are flown. manoeuvres[0].struct_size tells how far apart they are; start and repeat may be
-    NULL, and to ask for count alone manoeuvres with a capacity of 0.
+    """Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number
+    (count), and how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the
+    manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
 
-    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the manoeuvres; count alone was written. sins.ERROR_BAD_STATE:
-    the flight is a log; or as sins.scene_parse().
+    sins.ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
+    sins.ERROR_BAD_STATE: the flight is a log; or as sins.scene_parse().
     """
 
 
 @_function(status, scene, POINTER(flight_start), _Array(manoeuvre, is_input=True), c_size_t)
 def scene_set_manoeuvres(scene, start, manoeuvres, repeat):
-    """Makes the flight of the scene one of count manoeuvres, all of them flown repeat times, 4096 together at the most.
-    start->earth is passed over: the ellipsoid is that of the scene's options. A flight that was a log is sampled at
-    100 Hz from then on.
+    """Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most
+    4096. start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the
+    new flight is sampled at 100 Hz.
 
-    sins.ERROR_INVALID_ARGUMENT: as sins.flight_create(), but for the height on the way.
+    sins.ERROR_INVALID_ARGUMENT: as sins.flight_create(), except that the height on the way is not checked.
     """
 
 
 @_function(status, scene, c_int32, _Array(c_char), POINTER(c_size_t))
 def scene_get_text(scene, which, buffer, needed):
-    """Reads a text of the scene, which of enum sins.scene_text; an empty one is none. buffer, capacity and needed as in
-    sins.scene_write().
+    """Reads a text of the scene; which is of enum sins.scene_text. An empty text means that it is not set. buffer,
+    capacity and needed as in sins.scene_write().
 
     sins.ERROR_INVALID_ARGUMENT: no such text.
     """
@@ -2947,8 +3016,8 @@ def scene_get_text(scene, which, buffer, needed):
 
 @_function(status, scene, c_int32, _Text)
 def scene_set_text(scene, which, text):
-    """Sets a text of the scene, which of enum sins.scene_text: UTF-8, terminated, at most 4096 bytes. An empty one is
-    none; the flight of a scene is never none.
+    """Sets a text of the scene; which is of enum sins.scene_text. The text is UTF-8, terminated, at most 4096 bytes. An
+    empty text clears it; a text that selects the flight cannot be empty.
 
     sins.ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
     """
@@ -2956,12 +3025,12 @@ def scene_set_text(scene, which, text):
 
 @_function(status, scene, POINTER(c_size_t))
 def scene_get_failure_count(scene, count):
-    """How many failures the scene plans."""
+    """Reads the number of failures that the scene plans."""
 
 
 @_function(status, scene, c_size_t, POINTER(planned_failure))
 def scene_get_failure(scene, index, failure):
-    """Planned failure `index`, from 0.
+    """Reads planned failure `index`, from 0.
 
     sins.ERROR_INVALID_ARGUMENT: no such failure.
     """
@@ -2969,7 +3038,7 @@ def scene_get_failure(scene, index, failure):
 
 @_function(status, scene, POINTER(planned_failure))
 def scene_add_failure(scene, failure):
-    """Plans one failure more.
+    """Adds a planned failure.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
     """
@@ -2977,36 +3046,36 @@ def scene_add_failure(scene, failure):
 
 @_function(status, scene)
 def scene_clear_failures(scene):
-    """Plans no failure any more."""
+    """Removes all planned failures."""
 
 
 @_function(status, _Array(c_char, is_input=True), _New(log), POINTER(fault))
 def log_parse(text, log, fault):
     """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns,
-    in any order; columns of other names are passed over, and a row with more fields than columns is a fault:
+    in any order; columns of other names are ignored, and a row with more fields than columns is a fault:
 
     time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
-    heading_rad or _deg; if known velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
+    heading_rad or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
     rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 
-    Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before;
-    their ranges are checked where they are pushed. The bytes are not kept. Not for a real-time frame: it allocates,
-    184 bytes a sample.
+    Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before.
+    Their ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it
+    allocates, 184 bytes a sample.
 
-    sins.ERROR_INVALID_ARGUMENT: the text is no flight log; fault (may be NULL) tells the first fault and its place,
-    and *log is untouched. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs that live.
+    sins.ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its
+    place, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
     """
 
 
 @_function(status, log, POINTER(log_info))
 def log_get_info(log, info):
-    """Tells how many samples a log has, how long it is, and its title."""
+    """Reads the number of samples of a log, its duration and its title."""
 
 
 @_function(status, log, c_size_t, POINTER(flight_sample), POINTER(c_uint64))
 def log_get_sample(log, index, sample, line):
-    """The sample `index`, from 0 in the order of the log, ready for sins.push_sample(). line (may be NULL) gets the line
-    of the text on which it stands, from 1. No allocation.
+    """Reads sample `index`, from 0 in the order of the log, ready for sins.push_sample(). line (may be NULL) gets its
+    line in the text, from 1. No allocation.
 
     sins.ERROR_INVALID_ARGUMENT: no such sample.
     """
@@ -3022,73 +3091,79 @@ def log_destroy(log):
 
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(requirement), POINTER(options), POINTER(cost))
 def recommend(configured, samples, requirement, options, cost):
-    """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples;
-    all that are cheaper do not meet it. samples[0].struct_size tells how far apart the samples are.
+    """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
+    No cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 
-    configured is a simulator as the host flies it, at any moment of its life: its options and its mounting count. It
-    is read at the start of the call and neither stepped nor changed. NULL is the recommended simulator with its
-    sensor block at the reference point. options gets the options of configured with scheme, subsamples and
-    updates_per_sample of the answer, ready for sins.create(); what these three were does not matter.
+    configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads
+    it at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the
+    reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the
+    answer, ready for sins.create(). The previous values of these three do not matter.
 
-    Each algorithm flies the piece with ideal sensors in the same mounting, and its solution is compared at every
-    sample with that of a reference, 16 updates of 5 subsamples, whose own uncertainty (what half as many updates
-    change) is added. The error is that of the algorithm alone: errors of sensors, altimeter, start, gravity and of
-    the believed mounting move both solutions alike and are left out, and so is what the host's samples contradict
-    themselves by. sins.SIGNAL_CLOSED_LOOP would hide the error: the signals are without it. For a duration beyond the
-    piece its errors go on as steady rates, through Schuler's pendulum: more than the flight will show as long as it
-    goes on like the piece. With sins.VERTICAL_FREE each error counts as one of height, which grows by e every 569 s.
+    Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample
+    with a reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference
+    from a solution with half as many updates) is added to the error. So the error is that of the algorithm only.
+    Errors of sensors, altimeter, start, gravity and believed mounting are left out, because they act on both
+    solutions alike; so are contradictions within the host's samples. The signals are without sins.SIGNAL_CLOSED_LOOP,
+    which would hide the error. For a duration beyond the piece, the call continues the errors as steady rates through
+    Schuler's pendulum. This predicts more than the flight will show, as long as the flight continues like the piece.
+    With sins.VERTICAL_FREE each error counts as a height error, which grows e-fold every 569 s.
 
-    The order of cost is instructions_per_step, so that the same samples have the same answer on every machine and
-    every day; ns_per_step alone differs. Not for a real-time frame: it allocates, and takes some 25 to 70 us a
-    sample, up to 0.4 ms where nothing meets the requirement.
+    The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every
+    day; only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up
+    to 0.4 ms if nothing meets the requirement.
 
-    sins.REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the one that comes
-    closest. sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY:
-    as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes within reach of a pole. sins.ERROR_DIVERGED: the
-    solution of every algorithm left its range. sins.ERROR_OUT_OF_MEMORY. sins.last_error(NULL, ...) on this thread
-    tells why, and at which sample.
+    sins.REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that
+    comes closest. sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER,
+    sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes too close to a pole.
+    sins.ERROR_DIVERGED: the solution of every algorithm diverged. sins.ERROR_OUT_OF_MEMORY: no memory.
+
+    sins.last_error(NULL, ...) on this thread gives the reason and the sample.
     """
 
 
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(budget_request), _Array(budget_row), POINTER(c_size_t), POINTER(budget))
 def error_budget(configured, samples, request, rows, written, budget):
-    """Tells what each effect contributes to the errors of a scene of 2 to 1e9 samples: which ones matter, and which can
-    be left out. samples[0].struct_size tells how far apart the samples are, rows[0].struct_size the rows; the others'
-    may be 0, those of the rows anything.
+    """Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and
+    which can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between
+    rows. struct_size of the other samples may be 0, that of the other rows anything.
 
-    configured is a simulator as the host flies it, at any moment of its life: its options and all that errs in it, of
-    the gyros, the accelerometers, the altimeter, the start, the mounting and gravity; failures do not count. It is
-    read at the start of the call and neither stepped nor changed. NULL is the recommended simulator, in which nothing
-    errs. NULL for request is 16 runs and no limits; written and budget may be NULL.
+    configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of
+    gyros, accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the
+    start, and neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16
+    runs and no limits. written and budget may be NULL.
 
-    An effect is what one field sets; it is active, and has a row, if that is not 0.
-    (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS is none: each effect brings the misalignment along that it causes; nor are
-    lever_arm_m and boresight_rad of the mounting: all runs fly with them.) Its contribution is the error, navigation
-    less truth, of a run with this effect alone less that of a run with nothing set: the length of the vector in
-    position, in velocity and in misalignment, the largest of up to 1000 instants, equally spaced, and that of the
-    last sample. Of an effect that is drawn it is one standard deviation by the covariance of a flight with this
-    effect alone, exact to first order (sins.BUDGET_RANDOM; see sins.covariance). All together is flown with the draws
-    of the runs sins.options.run, run + 1 and so on.
+    Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two
+    things are no effects. sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect
+    that causes it. lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an
+    effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with nothing
+    set. The row has the length of this vector in position, velocity and misalignment: the largest of up to 1000
+    instants, equally spaced, and the one at the last sample. For a random effect it is one standard deviation by the
+    covariance of a flight with this effect alone, exact to first order (sins.BUDGET_RANDOM; see sins.covariance). All
+    effects together are flown with the random numbers of the runs sins.options.run, run + 1 and so on.
 
-    rows[0] is the mechanization's own error, with what the samples contradict themselves by. The effects follow, the
-    largest position first, then velocity, then misalignment; with limits the largest share of a limit first. What is
-    not the sum of the rows is in the remainder, draw by draw: what is not linear, of second order in the sizes of the
-    effects.
+    rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered
+    by position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The
+    remainder is the difference between the error with all effects and the sum of the rows, with the same random
+    numbers. It comes from effects that act on each other, and is of second order in their sizes.
 
-    With limits the effects are marked that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT): from the smallest
-    share on while the sum of the deterministic contributions and the root of the sum of squares of the random ones
-    are together, root of the sum of squares, within each limit. Then all is flown again without them, in every run;
-    while what that changes, left_out, is beyond a limit, the largest of them comes back.
+    With limits, the call marks the effects that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT). It collects
+    effects from the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of
+    squares of their random contributions. The call stops when the root sum of squares of D and R exceeds a limit.
+    Then it flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts the
+    largest of them back.
 
-    But for the ns_per_step the same samples have the same answer on every machine. Not for a real-time frame: it
-    allocates, and flies 1 + each effect + runs times all together, and as many times what is random, with limits
-    again runs times and more where effects do not add up; each flight takes 0.6 to 1.5 us a sample.
+    The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time
+    frame: it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1,
+    plus one for each effect, plus runs for all effects together, plus runs for the random effects if there are any.
+    With limits it is runs more, and again more if effects do not add up.
 
-    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the rows; written gets how many there are, nothing is flown
-    (rows may be NULL with a capacity of 0, to ask). sins.ERROR_INVALID_ARGUMENT: a value out of its range.
-    sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes, or
-    gyrocompassing, within reach of a pole. sins.ERROR_DIVERGED: a solution left its range. sins.ERROR_OUT_OF_MEMORY.
-    sins.last_error(NULL, ...) on this thread tells why, and at which sample.
+    sins.ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is
+    flown. (To ask for the number, give NULL for rows and a capacity of 0.) sins.ERROR_INVALID_ARGUMENT: a value out
+    of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR:
+    geographic axes, or gyrocompassing, too close to a pole. sins.ERROR_DIVERGED: a solution diverged.
+    sins.ERROR_OUT_OF_MEMORY: no memory.
+
+    sins.last_error(NULL, ...) on this thread gives the reason and the sample.
     """
 
 

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::memory::room;
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{Options, SideBySide, Simulator, is_of_truth, push_simulator};
+use crate::simulator::{SideBySide, Simulator, is_of_truth, push_simulator};
 use crate::truth::{FlightSample, Intake};
 
 /// Simulators, and whether each has diverged.
