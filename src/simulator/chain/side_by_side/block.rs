@@ -221,7 +221,8 @@ impl Block {
             workspace.heights_m = [height_m; RUNS];
         }
         let before = (self.measured, self.saturated);
-        set.run(Flight { block: self, interval, workspace });
+        set.for_tables().run(Sensing { block: self, interval, workspace });
+        set.run(Navigating { block: self, interval, workspace });
         for lane in 0..self.count {
             if self.diverged_s[lane].is_some() || workspace.is_good[lane] == 0 {
                 self.look_closely(lane, interval, workspace, &before);
@@ -259,25 +260,25 @@ impl Block {
     }
 }
 
-/// A block in an interval.
-struct Flight<'a> {
+/// The sensors of a block in an interval.
+struct Sensing<'a> {
     block: &'a mut Block,
     interval: &'a Interval<'a>,
     workspace: &'a mut Workspace,
 }
 
-impl Work for Flight<'_> {
+impl Work for Sensing<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { block, interval, workspace } = self;
-        let Block { lanes: count, gyro, accel, navigators, measured: sums, saturated, .. } = block;
-        let Workspace { measured, scratch, heights_m, saturated: marks, is_good, .. } = workspace;
-        let &Interval { earth, options, sensors, shared, t, dt, count: increments, aid, .. } = interval;
-        let (count, measured) = (*count, &mut measured[..increments]);
+        let Block { lanes, gyro, accel, measured: sums, saturated, .. } = block;
+        let Workspace { measured, saturated: marks, .. } = workspace;
+        let &Interval { sensors, shared, dt, count, .. } = interval;
+        let (lanes, measured) = (*lanes, &mut measured[..count]);
 
         *marks = [[0; RUNS]; 2];
-        sensors.gyro.sense_block(&shared[0], dt, gyro, measured, &mut marks[0], count);
-        sensors.accel.sense_block(&shared[1], dt, accel, measured, &mut marks[1], count);
+        sensors.gyro.sense_block(&shared[0], dt, gyro, measured, &mut marks[0], lanes);
+        sensors.accel.sense_block(&shared[1], dt, accel, measured, &mut marks[1], lanes);
         for (row, marks) in saturated.iter_mut().zip(marks) {
             for lane in 0..RUNS {
                 row[lane] = marks[lane] != 0;
@@ -291,16 +292,29 @@ impl Work for Flight<'_> {
                 }
             }
         }
+    }
+}
 
+/// Its navigators.
+struct Navigating<'a> {
+    block: &'a mut Block,
+    interval: &'a Interval<'a>,
+    workspace: &'a mut Workspace,
+}
+
+impl Work for Navigating<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { block, interval, workspace } = self;
+        let Workspace { measured, scratch, heights_m, is_good, .. } = workspace;
+        let &Interval { earth, options, t, count, aid, .. } = interval;
+        let (lanes, navigators, measured) = (block.lanes, &mut block.navigators, &measured[..count]);
         let aid = match aid {
             VerticalAid::None => AidOfEach::None,
-            VerticalAid::Truth { height_m, velocity_up_m_s } => {
-                AidOfEach::Truth { height_m, velocity_up_m_s }
-            }
+            VerticalAid::Truth { height_m, velocity_up_m_s } => AidOfEach::Truth { height_m, velocity_up_m_s },
             VerticalAid::Barometer { .. } => AidOfEach::Barometer { heights_m },
         };
-        let what = (earth, options.scheme);
-        navigators.navigate(what, options.subsamples, measured, t, count, scratch);
-        navigators.aid_vertical(earth, &aid, t, count, is_good);
+        navigators.navigate((earth, options.scheme), options.subsamples, measured, t, lanes, scratch);
+        navigators.aid_vertical(earth, &aid, t, lanes, is_good);
     }
 }
