@@ -52,7 +52,8 @@
  *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
  *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The library prints
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread; so do those of
+ *   ensembles, and the functions of statistics. The library prints
  *   nothing, reads no environment and no file, and leaves the host's floating-point control state and x87 registers as it
  *   found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
@@ -79,6 +80,17 @@
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * Ensembles. How large the errors get, with which probability: many runs over the same samples, which differ in their draws.
+ *
+ *     sins_ensemble_create(sim, first_run, runs, &ensemble);    sim was set up and has taken no sample
+ *     sins_ensemble_run(ensemble, samples, count);              or sins_ensemble_push_sample() and sins_ensemble_step()
+ *     sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics);
+ *     sins_statistics_merge(&total, &statistics);               those of other runs, in any order: the same bits
+ *     sins_statistics_figures(&total, &figures);                means, covariance, RMS, CEP50, R95
+ *
+ *   Run k is, bit for bit, the simulator whose sins_options.run is first_run + k. Ensembles over disjoint runs depend on nothing of
+ *   each other: the host flies them in as many threads, processes and machines as it has.
  *
  * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
  *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:
@@ -1343,14 +1355,16 @@ typedef struct sins_imu_increment {
 } sins_imu_increment;
 
 /*
- * Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however the runs were split
- * and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send it, store it, compare its bytes. Its
- * numbers have the byte order of the machine. All zero but struct_size is that of no run. Read it with sins_statistics_figures().
+ * Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the same bits however
+ * they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without pointers: send it, store it,
+ * compare its bytes. Its numbers have the byte order of the machine. A struct that is all zero but for struct_size has no run.
+ * sins_statistics_figures() computes means, covariances and radii.
  *
- * The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in sins_errors. Each
- * is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad). The
- * ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never exceeded, and the sums of 4294967295 runs, which is the
- * most, cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
+ * The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment about east, north,
+ * up, as in sins_errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s),
+ * 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262 km/s) and 4 rad, which are 2^47 resolutions;
+ * the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs: their sums cannot overflow.
+ * Integers of 128 bits are two words, the low one first, in two's complement.
  */
 typedef struct sins_statistics {
     /* sizeof(sins_statistics) */
@@ -1380,10 +1394,7 @@ typedef struct sins_statistics {
     uint32_t reserved;
 } sins_statistics;
 
-/*
- * What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so is a
- * covariance of less than two.
- */
+/* Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0. */
 typedef struct sins_figures {
     /* sizeof(sins_figures) */
     uint32_t struct_size;
@@ -1403,7 +1414,7 @@ typedef struct sins_figures {
     double mean_velocity_enu_m_s[3];
     /* Mean misalignment [rad]. */
     double mean_misalignment_enu_rad[3];
-    /* Standard deviation of the position error, n - 1 below [m]. */
+    /* Standard deviation of the position error, with the divisor n - 1 [m]. */
     double sigma_position_enu_m[3];
     /* Standard deviation of the velocity error [m/s]. */
     double sigma_velocity_enu_m_s[3];
@@ -1415,13 +1426,19 @@ typedef struct sins_figures {
     double rms_velocity_enu_m_s[3];
     /* Root mean square of the misalignment [rad]. */
     double rms_misalignment_enu_rad[3];
-    /* Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad. */
+    /*
+     * Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is that of the states i
+     * and j, in m, m/s and rad.
+     */
     double covariance[81];
     /* Root mean square of the horizontal radial position error [m]. */
     double rms_radial_m;
-    /* Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m]. */
+    /*
+     * Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank, read from the histogram
+     * to 0.5 % of itself, below 1 mm to 0.5 mm.
+     */
     double cep50_m;
-    /* Horizontal radius within which 95 % of the runs are, likewise [m]. */
+    /* Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m. */
     double r95_m;
     /* Largest horizontal radial position error [m]. */
     double largest_radial_m;
@@ -1867,7 +1884,7 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
  * terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
- * (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
+ * (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
  * Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
@@ -2222,8 +2239,9 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, ui
 SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensemble, size_t index, uint64_t *run);
 
 /*
- * Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of this
- * ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+ * Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge() adds
+ * those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) velocity and
+ * misalignment have no meaning. No allocation, no system call.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
  * the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
@@ -2232,18 +2250,18 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_statistics(
     sins_ensemble *ensemble, int32_t source, struct sins_statistics *statistics);
 
 /*
- * Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
- * gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero but
- * struct_size, which is that of no run.
+ * Adds the runs of other to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
+ * gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero
+ * but for struct_size: no run.
  *
  * SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs; into
  * is as it was.
  */
 SINS_API sins_status SINS_CALL sins_statistics_merge(
-    struct sins_statistics *into, const struct sins_statistics *from);
+    struct sins_statistics *into, const struct sins_statistics *other);
 
 /*
- * Computes what statistics say.
+ * Computes means, covariances, root mean squares and radii from statistics.
  *
  * SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
  */

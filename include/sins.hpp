@@ -371,6 +371,133 @@ private:
     sins_sim *sim_ = nullptr;
 };
 
+/* Adds the runs of other to those of into, which make<sins_statistics>() makes that of no run. */
+inline void statistics_merge(sins_statistics &into, const sins_statistics &other)
+{
+    detail::done(sins_statistics_merge(&into, &other), nullptr);
+}
+
+inline sins_figures statistics_figures(const sins_statistics &statistics)
+{
+    sins_figures figures = make<sins_figures>();
+    detail::done(sins_statistics_figures(&statistics, &figures), nullptr);
+    return figures;
+}
+
+/* An ensemble of runs. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
+class Ensemble {
+public:
+    /* The runs first_run to first_run + runs - 1 of a simulator that was set up and has taken no sample. */
+    Ensemble(const Simulator &configured, uint64_t first_run, std::size_t runs)
+    {
+        done(sins_ensemble_create(configured.handle(), first_run, runs, &ensemble_));
+    }
+
+    Ensemble(Ensemble &&other) noexcept : ensemble_(other.ensemble_) { other.ensemble_ = nullptr; }
+
+    Ensemble &operator=(Ensemble &&other) noexcept
+    {
+        Ensemble taken(std::move(other));
+        std::swap(ensemble_, taken.ensemble_);
+        return *this;
+    }
+
+    Ensemble(const Ensemble &) = delete;
+    Ensemble &operator=(const Ensemble &) = delete;
+
+    ~Ensemble()
+    {
+        if (ensemble_ != nullptr) {
+            sins_ensemble_destroy(ensemble_);
+        }
+    }
+
+    /* For the functions of sins.h; still owned here. */
+    sins_ensemble *handle() const noexcept { return ensemble_; }
+
+    uint64_t first_run() const
+    {
+        uint64_t first_run = 0;
+        done(sins_ensemble_get_runs(ensemble_, &first_run, nullptr));
+        return first_run;
+    }
+
+    std::size_t runs() const
+    {
+        std::size_t runs = 0;
+        done(sins_ensemble_get_runs(ensemble_, nullptr, &runs));
+        return runs;
+    }
+
+    /* False: taken, behind a gap (SINS_GAP). */
+    bool push_sample(const sins_flight_sample &sample) { return done(sins_ensemble_push_sample(ensemble_, &sample)); }
+
+    /* False: no complete interval yet. */
+    bool step() { return done(sins_ensemble_step(ensemble_)); }
+
+    /* False: flown, with a gap (SINS_GAP). */
+    bool run(const sins_flight_sample *samples, std::size_t count)
+    {
+        return done(sins_ensemble_run(ensemble_, samples, count));
+    }
+
+    void reposition(const sins_flight_sample &sample) { done(sins_ensemble_reposition(ensemble_, &sample)); }
+    void reset() { done(sins_ensemble_reset(ensemble_)); }
+
+    /* SINS_SENSOR_..., and its axis. */
+    void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
+    {
+        done(sins_ensemble_set_failure(ensemble_, sensor, axis, &failure));
+    }
+
+    /* Reads into structs with struct_size set. False: no sample, or no interval, yet. */
+    bool get_truth(sins_navigation &truth) const { return done(sins_ensemble_get_truth(ensemble_, &truth)); }
+    bool get_navigation(uint64_t run, sins_navigation &navigation) const
+    {
+        return done(sins_ensemble_get_navigation(ensemble_, run, &navigation));
+    }
+    bool get_imu(uint64_t run, sins_imu &imu) const { return done(sins_ensemble_get_imu(ensemble_, run, &imu)); }
+    bool get_errors(uint64_t run, int32_t source, sins_errors &errors) const
+    {
+        return done(sins_ensemble_get_errors(ensemble_, run, source, &errors));
+    }
+    bool get_statistics(int32_t source, sins_statistics &statistics) const
+    {
+        return done(sins_ensemble_get_statistics(ensemble_, source, &statistics));
+    }
+
+    /* The numbers of the runs that have diverged. */
+    std::vector<uint64_t> diverged() const
+    {
+        std::vector<uint64_t> runs;
+        uint64_t run = 0;
+        while (sins_ensemble_get_diverged(ensemble_, runs.size(), &run) == SINS_OK) {
+            runs.push_back(run);
+        }
+        return runs;
+    }
+
+    std::vector<unsigned char> snapshot_save() const
+    {
+        std::size_t size = 0, written = 0;
+        done(sins_ensemble_snapshot_size(ensemble_, &size));
+        std::vector<unsigned char> bytes(size);
+        done(sins_ensemble_snapshot_save(ensemble_, bytes.data(), bytes.size(), &written));
+        bytes.resize(written);
+        return bytes;
+    }
+
+    void snapshot_load(const std::vector<unsigned char> &snapshot)
+    {
+        done(sins_ensemble_snapshot_load(ensemble_, snapshot.data(), snapshot.size()));
+    }
+
+private:
+    static bool done(sins_status status) { return detail::done(status, nullptr); }
+
+    sins_ensemble *ensemble_ = nullptr;
+};
+
 /* A scene. Moved, never copied; one that was moved from answers SINS_ERROR_BAD_HANDLE. */
 class Scene {
 public:
@@ -465,6 +592,11 @@ public:
     void prepare(Simulator &sim, double flight_start_s, sins_flight_sample &sample) const
     {
         done(sins_scene_prepare(scene_, sim.handle(), flight_start_s, &sample));
+    }
+
+    void prepare(Ensemble &ensemble, double flight_start_s, sins_flight_sample &sample) const
+    {
+        done(sins_scene_prepare_ensemble(scene_, ensemble.handle(), flight_start_s, &sample));
     }
 
     sins_options options() const { return read_back<sins_options>(sins_scene_get_options); }

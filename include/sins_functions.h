@@ -71,7 +71,7 @@
     X(sins_status, sins_ensemble_get_imu, (sins_ensemble *ensemble, uint64_t run, sins_imu *imu)) \
     X(sins_status, sins_ensemble_get_diverged, (sins_ensemble *ensemble, size_t index, uint64_t *run)) \
     X(sins_status, sins_ensemble_get_statistics, (sins_ensemble *ensemble, int32_t source, sins_statistics *statistics)) \
-    X(sins_status, sins_statistics_merge, (sins_statistics *into, const sins_statistics *from)) \
+    X(sins_status, sins_statistics_merge, (sins_statistics *into, const sins_statistics *other)) \
     X(sins_status, sins_statistics_figures, (const sins_statistics *statistics, sins_figures *figures)) \
     X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
     X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \

@@ -86,6 +86,8 @@
 //! | whatever a host does within its rules: no solution beyond the limits is good, a refused call changes nothing, each snapshot loads | `tests/any_use.rs` |
 //! | pauses and paces of the host's time leave nothing of their own | `tests/host_time.rs` |
 //! | a slew or a pause whose stamps ran on keeps the errors of the INS | `tests/moved.rs` |
+//! | run k of an ensemble is the single simulator of that number, whatever becomes of the others | `tests/ensemble.rs`, `tests/c_side.rs` |
+//! | statistics are the same bits for any split of the runs, and right where means are large and scatter small | `tests/statistics.rs` |
 //! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | contributions of effects are their closed forms, and what may be left out does | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |

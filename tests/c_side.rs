@@ -86,6 +86,11 @@ fn a_snapshot_goes_on_to_the_same_bits_in_any_handle() {
 }
 
 #[test]
+fn runs_of_an_ensemble_are_the_simulators_of_their_numbers() {
+    run_test_program("ensemble");
+}
+
+#[test]
 fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
     run_test_program("recommend");
 }

@@ -21,7 +21,8 @@ fn sentences_name_field_value_and_limit() {
 }
 
 /// How the header writes an argument that is a handle.
-const HANDLES: [&str; 4] = ["sins_sim *sim", "sins_flight *flight", "sins_scene *scene", "sins_log *log"];
+const HANDLES: [&str; 5] =
+    ["sins_sim *sim", "sins_flight *flight", "sins_scene *scene", "sins_log *log", "sins_ensemble *ensemble"];
 
 /// What a later function or struct must not forget.
 #[test]
@@ -70,6 +71,9 @@ fn every_function_and_struct_is_in_the_programs() {
             "sins_error_budget" => &["*configured", "*request", "*written", "*budget"],
             "sins_scene_get_manoeuvres" => &["*start", "*repeat"],
             "sins_log_parse" => &["*fault"],
+            // Null is no handle.
+            "sins_ensemble_create" => &["*configured"],
+            "sins_ensemble_get_runs" => &["*first_run", "*runs"],
             "sins_log_get_sample" => &["*line"],
             _ => &["*written", "*needed"],
         };

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 
-programs="digests float_environment misuse run threads"
+programs="digests float_environment misuse run ensemble threads"
 folder=$PWD/target/platforms
 mkdir -p "$folder"
 

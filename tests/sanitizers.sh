@@ -9,9 +9,9 @@ target=x86_64-unknown-linux-gnu
 folder=$PWD/target/sanitizers/programs
 built=target/sanitizers/$target/debug
 longest_build_s=900
-addressed="misuse struct_sizes sentences run snapshot recommend budget threads destroyed"
+addressed="misuse struct_sizes sentences run snapshot ensemble recommend budget threads destroyed"
 # Those that fly little: valgrind takes minutes for the others.
-checked="misuse sentences run snapshot"
+checked="misuse sentences run snapshot ensemble"
 mkdir -p "$folder"
 need g++ c++
 need valgrind valgrind

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 . tests/support/pe.sh
 . release/build.sh
 
-programs="digests float_environment misuse sentences run threads destroyed tls_indexes unload terminated"
+programs="digests float_environment misuse sentences run ensemble threads destroyed tls_indexes unload terminated"
 need g++ c++
 
 # dll PROCESSOR FOLDER: the DLL that is shipped, what it is for the loader, and the programs.

@@ -1108,15 +1108,16 @@ module sins
     real(c_double) :: velocity_m_s(3, 5) = 0.0_c_double
   end type sins_imu_increment
 
-  !> Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however the runs were
-  !> split and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send it, store it, compare its
-  !> bytes. Its numbers have the byte order of the machine. All zero but struct_size is that of no run. Read it with
-  !> sins_statistics_figures().
+  !> Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the same bits
+  !> however they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without pointers: send it,
+  !> store it, compare its bytes. Its numbers have the byte order of the machine. A struct that is all zero but for struct_size has
+  !> no run. sins_statistics_figures() computes means, covariances and radii.
   !>
-  !> The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in sins_errors.
-  !> Each is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad).
-  !> The ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never exceeded, and the sums of 4294967295 runs, which
-  !> is the most, cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
+  !> The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment about east,
+  !> north, up, as in sins_errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24 um), 2^-29 m/s (1.9
+  !> nm/s), 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262 km/s) and 4 rad, which are 2^47
+  !> resolutions; the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs: their sums
+  !> cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
   type, bind(C) :: sins_statistics
     !> sizeof(sins_statistics)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_STATISTICS
@@ -1143,8 +1144,7 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
   end type sins_statistics
 
-  !> What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so is
-  !> a covariance of less than two.
+  !> Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0.
   type, bind(C) :: sins_figures
     !> sizeof(sins_figures)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_FIGURES
@@ -1164,7 +1164,7 @@ module sins
     real(c_double) :: mean_velocity_enu_m_s(3) = 0.0_c_double
     !> Mean misalignment [rad].
     real(c_double) :: mean_misalignment_enu_rad(3) = 0.0_c_double
-    !> Standard deviation of the position error, n - 1 below [m].
+    !> Standard deviation of the position error, with the divisor n - 1 [m].
     real(c_double) :: sigma_position_enu_m(3) = 0.0_c_double
     !> Standard deviation of the velocity error [m/s].
     real(c_double) :: sigma_velocity_enu_m_s(3) = 0.0_c_double
@@ -1176,13 +1176,15 @@ module sins
     real(c_double) :: rms_velocity_enu_m_s(3) = 0.0_c_double
     !> Root mean square of the misalignment [rad].
     real(c_double) :: rms_misalignment_enu_rad(3) = 0.0_c_double
-    !> Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad.
+    !> Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is that of the states i
+    !> and j, in m, m/s and rad.
     real(c_double) :: covariance(9, 9) = 0.0_c_double
     !> Root mean square of the horizontal radial position error [m].
     real(c_double) :: rms_radial_m = 0.0_c_double
-    !> Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m].
+    !> Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank, read from the histogram
+    !> to 0.5 % of itself, below 1 mm to 0.5 mm.
     real(c_double) :: cep50_m = 0.0_c_double
-    !> Horizontal radius within which 95 % of the runs are, likewise [m].
+    !> Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m.
     real(c_double) :: r95_m = 0.0_c_double
     !> Largest horizontal radial position error [m].
     real(c_double) :: largest_radial_m = 0.0_c_double
@@ -1621,8 +1623,8 @@ module sins
 
     !> Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always terminated;
     !> "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator (create,
-    !> presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or
-    !> SINS_ERROR_BAD_STATE: see Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
+    !> presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE,
+    !> or SINS_ERROR_BAD_STATE: see Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
     !>
     !> needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that
     !> alone. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -2133,8 +2135,9 @@ module sins
       integer(sins_status) :: sins_ensemble_get_diverged
     end function sins_ensemble_get_diverged
 
-    !> Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of
-    !> this ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+    !> Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge()
+    !> adds those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth)
+    !> velocity and misalignment have no meaning. No allocation, no system call.
     !>
     !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
     !> the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
@@ -2146,20 +2149,20 @@ module sins
       integer(sins_status) :: sins_ensemble_get_statistics
     end function sins_ensemble_get_statistics
 
-    !> Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any
+    !> Adds the runs of other to those of into; no run may be in both. Exactly associative and commutative: any order and any
     !> grouping gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may
-    !> be all zero but struct_size, which is that of no run.
+    !> be all zero but for struct_size: no run.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs;
     !> into is as it was.
-    function sins_statistics_merge(into, from) bind(C, name="sins_statistics_merge")
+    function sins_statistics_merge(into, other) bind(C, name="sins_statistics_merge")
       import
       type(sins_statistics), intent(inout) :: into
-      type(sins_statistics), intent(in) :: from
+      type(sins_statistics), intent(in) :: other
       integer(sins_status) :: sins_statistics_merge
     end function sins_statistics_merge
 
-    !> Computes what statistics say.
+    !> Computes means, covariances, root mean squares and radii from statistics.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
     function sins_statistics_figures(statistics, figures) bind(C, name="sins_statistics_figures")

@@ -1436,16 +1436,17 @@ class imu_increment(_Struct):
 
 
 class statistics(_Struct):
-    """Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however
-    the runs were split and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send
-    it, store it, compare its bytes. Its numbers have the byte order of the machine. All zero but struct_size is that
-    of no run. Read it with sins.statistics_figures().
+    """Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the
+    same bits however they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without
+    pointers: send it, store it, compare its bytes. Its numbers have the byte order of the machine. A struct that is
+    all zero but for struct_size has no run. sins.statistics_figures() computes means, covariances and radii.
 
-    The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in
-    sins.errors. Each is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9
-    nm/s), 2^-45 rad (2.8e-14 rad). The ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never
-    exceeded, and the sums of 4294967295 runs, which is the most, cannot overflow. Integers of 128 bits are two words,
-    the low one first, in two's complement.
+    The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment
+    about east, north, up, as in sins.errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24
+    um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262
+    km/s) and 4 rad, which are 2^47 resolutions; the horizontal radial position error is in range below 2^25 m. There
+    are at most 4294967295 runs: their sums cannot overflow. Integers of 128 bits are two words, the low one first, in
+    two's complement.
 
     layout: Version of what follows: 1; 0 while there is no run.
     runs: Runs, those that were left out of the sums too.
@@ -1477,8 +1478,7 @@ class statistics(_Struct):
 
 
 class figures(_Struct):
-    """What statistics say. The states are as in sins.statistics: position, velocity, misalignment. Figures of no run are
-    0, and so is a covariance of less than two.
+    """Figures that are computed from a sins.statistics. Without a run all are 0, and the covariance of one run is 0.
 
     runs: Runs, those that were left out too.
     diverged: Runs that have diverged, left out.
@@ -1487,18 +1487,18 @@ class figures(_Struct):
     mean_position_enu_m[3]: Mean position error [m].
     mean_velocity_enu_m_s[3]: Mean velocity error [m/s].
     mean_misalignment_enu_rad[3]: Mean misalignment [rad].
-    sigma_position_enu_m[3]: Standard deviation of the position error, n - 1 below [m].
+    sigma_position_enu_m[3]: Standard deviation of the position error, with the divisor n - 1 [m].
     sigma_velocity_enu_m_s[3]: Standard deviation of the velocity error [m/s].
     sigma_misalignment_enu_rad[3]: Standard deviation of the misalignment [rad].
     rms_position_enu_m[3]: Root mean square of the position error [m].
     rms_velocity_enu_m_s[3]: Root mean square of the velocity error [m/s].
     rms_misalignment_enu_rad[3]: Root mean square of the misalignment [rad].
-    covariance[81]: Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states
-        i and j, in m, m/s and rad.
+    covariance[81]: Covariance of the nine states of sins.statistics, with the divisor n - 1, row by row: element
+        9 i + j is that of the states i and j, in m, m/s and rad.
     rms_radial_m: Root mean square of the horizontal radial position error [m].
-    cep50_m: Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself,
-        or to 0.5 mm [m].
-    r95_m: Horizontal radius within which 95 % of the runs are, likewise [m].
+    cep50_m: Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank,
+        read from the histogram to 0.5 % of itself, below 1 mm to 0.5 mm.
+    r95_m: Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m.
     largest_radial_m: Largest horizontal radial position error [m].
     """
 
@@ -2100,9 +2100,9 @@ def reset(sim):
 def last_error(sim, buffer, needed):
     """Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
     terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no
-    simulator (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused
-    (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). This call and sins.last_error_info() leave no
-    sentence where they fail themselves.
+    simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was
+    refused (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). This call and sins.last_error_info() leave
+    no sentence where they fail themselves.
 
     needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for
     that alone. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -2514,9 +2514,9 @@ def ensemble_get_diverged(ensemble, index, run):
 
 @_function(status, ensemble, c_int32, POINTER(statistics))
 def ensemble_get_statistics(ensemble, source, statistics):
-    """Reads the statistics of the errors of all runs at this moment; source is of enum sins.errors_source. Those of
-    other runs, of this ensemble at no other moment, are added by sins.statistics_merge(). No allocation, no system
-    call.
+    """Reads the statistics of the errors of all runs at this moment; source is of enum sins.errors_source.
+    sins.statistics_merge() adds those of other runs at the same moment. Within 20 km of the Earth's axis
+    (sins.NAVIGATION_NEAR_POLE of the truth) velocity and misalignment have no meaning. No allocation, no system call.
 
     sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such source. sins.ERROR_BAD_STATE:
     sins.ERRORS_MODEL while the error model is off. sins.ERROR_SINGULAR: before the first step, no run can start at
@@ -2525,10 +2525,10 @@ def ensemble_get_statistics(ensemble, source, statistics):
 
 
 @_function(status, POINTER(statistics), POINTER(statistics))
-def statistics_merge(into, from):
-    """Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and
+def statistics_merge(into, other):
+    """Adds the runs of other to those of into; no run may be in both. Exactly associative and commutative: any order and
     any grouping gives the same bits, so that work may be split over threads, processes, machines and restarts in any
-    way. into may be all zero but struct_size, which is that of no run.
+    way. into may be all zero but for struct_size: no run.
 
     sins.ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than
     4294967295 runs; into is as it was.
@@ -2537,7 +2537,7 @@ def statistics_merge(into, from):
 
 @_function(status, POINTER(statistics), POINTER(figures))
 def statistics_figures(statistics, figures):
-    """Computes what statistics say.
+    """Computes means, covariances, root mean squares and radii from statistics.
 
     sins.ERROR_INVALID_ARGUMENT: they are damaged or of another release.
     """

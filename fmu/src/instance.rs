@@ -102,7 +102,7 @@ impl Flight {
         let mut sample = inputs::sample(time_s, values, is_set)?;
         let mut simulator = self.simulator.clone();
         let mut fly = || {
-            self.scene.prepare(&mut simulator, self.first_s.unwrap_or(time_s), &mut sample)?;
+            self.scene.prepare(&mut *simulator, self.first_s.unwrap_or(time_s), &mut sample)?;
             let pushed = simulator.push_sample(&sample)?;
             simulator.step()?;
             Ok(pushed == Pushed::BehindGap)

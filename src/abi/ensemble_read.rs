@@ -1,7 +1,7 @@
 //! What is read of an ensemble.
 
 use super::ensemble::{sins_ensemble, with_ensemble};
-use super::failure::{SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, put};
 use super::solution::{sins_errors, sins_imu, sins_navigation, source_of, write_or_need};
 use crate::error::{Error, Rule};
@@ -105,6 +105,9 @@ pub unsafe extern "C" fn sins_ensemble_get_diverged(
     run: *mut u64,
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
+        if run.is_null() {
+            return Err(Failure::null("run"));
+        }
         let Some(diverged) = ensemble.diverged().nth(index) else {
             let rule = Rule::Below(ensemble.diverged().count() as f64);
             return Err(Error::invalid("index", index, rule).into());

@@ -51,7 +51,7 @@ interface_struct!(sins_error_info, "info", 152);
 
 /// Copies the sentence of the last failed call on this handle: which field, which value, which limit. UTF-8, always
 /// terminated; "no error" if none failed. With a NULL handle: that of the last failed call on this thread that has no simulator
-/// (create, presets, flights, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
+/// (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget) or whose handle was refused (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see
 /// Threads). This call and sins_last_error_info() leave no sentence where they fail themselves.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for that

@@ -52,7 +52,8 @@
  *   load. Load the library before others have used the indexes up. If fewer than eight are left, functions without a handle
  *   are SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, the process may be aborted when a thread or it ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The library prints
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread; so do those of
+ *   ensembles, and the functions of statistics. The library prints
  *   nothing, reads no environment and no file, and leaves the host's floating-point control state and x87 registers as it
  *   found them.
  * Host time. The time of a run is that of its time stamps; no clock enters it. (sins_recommend() and sins_error_budget() time
@@ -79,6 +80,17 @@
  * Same bits. Same options, seed, parameters and samples give the same outputs bit for bit on every platform and by any call
  *   pattern; ns_per_step of sins_cost, sins_budget and sins_budget_row, times, are the exception. Each random effect
  *   has a stream of its own: switching one leaves every other draw as it was.
+ *
+ * Ensembles. How large the errors get, with which probability: many runs over the same samples, which differ in their draws.
+ *
+ *     sins_ensemble_create(sim, first_run, runs, &ensemble);    sim was set up and has taken no sample
+ *     sins_ensemble_run(ensemble, samples, count);              or sins_ensemble_push_sample() and sins_ensemble_step()
+ *     sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics);
+ *     sins_statistics_merge(&total, &statistics);               those of other runs, in any order: the same bits
+ *     sins_statistics_figures(&total, &figures);                means, covariance, RMS, CEP50, R95
+ *
+ *   Run k is, bit for bit, the simulator whose sins_options.run is first_run + k. Ensembles over disjoint runs depend on nothing of
+ *   each other: the host flies them in as many threads, processes and machines as it has.
  *
  * Scenes and logs. A scene is a flight, the simulator that flies it and the failures on the way, as a text in TOML. A log is a
  *   flight as a table of samples, as text too. The host reads the files; the library parses their bytes:

@@ -11,8 +11,7 @@ pub use crate::statistics::Statistics as sins_statistics;
 
 interface_struct!(sins_statistics, "statistics", 14920);
 
-/// What statistics say. The states are as in sins_statistics: position, velocity, misalignment. Figures of no run are 0, and so is a
-/// covariance of less than two.
+/// Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_figures {
@@ -34,7 +33,7 @@ pub struct sins_figures {
     pub mean_velocity_enu_m_s: [f64; 3],
     /// Mean misalignment [rad].
     pub mean_misalignment_enu_rad: [f64; 3],
-    /// Standard deviation of the position error, n - 1 below [m].
+    /// Standard deviation of the position error, with the divisor n - 1 [m].
     pub sigma_position_enu_m: [f64; 3],
     /// Standard deviation of the velocity error [m/s].
     pub sigma_velocity_enu_m_s: [f64; 3],
@@ -46,13 +45,15 @@ pub struct sins_figures {
     pub rms_velocity_enu_m_s: [f64; 3],
     /// Root mean square of the misalignment [rad].
     pub rms_misalignment_enu_rad: [f64; 3],
-    /// Covariance of the nine states, n - 1 below, row by row: element 9 i + j is that of the states i and j, in m, m/s and rad.
+    /// Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is that of the states i
+    /// and j, in m, m/s and rad.
     pub covariance: [f64; 81],
     /// Root mean square of the horizontal radial position error [m].
     pub rms_radial_m: f64,
-    /// Horizontal radius within which half of the runs are: that of the run of this rank to 0.5 % of itself, or to 0.5 mm [m].
+    /// Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank, read from the histogram
+    /// to 0.5 % of itself, below 1 mm to 0.5 mm.
     pub cep50_m: f64,
-    /// Horizontal radius within which 95 % of the runs are, likewise [m].
+    /// Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m.
     pub r95_m: f64,
     /// Largest horizontal radial position error [m].
     pub largest_radial_m: f64,
@@ -91,8 +92,9 @@ impl From<&Figures> for sins_figures {
     }
 }
 
-/// Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. Those of other runs, of this
-/// ensemble at no other moment, are added by sins_statistics_merge(). No allocation, no system call.
+/// Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge() adds
+/// those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) velocity and
+/// misalignment have no meaning. No allocation, no system call.
 ///
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
 /// the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
@@ -116,16 +118,16 @@ pub unsafe extern "C" fn sins_ensemble_get_statistics(
     })
 }
 
-/// Adds the runs of from to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
-/// gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero but
-/// struct_size, which is that of no run.
+/// Adds the runs of other to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
+/// gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero
+/// but for struct_size: no run.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs; into
 /// is as it was.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_statistics_merge(
     into: *mut sins_statistics,
-    from: *const sins_statistics,
+    other: *const sins_statistics,
 ) -> sins_status {
     enter_without_simulator(|| {
         let (mut sum, mut more) = (Statistics::EMPTY, Statistics::EMPTY);
@@ -134,7 +136,7 @@ pub unsafe extern "C" fn sins_statistics_merge(
         // SAFETY: the host's promise.
         unsafe {
             read_into(into.cast_const(), "into", &mut sum)?;
-            read_into(from, "from", &mut more)?;
+            read_into(other, "other", &mut more)?;
         }
         sum.merge(&more)?;
         output.write(&sum);
@@ -142,7 +144,7 @@ pub unsafe extern "C" fn sins_statistics_merge(
     })
 }
 
-/// Computes what statistics say.
+/// Computes means, covariances, root mean squares and radii from statistics.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
 #[unsafe(no_mangle)]

@@ -1,4 +1,4 @@
-//! What statistics say: means, covariances, radii.
+//! Figures that are computed from statistics: means, covariances, radii.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -20,7 +20,7 @@ pub struct Figures {
     pub outside_validity: u64,
     /// Mean of each state; 0 without a run.
     pub mean: SVector<f64, STATES>,
-    /// Covariance of the states, about their means, with n - 1 below; 0 for less than two runs.
+    /// Covariance of the states about their means, with the divisor n - 1; 0 for less than two runs.
     pub covariance: SMatrix<f64, STATES, STATES>,
     /// Root mean square of each state; 0 without a run.
     pub rms: SVector<f64, STATES>,

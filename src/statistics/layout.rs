@@ -1,13 +1,15 @@
 //! What statistics consist of: the struct of the C interface itself, which hosts send and store as it is.
 
-/// Statistics of the errors of many runs at one instant, as integers: sums of equal runs are the same bits however the runs were split
-/// and in whatever order the parts were merged. A plain struct without pointers, 14.6 KiB: send it, store it, compare its bytes. Its
-/// numbers have the byte order of the machine. All zero but struct_size is that of no run. Read it with sins_statistics_figures().
+/// Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the same bits however
+/// they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without pointers: send it, store it,
+/// compare its bytes. Its numbers have the byte order of the machine. A struct that is all zero but for struct_size has no run.
+/// sins_statistics_figures() computes means, covariances and radii.
 ///
-/// The states are x = position east, north, up; velocity east, north, up; misalignment about east, north, up, as in sins_errors. Each
-/// is a multiple of its resolution, rounded to the nearest: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad). The
-/// ranges are 2^25 m, 2^18 m/s and 4 rad, so that 2^47 resolutions are never exceeded, and the sums of 4294967295 runs, which is the
-/// most, cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
+/// The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment about east, north,
+/// up, as in sins_errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s),
+/// 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262 km/s) and 4 rad, which are 2^47 resolutions;
+/// the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs: their sums cannot overflow.
+/// Integers of 128 bits are two words, the low one first, in two's complement.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct sins_statistics {

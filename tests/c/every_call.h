@@ -87,6 +87,38 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, &sample));
 }
 
+/* Likewise of an ensemble, all but sins_ensemble_destroy(). */
+static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
+{
+    static unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
+    static sins_statistics statistics;
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_failure failure = {.struct_size = sizeof failure};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    uint64_t run;
+    size_t runs, size = 0;
+    SINS_INIT(statistics);
+    EVERY_CALL(sins_ensemble_set_failure(ensemble, SINS_SENSOR_ACCEL, 1, &failure));
+    EVERY_CALL(sins_ensemble_push_sample(ensemble, &sample));
+    EVERY_CALL(sins_ensemble_step(ensemble));
+    sample.time_s = 0.01;
+    EVERY_CALL(sins_ensemble_run(ensemble, &sample, 1));
+    EVERY_CALL(sins_ensemble_get_runs(ensemble, &run, &runs));
+    EVERY_CALL(sins_ensemble_get_truth(ensemble, &navigation));
+    EVERY_CALL(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, &navigation));
+    EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN + 1, &imu));
+    EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN + 2, SINS_ERRORS_MODEL, &errors));
+    EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, &run));
+    EVERY_CALL(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
+    EVERY_CALL(sins_ensemble_snapshot_size(ensemble, &size));
+    EVERY_CALL(sins_ensemble_snapshot_save(ensemble, snapshot, sizeof snapshot, &size));
+    EVERY_CALL(sins_ensemble_snapshot_load(ensemble, snapshot, size));
+    EVERY_CALL(sins_ensemble_reposition(ensemble, &sample));
+    EVERY_CALL(sins_ensemble_reset(ensemble));
+}
+
 /* Likewise of a scene, all but sins_scene_destroy(), with the sim that sins_scene_prepare() takes. */
 static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
 {
@@ -100,6 +132,7 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     sins_scene_setup setup = {.struct_size = sizeof setup};
     sins_planned_failure failure = {.struct_size = sizeof failure};
     sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_ensemble *ensemble = scene_ensemble();
     sins_sim *made = NULL;
     sins_flight *flight = NULL;
     sins_flight_start start = {.struct_size = sizeof start};
@@ -139,6 +172,8 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_create_simulator(scene, &made));
     EVERY_CALL(sins_scene_create_flight(scene, &flight));
     EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, &sample));
+    EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, &sample));
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
     CHECK(made == NULL || sins_destroy(made) == SINS_OK);
     CHECK(flight == NULL || sins_flight_destroy(flight) == SINS_OK);
 }

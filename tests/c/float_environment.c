@@ -135,6 +135,8 @@ typedef struct {
     sins_fault fault;
     sins_flight_sample of_log;
     sins_record of_scene;
+    sins_statistics statistics, model_statistics;
+    sins_figures figures;
 } results;
 
 static void ignore(const char *call, sins_status status, void *context)
@@ -177,6 +179,23 @@ static void fly_scene(results *found)
     every_scene_call(scene, sim, ignore, NULL);
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
+}
+
+/* The statistics of a second of an ensemble. */
+static void fly_ensemble(results *found)
+{
+    sins_ensemble *ensemble = scene_ensemble();
+    SINS_INIT(found->statistics);
+    SINS_INIT(found->model_statistics);
+    SINS_INIT(found->figures);
+    CHECK(sins_ensemble_run(ensemble, found->piece, COUNT) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &found->statistics) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_MODEL, &found->model_statistics) == SINS_OK);
+    CHECK(sins_statistics_merge(&found->statistics, &found->model_statistics) == SINS_OK);
+    CHECK(sins_statistics_figures(&found->statistics, &found->figures) == SINS_OK);
+    CHECK(found->figures.runs == 2 * SCENE_RUNS && found->figures.cep50_m > 0.0);
+    every_ensemble_call(ensemble, ignore, NULL);
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
 }
 
 /* One second of a flight with every effect; every function is called under the state. */
@@ -251,6 +270,7 @@ static void fly(const float_state *state, results *found)
     every_call(other, ignore, NULL);
     every_flight_call(flight, ignore, NULL);
     fly_scene(found);
+    fly_ensemble(found);
     CHECK(sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(other) == SINS_OK);
     after = get_state();

@@ -195,3 +195,21 @@ SIZE(sins_log_info, SINS_SIZEOF_LOG_INFO, 216);
 AT(sins_log_info, samples, 8);
 AT(sins_log_info, duration_s, 16);
 AT(sins_log_info, title, 24);
+
+SIZE(sins_statistics, SINS_SIZEOF_STATISTICS, 14920);
+AT(sins_statistics, layout, 4);
+AT(sins_statistics, runs, 8);
+AT(sins_statistics, largest_radial, 40);
+AT(sins_statistics, sums, 48);
+AT(sins_statistics, products, 192);
+AT(sins_statistics, histogram, 912);
+AT(sins_statistics, reserved, 14916);
+
+SIZE(sins_figures, SINS_SIZEOF_FIGURES, 936);
+AT(sins_figures, runs, 8);
+AT(sins_figures, mean_position_enu_m, 40);
+AT(sins_figures, sigma_position_enu_m, 112);
+AT(sins_figures, rms_misalignment_enu_rad, 232);
+AT(sins_figures, covariance, 256);
+AT(sins_figures, rms_radial_m, 904);
+AT(sins_figures, largest_radial_m, 928);

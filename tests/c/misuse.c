@@ -14,6 +14,7 @@ static sins_sim *wrong_sims[WRONG_HANDLES];
 static sins_flight *wrong_flights[WRONG_HANDLES];
 static sins_scene *wrong_scenes[WRONG_HANDLES];
 static sins_log *wrong_logs[WRONG_HANDLES];
+static sins_ensemble *wrong_ensembles[WRONG_HANDLES];
 
 static sins_flight *make_flight(void)
 {
@@ -46,6 +47,10 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_logs[STALE] = scene_log();
     wrong_logs[MADE_UP] = (sins_log *)(uintptr_t)0xfffffff4;
     wrong_logs[OTHER_KIND] = (sins_log *)(void *)flight;
+    wrong_ensembles[STALE] = scene_ensemble();
+    wrong_ensembles[MADE_UP] = (sins_ensemble *)(uintptr_t)0xfffffff5;
+    wrong_ensembles[OTHER_KIND] = (sins_ensemble *)(void *)sim;
+    CHECK(sins_ensemble_destroy(wrong_ensembles[STALE]) == SINS_OK);
     CHECK(sins_scene_destroy(wrong_scenes[STALE]) == SINS_OK);
     CHECK(sins_log_destroy(wrong_logs[STALE]) == SINS_OK);
 }
@@ -88,6 +93,15 @@ static sins_status wrong_configured(const sins_sim *sim)
     return status;
 }
 
+/* No ensemble is made of a handle that is none. */
+static void wrong_template(const sins_sim *sim)
+{
+    sins_ensemble *made = NULL;
+    char text[100];
+    CHECK(sins_ensemble_create(sim, 0, 1, &made) == SINS_ERROR_BAD_HANDLE && made == NULL);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "configured: ") == text);
+}
+
 static void handles(sins_sim *living)
 {
     sins_scene *scene = scene_of_text();
@@ -106,6 +120,11 @@ static void handles(sins_sim *living)
         every_scene_call(wrong_scenes[i], living, is_refused, NULL);
         every_fault_call(wrong_scenes[i], is_refused, NULL);
         every_log_call(wrong_logs[i], is_refused, NULL);
+        every_ensemble_call(wrong_ensembles[i], is_refused, NULL);
+        wrong_template(sim);
+        is_refused("sins_scene_prepare_ensemble", sins_scene_prepare_ensemble(scene, wrong_ensembles[i], 0.0, &sample),
+                   NULL);
+        is_refused("sins_ensemble_destroy", sins_ensemble_destroy(wrong_ensembles[i]), NULL);
         is_refused("sins_scene_prepare", sins_scene_prepare(scene, sim, 0.0, &sample), NULL);
         is_refused("sins_scene_destroy", sins_scene_destroy(wrong_scenes[i]), NULL);
         is_refused("sins_log_destroy", sins_log_destroy(wrong_logs[i]), NULL);
@@ -143,6 +162,7 @@ static void null_pointers_of_scenes(sins_sim *sim)
     NULL_POINTER(sins_scene_create_simulator(scene, NULL));
     NULL_POINTER(sins_scene_create_flight(scene, NULL));
     NULL_POINTER(sins_scene_prepare(scene, sim, 0.0, NULL));
+    NULL_POINTER(sins_scene_prepare_ensemble(scene, NULL, 0.0, NULL));
     NULL_POINTER(sins_scene_get_options(scene, NULL));
     NULL_POINTER(sins_scene_set_options(scene, NULL));
     NULL_POINTER(sins_scene_get_gyro(scene, NULL));
@@ -175,6 +195,37 @@ static void null_pointers_of_scenes(sins_sim *sim)
     NULL_POINTER(sins_log_get_sample(log, 0, NULL, NULL));
     CHECK(made == NULL && made_log == NULL);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
+}
+
+static void null_pointers_of_ensembles(sins_sim *sim)
+{
+    static sins_statistics statistics;
+    sins_figures figures = {.struct_size = sizeof figures};
+    sins_ensemble *ensemble = scene_ensemble();
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    SINS_INIT(statistics);
+    CHECK(sins_ensemble_push_sample(ensemble, &sample) == SINS_OK);
+    sample.time_s = 0.01;
+    CHECK(sins_ensemble_run(ensemble, &sample, 1) == SINS_OK);
+    NULL_POINTER(sins_ensemble_create(sim, 0, 1, NULL));
+    NULL_POINTER(sins_ensemble_push_sample(ensemble, NULL));
+    NULL_POINTER(sins_ensemble_run(ensemble, NULL, 1));
+    NULL_POINTER(sins_ensemble_reposition(ensemble, NULL));
+    NULL_POINTER(sins_ensemble_set_failure(ensemble, SINS_SENSOR_GYRO, 0, NULL));
+    NULL_POINTER(sins_ensemble_get_truth(ensemble, NULL));
+    NULL_POINTER(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, NULL));
+    NULL_POINTER(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, NULL));
+    NULL_POINTER(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, SINS_ERRORS_NAVIGATION, NULL));
+    NULL_POINTER(sins_ensemble_get_diverged(ensemble, 0, NULL));
+    NULL_POINTER(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, NULL));
+    NULL_POINTER(sins_ensemble_snapshot_size(ensemble, NULL));
+    NULL_POINTER(sins_ensemble_snapshot_save(ensemble, NULL, 100000, NULL));
+    NULL_POINTER(sins_ensemble_snapshot_load(ensemble, NULL, 0));
+    NULL_POINTER(sins_statistics_merge(NULL, &statistics));
+    NULL_POINTER(sins_statistics_merge(&statistics, NULL));
+    NULL_POINTER(sins_statistics_figures(NULL, &figures));
+    NULL_POINTER(sins_statistics_figures(&statistics, NULL));
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
 }
 
 static void null_pointers(sins_sim *sim, sins_flight *flight)
@@ -262,6 +313,7 @@ int main(void)
     handles(sim);
     null_pointers(sim, flight);
     null_pointers_of_scenes(sim);
+    null_pointers_of_ensembles(sim);
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

@@ -53,6 +53,34 @@ static sins_status budget(void)
     return status;
 }
 
+static sins_ensemble *pair; /* whose snapshot is loaded */
+
+static sins_status create_ensemble(void)
+{
+    static sins_sim *sim;
+    sins_ensemble *ensemble = NULL;
+    sins_status status;
+    if (sim == NULL) {
+        sim = scene_simulator(NULL, 1);
+    }
+    status = sins_ensemble_create(sim, 0, 2, &ensemble);
+    CHECK((status == SINS_OK) == (ensemble != NULL));
+    CHECK(status != SINS_OK || sins_ensemble_destroy(ensemble) == SINS_OK);
+    return status;
+}
+
+static sins_status load_ensemble(void)
+{
+    static unsigned char before[2 * SINS_SNAPSHOT_MAX_SIZE], after[sizeof before];
+    size_t size, again;
+    sins_status status;
+    CHECK(sins_ensemble_snapshot_save(pair, before, sizeof before, &size) == SINS_OK);
+    status = sins_ensemble_snapshot_load(pair, before, size);
+    CHECK(sins_ensemble_snapshot_save(pair, after, sizeof after, &again) == SINS_OK);
+    CHECK(size == again && memcmp(before, after, size) == 0);
+    return status;
+}
+
 /* Functions of scenes, and the parser of logs, ask for their memory first: without any they say so and change nothing. */
 static void starve_scenes(void)
 {
@@ -119,10 +147,11 @@ static int starve(sins_status (*call)(void))
 
 int main(void)
 {
-    sins_sim *sim;
+    sins_sim *sim, *fresh = NULL;
     int k, allocations;
 
     scene_samples(samples);
+    CHECK(sins_create(NULL, &fresh) == SINS_OK);
     sim = scene_simulator(NULL, 1);
     scene_fly(sim, samples, expected);
     CHECK(sins_reset(sim) == SINS_OK);
@@ -148,7 +177,14 @@ int main(void)
             printf("%d of a recommendation, ", allocations);
             allocations = starve(budget);
             CHECK(allocations > 0);
-            printf("%d of a budget fail in turn\n", allocations);
+            printf("%d of a budget, ", allocations);
+            allocations = starve(create_ensemble);
+            CHECK(allocations > 0);
+            printf("%d of an ensemble, ", allocations);
+            CHECK(sins_ensemble_create(fresh, 0, 2, &pair) == SINS_OK);
+            allocations = starve(load_ensemble);
+            CHECK(allocations > 0);
+            printf("%d of loading one fail in turn\n", allocations);
         }
     }
     starve_scenes();

@@ -221,12 +221,55 @@ static void fly_scene_frames(sins_scene *scene, sins_sim *sim, sins_flight *flig
     }
 }
 
+/* An ensemble with every effect: all but what makes and loads one. */
+static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
+{
+    static unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
+    static sins_statistics statistics, sum;
+    sins_figures figures = {.struct_size = sizeof figures};
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
+    uint64_t run;
+    size_t runs, size, written;
+    int k;
+    SINS_INIT(statistics);
+    SINS_INIT(sum);
+    FRAME_CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics) == SINS_NEED_SAMPLE);
+    FRAME_CHECK(sins_ensemble_get_runs(ensemble, &run, &runs) == SINS_OK && runs == SCENE_RUNS);
+    for (k = 0; k < 65; k++) {
+        sins_flight_sample sample = samples[k];
+        FRAME_CHECK(sins_scene_prepare_ensemble(scene, ensemble, 0.0, &sample) == SINS_OK);
+        FRAME_CHECK(sins_ensemble_push_sample(ensemble, &sample) == SINS_OK);
+        FRAME_CHECK(sins_ensemble_push_sample(ensemble, &sample) == SINS_ERROR_TIME_ORDER);
+        FRAME_CHECK(sins_ensemble_step(ensemble) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+        FRAME_CHECK(sins_ensemble_get_truth(ensemble, &navigation) == SINS_OK);
+        FRAME_CHECK(sins_ensemble_get_navigation(ensemble, run, &navigation) == SINS_OK);
+        FRAME_CHECK(is_answer(sins_ensemble_get_imu(ensemble, run + 1, &imu), k > 0));
+        FRAME_CHECK(sins_ensemble_get_errors(ensemble, run + 2, SINS_ERRORS_MODEL, &errors) == SINS_OK);
+        FRAME_CHECK(sins_ensemble_get_errors(ensemble, run + 3, SINS_ERRORS_MODEL, &errors)
+                    == SINS_ERROR_INVALID_ARGUMENT);
+        FRAME_CHECK(sins_ensemble_get_diverged(ensemble, 0, &run) == SINS_ERROR_INVALID_ARGUMENT);
+        FRAME_CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics) == SINS_OK);
+        FRAME_CHECK(sins_statistics_merge(&sum, &statistics) == SINS_OK);
+        FRAME_CHECK(sins_statistics_figures(&sum, &figures) == SINS_OK);
+    }
+    FRAME_CHECK(sins_ensemble_set_failure(ensemble, SINS_SENSOR_ACCEL, 1, &stuck) == SINS_OK);
+    FRAME_CHECK(sins_ensemble_run(ensemble, &samples[k], 64) == SINS_OK);
+    FRAME_CHECK(sins_ensemble_snapshot_size(ensemble, &size) == SINS_OK);
+    FRAME_CHECK(sins_ensemble_snapshot_save(ensemble, snapshot, sizeof snapshot, &written) == SINS_OK && size == written);
+    FRAME_CHECK(sins_ensemble_reposition(ensemble, &samples[0]) == SINS_OK);
+    FRAME_CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
+}
+
 int main(void)
 {
     enum { FRAMES = 2, SCHEMES = 3, VERTICALS = 3, SIGNALS = 2, ALL = FRAMES * SCHEMES * VERTICALS * SIGNALS };
     sins_sim *sims[ALL], *navigators[FRAMES * SCHEMES], *stale = NULL;
     sins_scene *scene = scene_of_text();
     sins_log *log = scene_log();
+    sins_ensemble *ensemble = scene_ensemble();
     sins_sim *of_scene = NULL;
     sins_flight *flight = NULL;
     sins_navigation start = {.struct_size = sizeof start};
@@ -276,6 +319,7 @@ int main(void)
         fly_frames(sims[i], stale);
     }
     fly_scene_frames(scene, of_scene, flight, log);
+    fly_ensemble_frames(ensemble, scene);
     for (i = 0; i < navigator_count; i++) {
         navigate_frames(navigators[i]);
     }

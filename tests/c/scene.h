@@ -148,6 +148,18 @@ static inline sins_sim *scene_simulator(const sins_options *options, unsigned se
     return sim;
 }
 
+/* Three runs of it, from number 7. */
+enum { SCENE_FIRST_RUN = 7, SCENE_RUNS = 3 };
+
+static inline sins_ensemble *scene_ensemble(void)
+{
+    sins_sim *sim = scene_simulator(NULL, 5);
+    sins_ensemble *ensemble = NULL;
+    CHECK(sins_ensemble_create(sim, SCENE_FIRST_RUN, SCENE_RUNS, &ensemble) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    return ensemble;
+}
+
 /* A record of every interval. */
 static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, sins_record records[SCENE_COUNT - 1])
 {

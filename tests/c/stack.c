@@ -165,6 +165,53 @@ static void fly(const sins_options *options)
     MEASURE(sins_destroy(sim));
 }
 
+/* Two runs with everything on. */
+static void fly_ensemble(const sins_options *options)
+{
+    static sins_statistics statistics, sum;
+    sins_figures figures = {.struct_size = sizeof figures};
+    sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
+    sins_flight_sample sample = samples[0];
+    sins_scene *scene = scene_of_text();
+    sins_ensemble *ensemble = NULL;
+    sins_sim *sim = NULL;
+    uint64_t run;
+    size_t size;
+    CHECK(sins_create(options, &sim) == SINS_OK);
+    set_all(sim);
+    MEASURE(sins_ensemble_create(sim, 3, 2, &ensemble));
+    SINS_INIT(statistics);
+    SINS_INIT(sum);
+    MEASURE(sins_scene_prepare_ensemble(scene, ensemble, 0.0, &sample));
+    MEASURE(sins_ensemble_push_sample(ensemble, &samples[0]));
+    MEASURE(sins_ensemble_get_navigation(ensemble, 3, &navigation)); /* before the first step */
+    MEASURE(sins_ensemble_get_errors(ensemble, 3, SINS_ERRORS_MODEL, &errors));
+    MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_MODEL, &statistics));
+    MEASURE(sins_ensemble_push_sample(ensemble, &samples[1]));
+    MEASURE(sins_ensemble_step(ensemble));
+    MEASURE(sins_ensemble_run(ensemble, &samples[2], SAMPLES));
+    MEASURE(sins_ensemble_get_runs(ensemble, &run, &size));
+    MEASURE(sins_ensemble_get_truth(ensemble, &navigation));
+    MEASURE(sins_ensemble_get_navigation(ensemble, 3, &navigation));
+    MEASURE(sins_ensemble_get_errors(ensemble, 4, SINS_ERRORS_NAVIGATION, &errors));
+    MEASURE(sins_ensemble_get_imu(ensemble, 4, &imu));
+    TRY(sins_ensemble_get_diverged(ensemble, 0, &run)); /* none */
+    MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
+    MEASURE(sins_statistics_merge(&sum, &statistics));
+    MEASURE(sins_statistics_figures(&sum, &figures));
+    MEASURE(sins_ensemble_set_failure(ensemble, SINS_SENSOR_GYRO, 2, &stuck));
+    MEASURE(sins_ensemble_snapshot_size(ensemble, &size));
+    MEASURE(sins_ensemble_snapshot_save(ensemble, text, sizeof text, &size));
+    MEASURE(sins_ensemble_snapshot_load(ensemble, text, size));
+    MEASURE(sins_ensemble_reposition(ensemble, &samples[0]));
+    MEASURE(sins_ensemble_reset(ensemble));
+    MEASURE(sins_ensemble_destroy(ensemble));
+    CHECK(sins_destroy(sim) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
+}
+
 static void ask(const sins_options *options)
 {
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-20};
@@ -311,6 +358,7 @@ static void call_all(void)
         for (options.scheme = SINS_SCHEME_EXACT; options.scheme <= SINS_SCHEME_POLYNOMIAL; options.scheme++) {
             for (options.signal = SINS_SIGNAL_PHYSICAL; options.signal <= SINS_SIGNAL_CLOSED_LOOP; options.signal++) {
                 fly(&options);
+                fly_ensemble(&options);
             }
         }
         options.scheme = SINS_SCHEME_EXACT;

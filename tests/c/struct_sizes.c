@@ -292,6 +292,68 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     CHECK(sins_destroy(fresh) == SINS_OK);
 }
 
+/* A second at rest of three runs; what is NULL is good. */
+static void fly_ensemble(sins_ensemble *ensemble, sins_statistics *statistics)
+{
+    sins_flight_sample rest[2] = {{.struct_size = sizeof rest[0]}};
+    rest[1].time_s = 1.0;
+    CHECK(sins_ensemble_run(ensemble, rest, 2) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, statistics) == SINS_OK);
+}
+
+static sins_status push_first_of_ensemble(sins_ensemble *ensemble, const sins_flight_sample *sample)
+{
+    CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
+    return sins_ensemble_push_sample(ensemble, sample);
+}
+
+static sins_status run_first_of_ensemble(sins_ensemble *ensemble, const sins_flight_sample *sample)
+{
+    CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
+    return sins_ensemble_run(ensemble, sample, 1);
+}
+
+/* Statistics of no run are the sum; those in a struct of the host's size are added. */
+static sins_status merge(const sins_statistics *from)
+{
+    static sins_statistics into;
+    SINS_INIT(into);
+    return sins_statistics_merge(&into, from);
+}
+
+static sins_status figures_of(const sins_statistics *statistics)
+{
+    sins_figures figures = {.struct_size = sizeof figures};
+    return sins_statistics_figures(statistics, &figures);
+}
+
+static void struct_sizes_of_ensembles(void)
+{
+    static sins_statistics statistics;
+    sins_ensemble *ensemble = scene_ensemble();
+    sins_scene *scene = scene_of_text();
+    SINS_INIT(statistics);
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, push_first_of_ensemble(ensemble, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, run_first_of_ensemble(ensemble, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_ensemble_reposition(ensemble, pointer));
+    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample,
+                      sins_scene_prepare_ensemble(scene, ensemble, 0.0, pointer));
+    CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
+    INPUT_SIZES(sins_failure, sins_ensemble_set_failure(ensemble, SINS_SENSOR_ACCEL, 2, pointer));
+    fly_ensemble(ensemble, &statistics);
+    OUTPUT_SIZES(sins_navigation, sins_ensemble_get_truth(ensemble, pointer));
+    OUTPUT_SIZES(sins_navigation, sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, pointer));
+    OUTPUT_SIZES(sins_imu, sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, pointer));
+    OUTPUT_SIZES(sins_errors, sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, SINS_ERRORS_MODEL, pointer));
+    OUTPUT_SIZES(sins_figures, sins_statistics_figures(&statistics, pointer));
+    OUTPUT_SIZES(sins_statistics, sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, pointer));
+    INPUT_SIZES(sins_statistics, merge(pointer));
+    INPUT_SIZES(sins_statistics, figures_of(pointer));
+    /* What is all zero is a sum. */
+    INPUT_SIZES(sins_statistics, sins_statistics_merge(pointer, &statistics));
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
+}
+
 int main(void)
 {
     sins_options options = {.struct_size = sizeof options};
@@ -306,6 +368,7 @@ int main(void)
     CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) == SINS_OK);
     struct_sizes(sim, flight);
     struct_sizes_of_scenes(sim);
+    struct_sizes_of_ensembles();
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     printf("struct_sizes: every struct, from 0 to twice its size\n");
     return 0;

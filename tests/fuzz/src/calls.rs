@@ -84,6 +84,7 @@ impl Host {
             221 if self.input.one_in(8) => self.fly_scene(),
             222 if self.input.one_in(8) => self.log(),
             223 if self.input.one_in(8) => self.misuse_scene(),
+            224 if self.input.one_in(4) => self.fly_ensemble(),
             // Most of a run is flight.
             _ => self.fly(),
         }

@@ -55,7 +55,7 @@ pub fn run(records: &[Record]) {
 }
 
 /// Reads what is there: numbers, or an output as it was.
-fn check<T: Copy>(get: impl FnOnce(*mut T) -> sins_status) -> Option<T> {
+pub fn check<T: Copy>(get: impl FnOnce(*mut T) -> sins_status) -> Option<T> {
     let mut output = Argument::of(&init::<T>());
     let status = get(output.pointer());
     if status == SINS_OK {

@@ -7,10 +7,12 @@
 //! - SINS_OK of a step leaves the solution within the limits of the header, its quaternion of norm 1;
 //! - what can be saved loads, and goes on to the same answers, records and bits; altered bytes are refused;
 //! - a text is a scene or a log, or has faults with their places; a scene that is written or set reads back to the same text;
+//! - a run of an ensemble is the single simulator of its number to the bit;
 //! - forged words are refused, or make a simulator that all of this holds for;
 //! - under a sanitizer: no touch of memory that is not its own.
 
 mod calls;
+mod ensembles;
 mod host;
 mod input;
 pub mod minimal;

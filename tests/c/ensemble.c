@@ -1,0 +1,216 @@
+/* Each run of an ensemble is the simulator of its number to the bit; statistics do not depend on how the runs were split; an
+ * ensemble goes on to the same bits from any snapshot; what is refused has its sentence. */
+
+#include <string.h>
+
+#include "failure_is.h"
+#include "scene.h"
+
+enum { COUNT = 257, RUNS = 6, FIRST_RUN = 40 };
+
+static sins_flight_sample samples[SCENE_COUNT];
+
+static sins_sim *simulator(uint64_t run)
+{
+    sins_options options = {.struct_size = sizeof options};
+    options.error_model = SINS_ERROR_MODEL_RK4;
+    options.seed = 11;
+    options.run = run;
+    return scene_simulator(&options, 0);
+}
+
+static sins_ensemble *ensemble_of(uint64_t first_run, size_t runs)
+{
+    sins_sim *configured = simulator(0);
+    sins_ensemble *ensemble = NULL;
+    CHECK(sins_ensemble_create(configured, first_run, runs, &ensemble) == SINS_OK);
+    CHECK(sins_destroy(configured) == SINS_OK);
+    return ensemble;
+}
+
+/* All that can be read of run FIRST_RUN + k, against the simulator. */
+static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
+{
+    static const int32_t sources[] = {SINS_ERRORS_NAVIGATION, SINS_ERRORS_MODEL};
+    sins_navigation of_run = {.struct_size = sizeof of_run}, of_sim = {.struct_size = sizeof of_sim};
+    sins_imu imu_of_run = {.struct_size = sizeof imu_of_run}, imu_of_sim = {.struct_size = sizeof imu_of_sim};
+    uint64_t run = FIRST_RUN + (uint64_t)k;
+    int i;
+    CHECK(sins_ensemble_get_navigation(ensemble, run, &of_run) == SINS_OK && sins_get_navigation(sim, &of_sim) == SINS_OK);
+    CHECK(memcmp(&of_run, &of_sim, sizeof of_run) == 0);
+    CHECK(sins_ensemble_get_truth(ensemble, &of_run) == SINS_OK && sins_get_truth(sim, &of_sim) == SINS_OK);
+    CHECK(memcmp(&of_run, &of_sim, sizeof of_run) == 0);
+    CHECK(sins_ensemble_get_imu(ensemble, run, &imu_of_run) == sins_get_imu(sim, &imu_of_sim));
+    CHECK(memcmp(&imu_of_run, &imu_of_sim, sizeof imu_of_run) == 0);
+    for (i = 0; i < 2; i++) {
+        sins_errors errors_of_run = {.struct_size = sizeof errors_of_run}, errors_of_sim = errors_of_run;
+        CHECK(sins_ensemble_get_errors(ensemble, run, sources[i], &errors_of_run) == SINS_OK);
+        CHECK(sins_get_errors(sim, sources[i], &errors_of_sim) == SINS_OK);
+        CHECK(memcmp(&errors_of_run, &errors_of_sim, sizeof errors_of_run) == 0);
+    }
+}
+
+/* Sample by sample, in runs of samples, repositioned and reset, with a failure on the way. */
+static void runs_are_simulators(void)
+{
+    sins_ensemble *ensemble = ensemble_of(FIRST_RUN, RUNS);
+    sins_failure noise = {.struct_size = sizeof noise, .kind = SINS_FAILURE_NOISE, .density = 1e-4};
+    sins_sim *sims[RUNS];
+    int i, k, round;
+    for (i = 0; i < RUNS; i++) {
+        sims[i] = simulator(FIRST_RUN + (uint64_t)i);
+    }
+    for (round = 0; round < 2; round++) {
+        for (k = 0; k < 64; k++) {
+            CHECK(sins_ensemble_push_sample(ensemble, &samples[k]) == SINS_OK);
+            CHECK(sins_ensemble_step(ensemble) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+            for (i = 0; i < RUNS; i++) {
+                CHECK(sins_push_sample(sims[i], &samples[k]) == SINS_OK && sins_step(sims[i]) >= SINS_OK);
+                compare(ensemble, sims[i], i);
+            }
+        }
+        CHECK(sins_ensemble_set_failure(ensemble, SINS_SENSOR_GYRO, 1, &noise) == SINS_OK);
+        CHECK(sins_ensemble_run(ensemble, &samples[k], COUNT - k) == SINS_OK);
+        for (i = 0; i < RUNS; i++) {
+            CHECK(sins_set_failure(sims[i], SINS_SENSOR_GYRO, 1, &noise) == SINS_OK);
+            CHECK(sins_run(sims[i], &samples[k], (size_t)(COUNT - k), 0, NULL, 0, NULL) == SINS_OK);
+            compare(ensemble, sims[i], i);
+            CHECK(sins_reposition(sims[i], &samples[500]) == SINS_OK);
+        }
+        CHECK(sins_ensemble_reposition(ensemble, &samples[500]) == SINS_OK);
+        /* 1 s is lost at once behind the first intervals. */
+        CHECK(sins_ensemble_run(ensemble, &samples[501], 4) == SINS_OK);
+        CHECK(sins_ensemble_run(ensemble, &samples[600], 10) == SINS_GAP);
+        for (i = 0; i < RUNS; i++) {
+            CHECK(sins_run(sims[i], &samples[501], 4, 0, NULL, 0, NULL) == SINS_OK);
+            CHECK(sins_run(sims[i], &samples[600], 10, 0, NULL, 0, NULL) == SINS_GAP);
+            compare(ensemble, sims[i], i);
+            CHECK(sins_reset(sims[i]) == SINS_OK);
+        }
+        CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
+    }
+    for (i = 0; i < RUNS; i++) {
+        CHECK(sins_destroy(sims[i]) == SINS_OK);
+    }
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
+}
+
+static void statistics_of(uint64_t first_run, size_t runs, int32_t source, sins_statistics *statistics)
+{
+    sins_ensemble *ensemble = ensemble_of(first_run, runs);
+    SINS_INIT(*statistics);
+    CHECK(sins_ensemble_get_statistics(ensemble, source, statistics) == SINS_NEED_SAMPLE);
+    CHECK(statistics->runs == 0);
+    CHECK(sins_ensemble_run(ensemble, samples, COUNT) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(ensemble, source, statistics) == SINS_OK);
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
+}
+
+static void any_split_is_the_same(void)
+{
+    static sins_statistics whole, parts[3], sum;
+    static const int order[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+    int32_t source;
+    int i, k;
+    for (source = SINS_ERRORS_NAVIGATION; source <= SINS_ERRORS_MODEL; source++) {
+        sins_figures figures = {.struct_size = sizeof figures};
+        statistics_of(FIRST_RUN, 6, source, &whole);
+        statistics_of(FIRST_RUN, 1, source, &parts[0]);
+        statistics_of(FIRST_RUN + 1, 3, source, &parts[1]);
+        statistics_of(FIRST_RUN + 4, 2, source, &parts[2]);
+        for (i = 0; i < 3; i++) {
+            SINS_INIT(sum);
+            for (k = 0; k < 3; k++) {
+                CHECK(sins_statistics_merge(&sum, &parts[order[i][k]]) == SINS_OK);
+            }
+            CHECK(memcmp(&sum, &whole, sizeof sum) == 0);
+        }
+        CHECK(sins_statistics_figures(&whole, &figures) == SINS_OK);
+        CHECK(figures.runs == 6 && figures.diverged == 0 && figures.out_of_range == 0);
+        CHECK(figures.cep50_m > 0.0 && figures.cep50_m <= figures.r95_m && figures.r95_m <= figures.largest_radial_m);
+        for (i = 0; i < 3; i++) {
+            double mean = figures.mean_velocity_enu_m_s[i], sigma = figures.sigma_velocity_enu_m_s[i];
+            double rms = figures.rms_velocity_enu_m_s[i];
+            CHECK(sigma > 0.0 && fabs(sigma * sigma - figures.covariance[10 * (i + 3)]) < 1e-15 * sigma * sigma);
+            CHECK(fabs(rms * rms - mean * mean - 5.0 / 6.0 * sigma * sigma) < 1e-14 * rms * rms);
+            CHECK(figures.covariance[9 * i + 4] == figures.covariance[9 * 4 + i]);
+        }
+    }
+    parts[0].runs++;
+    CHECK(sins_statistics_merge(&sum, &parts[0]) == SINS_ERROR_INVALID_ARGUMENT);
+    failure_is(NULL, SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(strstr(sentence_of(NULL), "sum of statistics.histogram = 1: is damaged") != NULL);
+    CHECK(memcmp(&sum, &whole, sizeof sum) == 0);
+}
+
+static void goes_on_from_a_snapshot(void)
+{
+    static unsigned char bytes[RUNS * SINS_SNAPSHOT_MAX_SIZE], again[sizeof bytes];
+    static sins_statistics expected, found;
+    sins_ensemble *saved = ensemble_of(FIRST_RUN, RUNS), *other = ensemble_of(0, 1);
+    size_t size = 0, written = 77, runs = 0;
+    uint64_t first_run = 0;
+    SINS_INIT(expected);
+    SINS_INIT(found);
+    CHECK(sins_ensemble_run(saved, samples, 100) == SINS_OK);
+    CHECK(sins_ensemble_snapshot_size(saved, &size) == SINS_OK && size <= sizeof bytes);
+    CHECK(sins_ensemble_snapshot_save(saved, bytes, size - 1, &written) == SINS_ERROR_BUFFER_TOO_SMALL && written == 77);
+    CHECK(strstr(sentence_of(NULL), "capacity = ") == sentence_of(NULL));
+    CHECK(sins_ensemble_snapshot_save(saved, bytes, sizeof bytes, &written) == SINS_OK && written == size);
+    CHECK(sins_ensemble_snapshot_load(other, bytes, size - 1) == SINS_ERROR_SNAPSHOT);
+    bytes[size / 2] ^= 1;
+    CHECK(sins_ensemble_snapshot_load(other, bytes, size) == SINS_ERROR_SNAPSHOT);
+    bytes[size / 2] ^= 1;
+    CHECK(sins_ensemble_get_runs(other, &first_run, &runs) == SINS_OK && first_run == 0 && runs == 1);
+    CHECK(sins_ensemble_snapshot_load(other, bytes, size) == SINS_OK);
+    CHECK(sins_ensemble_get_runs(other, &first_run, &runs) == SINS_OK && first_run == FIRST_RUN && runs == RUNS);
+    CHECK(sins_ensemble_run(saved, &samples[100], 100) == SINS_OK && sins_ensemble_run(other, &samples[100], 100) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(saved, SINS_ERRORS_NAVIGATION, &expected) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(other, SINS_ERRORS_NAVIGATION, &found) == SINS_OK);
+    CHECK(memcmp(&expected, &found, sizeof found) == 0);
+    CHECK(sins_ensemble_snapshot_save(saved, bytes, sizeof bytes, &size) == SINS_OK);
+    CHECK(sins_ensemble_snapshot_save(other, again, sizeof again, &written) == SINS_OK);
+    CHECK(size == written && memcmp(bytes, again, size) == 0);
+    CHECK(sins_ensemble_destroy(saved) == SINS_OK && sins_ensemble_destroy(other) == SINS_OK);
+}
+
+static void refusals(void)
+{
+    sins_ensemble *ensemble = ensemble_of(FIRST_RUN, RUNS), *none = NULL;
+    sins_sim *sim = simulator(0);
+    sins_errors errors = {.struct_size = sizeof errors};
+    sins_imu imu = {.struct_size = sizeof imu};
+    sins_flight_sample wrong[3];
+    uint64_t run = 99;
+    CHECK(sins_ensemble_get_errors(ensemble, FIRST_RUN, SINS_ERRORS_NAVIGATION, &errors) == SINS_NEED_SAMPLE);
+    CHECK(sins_ensemble_get_imu(ensemble, FIRST_RUN, &imu) == SINS_NEED_SAMPLE);
+    CHECK(sins_ensemble_get_errors(ensemble, FIRST_RUN - 1, SINS_ERRORS_NAVIGATION, &errors) == SINS_ERROR_INVALID_ARGUMENT);
+    failure_is(NULL, SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(strcmp(sentence_of(NULL), "run = 39: must be from 40 to 45") == 0);
+    CHECK(sins_ensemble_get_errors(ensemble, FIRST_RUN, 2, &errors) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_ensemble_get_diverged(ensemble, 0, &run) == SINS_ERROR_INVALID_ARGUMENT && run == 99);
+    failure_is(NULL, SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_ensemble_create(sim, 0, 0, &none) == SINS_ERROR_INVALID_ARGUMENT);
+    failure_is(NULL, SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_push_sample(sim, &samples[0]) == SINS_OK);
+    CHECK(sins_ensemble_create(sim, 0, 1, &none) == SINS_ERROR_BAD_STATE && none == NULL);
+    /* The sample at fault is named, those before it were flown. */
+    memcpy(wrong, samples, sizeof wrong);
+    wrong[2].height_m = 1e9;
+    CHECK(sins_ensemble_run(ensemble, wrong, 3) == SINS_ERROR_INVALID_ARGUMENT);
+    failure_is(NULL, SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(strstr(sentence_of(NULL), "(samples[2])") != NULL);
+    CHECK(sins_ensemble_run(ensemble, &samples[2], 1) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_ensemble_destroy(ensemble) == SINS_OK);
+}
+
+int main(void)
+{
+    scene_samples(samples);
+    runs_are_simulators();
+    any_split_is_the_same();
+    goes_on_from_a_snapshot();
+    refusals();
+    printf("ensemble: %d runs are the simulators of their numbers\n", RUNS);
+    return 0;
+}
