@@ -7,8 +7,8 @@
  * the same time, and so no rank needs anything of another before the end. Statistics are exact sums: the bytes of OUT.csv depend
  * neither on the number of ranks nor on interruptions.
  *
- * After each block a rank replaces its file OUT.csv.N by all that it has flown. If a rank dies, MPI ends the job, and the blocks in
- * flight are lost. The next start, with any number of ranks, takes the blocks of all these files, flies the others into files with
+ * After a block, but not sooner than 10 s after the last time, a rank replaces its file OUT.csv.N by all that it has flown. If a rank
+ * dies, MPI ends the job: the blocks in flight are lost, and those of the last 10 s. The next start, with any number of ranks, takes the blocks of all these files, flies the others into files with
  * new numbers, and removes the files when OUT.csv is written. The blocks of a damaged file are flown again.
  */
 
@@ -16,6 +16,8 @@
 #include <mpi.h>
 
 #include "ensemble_job.h"
+
+#define SAVED_EVERY_S 10.0
 
 static int rank, ranks;
 
@@ -172,6 +174,7 @@ static void fly(const char *path)
     struct flown before = nothing_flown(), mine = nothing_flown();
     unsigned char *done = (unsigned char *)room((size_t)job.blocks);
     uint64_t block, missing = 0, earlier = 0;
+    double next_s = 0;
     int files = 0, number;
     size_t size;
     char *bytes, part[4096];
@@ -203,7 +206,10 @@ static void fly(const char *path)
         if (done[block] == 0 && missing++ % (uint64_t)ranks == (uint64_t)rank) {
             fly_block(block, mine.statistics);
             mine.done[block] = 1;
-            save(numbered(path, files + rank, ""), &mine, mine.size);
+            if (MPI_Wtime() >= next_s) {
+                save(numbered(path, files + rank, ""), &mine, mine.size);
+                next_s = MPI_Wtime() + SAVED_EVERY_S;
+            }
         }
     }
     merge_statistics(mine.statistics, before.statistics, job.count);
