@@ -32,8 +32,8 @@ void App::create_window(HINSTANCE instance)
     int width = min(scaled(960), (int)(work.right - work.left));
     int height = min(scaled(700), (int)(work.bottom - work.top));
     CreateWindowExW(WS_EX_ACCEPTFILES | WS_EX_CONTROLPARENT, main.lpszClassName, L"",
-                    WS_OVERLAPPEDWINDOW | WS_CLIPCHILDREN, CW_USEDEFAULT, CW_USEDEFAULT, width, height, NULL, NULL,
-                    instance, this);
+                    WS_OVERLAPPEDWINDOW | WS_CLIPCHILDREN, CW_USEDEFAULT, CW_USEDEFAULT, width, height, NULL,
+                    NULL, instance, this);
 }
 
 int App::run(HINSTANCE instance)
@@ -68,7 +68,8 @@ LRESULT CALLBACK App::procedure(HWND window, UINT message, WPARAM wparam, LPARAM
         app->window_ = window;
         SetWindowLongPtrW(window, GWLP_USERDATA, (LONG_PTR)app);
     }
-    return app == NULL ? DefWindowProcW(window, message, wparam, lparam) : app->handle(message, wparam, lparam);
+    return app == NULL ? DefWindowProcW(window, message, wparam, lparam)
+                       : app->handle(message, wparam, lparam);
 }
 
 static void translate(HMENU menu)
@@ -77,7 +78,8 @@ static void translate(HMENU menu)
         WCHAR words[128] = L"";
         MENUITEMINFOW info = {};
         GetMenuStringW(menu, (UINT)k, words, 128, MF_BYPOSITION);
-        std::wstring all = words, key = all.substr(all.find(L'\t') == std::wstring::npos ? all.size() : all.find(L'\t'));
+        std::wstring all = words,
+                     key = all.substr(all.find(L'\t') == std::wstring::npos ? all.size() : all.find(L'\t'));
         std::wstring own = text(narrow(all.substr(0, all.size() - key.size()))) + key;
         info.cbSize = sizeof info;
         info.fMask = MIIM_STRING;
@@ -91,7 +93,8 @@ static void translate(HMENU menu)
 
 void App::build_menu()
 {
-    HMENU before = GetMenu(window_), menu = LoadMenuIndirectW(resource(MAKEINTRESOURCEW(4), IDR_MENU)); /* RT_MENU */
+    HMENU before = GetMenu(window_),
+          menu = LoadMenuIndirectW(resource(MAKEINTRESOURCEW(4), IDR_MENU)); /* RT_MENU */
     HMENU builtins = CreatePopupMenu(), recent = CreatePopupMenu();
     translate(menu);
     for (size_t k = 0; k < builtins_.size(); k++) {
@@ -112,8 +115,8 @@ void App::build_menu()
 /* Menu, pages and status line, in the language of the moment. */
 void App::build()
 {
-    static HFONT font = CreateFontW(-scaled(12), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0, CLEARTYPE_QUALITY,
-                                    0, L"MS Shell Dlg 2");
+    static HFONT font = CreateFontW(-scaled(12), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0,
+                                    CLEARTYPE_QUALITY, 0, L"MS Shell Dlg 2");
     int page = tabs_ == NULL ? 0 : TabCtrl_GetCurSel(tabs_);
     const DWORD STYLE = WS_CHILD | WS_VISIBLE;
     build_menu();
@@ -122,9 +125,10 @@ void App::build()
     }
     DestroyWindow(tabs_);
     DestroyWindow(status_);
-    tabs_ = CreateWindowExW(0, WC_TABCONTROLW, NULL, STYLE | WS_TABSTOP | WS_CLIPSIBLINGS, 0, 0, 0, 0, window_, NULL,
-                            NULL, NULL);
-    status_ = CreateWindowExW(0, STATUSCLASSNAMEW, NULL, STYLE | SBARS_SIZEGRIP, 0, 0, 0, 0, window_, NULL, NULL, NULL);
+    tabs_ = CreateWindowExW(0, WC_TABCONTROLW, NULL, STYLE | WS_TABSTOP | WS_CLIPSIBLINGS, 0, 0, 0, 0,
+                            window_, NULL, NULL, NULL);
+    status_ = CreateWindowExW(0, STATUSCLASSNAMEW, NULL, STYLE | SBARS_SIZEGRIP, 0, 0, 0, 0, window_, NULL,
+                              NULL, NULL);
     SendMessageW(tabs_, WM_SETFONT, (WPARAM)font, FALSE);
     display_ = new DisplayPage(*this);
     pages_[0].reset(trajectory_page(*this));
@@ -155,7 +159,8 @@ void App::layout()
     MoveWindow(tabs_, 0, 0, client.right, client.bottom, TRUE);
     TabCtrl_AdjustRect(tabs_, FALSE, &client);
     for (auto &page : pages_) {
-        MoveWindow(page->window(), client.left, client.top, client.right - client.left, client.bottom - client.top, TRUE);
+        MoveWindow(page->window(), client.left, client.top, client.right - client.left,
+                   client.bottom - client.top, TRUE);
     }
 }
 
@@ -201,7 +206,8 @@ void App::leave_field()
 {
     HWND focus = GetFocus();
     if (focus != NULL && IsChild(window_, focus)) {
-        SendMessageW(GetParent(focus), WM_COMMAND, MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS), (LPARAM)focus);
+        SendMessageW(GetParent(focus), WM_COMMAND, MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS),
+                     (LPARAM)focus);
     }
 }
 
@@ -213,9 +219,7 @@ LRESULT App::handle(UINT message, WPARAM wparam, LPARAM lparam)
             layout();
         }
         return 0;
-    case WM_GETMINMAXINFO:
-        ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)};
-        return 0;
+    case WM_GETMINMAXINFO: ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)}; return 0;
     case WM_COMMAND:
         if (LOWORD(wparam) == IDOK) { /* Enter: the field is done */
             leave_field();
@@ -249,9 +253,7 @@ LRESULT App::handle(UINT message, WPARAM wparam, LPARAM lparam)
             DestroyWindow(window_);
         }
         return 0;
-    case WM_DESTROY:
-        PostQuitMessage(0);
-        return 0;
+    case WM_DESTROY: PostQuitMessage(0); return 0;
     }
     return DefWindowProcW(window_, message, wparam, lparam);
 }

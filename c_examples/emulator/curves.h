@@ -6,8 +6,8 @@
 
 /* What is drawn over time: three components each, but for the time. */
 enum Channel {
-    ATTITUDE_ERROR = 0, /* roll, pitch, heading [rad]: error data 2, then error data 1 */
-    VELOCITY_ERROR = 6, /* east, north, up [m/s] */
+    ATTITUDE_ERROR = 0,  /* roll, pitch, heading [rad]: error data 2, then error data 1 */
+    VELOCITY_ERROR = 6,  /* east, north, up [m/s] */
     POSITION_ERROR = 12, /* [m] */
     RATE = 18,           /* measured, x, y, z [rad/s] */
     FORCE = 21,          /* [m/s2] */

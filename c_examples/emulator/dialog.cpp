@@ -44,8 +44,8 @@ void Dialog::init()
     GetClientRect(window_, &client);
     size_ = {client.right, client.bottom};
     SetWindowTextW(window_, text(narrow(window_text(window_))).c_str());
-    tips_ = CreateWindowExW(WS_EX_TOPMOST, TOOLTIPS_CLASSW, NULL, WS_POPUP | TTS_ALWAYSTIP | TTS_NOPREFIX, 0, 0, 0, 0,
-                            window_, NULL, NULL, NULL);
+    tips_ = CreateWindowExW(WS_EX_TOPMOST, TOOLTIPS_CLASSW, NULL, WS_POPUP | TTS_ALWAYSTIP | TTS_NOPREFIX, 0,
+                            0, 0, 0, window_, NULL, NULL, NULL);
     SendMessageW(tips_, TTM_SETMAXTIPWIDTH, 0, scaled(360));
     SendMessageW(tips_, TTM_SETDELAYTIME, TTDT_AUTOPOP, 30000);
     for (HWND own = GetWindow(window_, GW_CHILD); own != NULL; own = GetWindow(own, GW_HWNDNEXT)) {
@@ -54,7 +54,8 @@ void Dialog::init()
     on_init();
 }
 
-/* Translates a control. A label names the keys of the fields behind it; each of these takes the next element. */
+/* Translates a control. A label names the keys of the fields behind it; each of these takes the next element.
+ */
 void Dialog::init_control(HWND control, std::vector<std::pair<std::string, size_t>> &keys)
 {
     static HFONT bold = NULL;
@@ -78,7 +79,8 @@ void Dialog::init_control(HWND control, std::vector<std::pair<std::string, size_
         SetWindowTextW(control, text(pieces[0]).c_str());
     }
     if (GetDlgCtrlID(control) == IDC_HEADING) {
-        if (bold == NULL && GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font) != 0) {
+        if (bold == NULL &&
+            GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font) != 0) {
             font.lfWeight = FW_BOLD;
             bold = CreateFontIndirectW(&font);
         }
@@ -102,19 +104,13 @@ INT_PTR Dialog::handle(UINT message, WPARAM wparam, LPARAM lparam)
         SetWindowLongPtrW(window_, DWLP_MSGRESULT, 0);
         on_notify((NMHDR *)lparam);
         return TRUE;
-    case WM_SIZE:
-        layout();
-        return TRUE;
-    case WM_TIMER:
-        on_timer();
-        return TRUE;
+    case WM_SIZE: layout(); return TRUE;
+    case WM_TIMER: on_timer(); return TRUE;
     case WM_CTLCOLORDLG:
     case WM_CTLCOLORSTATIC:
     case WM_CTLCOLORBTN:
-    case WM_CTLCOLOREDIT:
-        return (INT_PTR)color((HDC)wparam, (HWND)lparam);
-    case WM_DESTROY:
-        window_ = NULL;
+    case WM_CTLCOLOREDIT: return (INT_PTR)color((HDC)wparam, (HWND)lparam);
+    case WM_DESTROY: window_ = NULL;
     }
     return FALSE;
 }
@@ -155,8 +151,9 @@ void Dialog::layout() const
     for (const auto &entry : growth_) {
         const Growth &own = entry.second;
         int width = own.place.right - own.place.left, height = own.place.bottom - own.place.top;
-        MoveWindow(item(entry.first), own.place.left + part(own.x, wider), own.place.top + part(own.y, higher),
-                   width + part(own.w, wider), height + part(own.h, higher), TRUE);
+        MoveWindow(item(entry.first), own.place.left + part(own.x, wider),
+                   own.place.top + part(own.y, higher), width + part(own.w, wider),
+                   height + part(own.h, higher), TRUE);
     }
 }
 
@@ -204,7 +201,8 @@ void Dialog::tip(HWND control, const std::wstring &text)
 void Dialog::columns(int id, const std::string &titles, const std::vector<int> &widths) const
 {
     Texts names = parts(titles);
-    SendMessageW(item(id), LVM_SETEXTENDEDLISTVIEWSTYLE, 0, LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
+    SendMessageW(item(id), LVM_SETEXTENDEDLISTVIEWSTYLE, 0,
+                 LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
     for (size_t k = 0; k < names.size(); k++) {
         LVCOLUMNW column = {};
         column.mask = LVCF_TEXT | LVCF_WIDTH | LVCF_SUBITEM;
@@ -213,6 +211,8 @@ void Dialog::columns(int id, const std::string &titles, const std::vector<int> &
         column.iSubItem = (int)k;
         SendMessageW(item(id), LVM_INSERTCOLUMNW, k, (LPARAM)&column);
     }
+    ListView_SetColumnWidth(item(id), (int)names.size() - 1,
+                            LVSCW_AUTOSIZE_USEHEADER); /* the last takes the rest */
 }
 
 void Dialog::rows(int id, const std::vector<Texts> &rows) const

@@ -1,5 +1,6 @@
-/* A dialog of the resources, as CDialog: one class derives from it for each. A label that names keys of a scene binds the
- * fields behind it to them, as DoDataExchange() of MFC would: "L&atitude [deg]|flight.latitude_deg". */
+/* A dialog of the resources, as CDialog: one class derives from it for each. A label that names keys of a
+ * scene binds the fields behind it to them, as DoDataExchange() of MFC would: "L&atitude
+ * [deg]|flight.latitude_deg". */
 #pragma once
 #include <windows.h>
 
@@ -20,7 +21,10 @@ public:
 protected:
     virtual void on_init() {}
     virtual void on_command(int, int) {} /* control, code of its notification */
-    virtual void on_change(int id, int code) { on_command(id, code); } /* a field that is bound has a new value */
+    virtual void on_change(int id, int code)
+    {
+        on_command(id, code);
+    } /* a field that is bound has a new value */
     virtual void on_notify(NMHDR *) {}
     virtual void on_timer() {}
     void finish(INT_PTR result) { EndDialog(window_, result); }
@@ -32,7 +36,10 @@ protected:
     void choose(int id, size_t index) const { SendMessageW(item(id), CB_SETCURSEL, index, 0); }
     void fill(HWND combo, const Texts &words) const;
     bool checked(int id) const { return IsDlgButtonChecked(window_, id) == BST_CHECKED; }
-    void check(int id, bool is_checked) { CheckDlgButton(window_, id, is_checked ? BST_CHECKED : BST_UNCHECKED); }
+    void check(int id, bool is_checked)
+    {
+        CheckDlgButton(window_, id, is_checked ? BST_CHECKED : BST_UNCHECKED);
+    }
     void show(int id, bool visible) const { ShowWindow(item(id), visible ? SW_SHOW : SW_HIDE); }
     void enable(int id, bool enabled) const { EnableWindow(item(id), enabled); }
     void tip(HWND control, const std::wstring &text);
@@ -44,7 +51,10 @@ protected:
     /* Lists. */
     void columns(int id, const std::string &titles, const std::vector<int> &widths) const;
     void rows(int id, const std::vector<Texts> &rows) const; /* writes what changed */
-    int selected(int id) const { return (int)SendMessageW(item(id), LVM_GETNEXTITEM, (WPARAM)-1, LVNI_SELECTED); }
+    int selected(int id) const
+    {
+        return (int)SendMessageW(item(id), LVM_GETNEXTITEM, (WPARAM)-1, LVNI_SELECTED);
+    }
     void select(int id, size_t row) const;
 
     /* Exchange with the keys of a scene. */

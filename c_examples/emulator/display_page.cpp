@@ -29,7 +29,8 @@ void DisplayPage::on_init()
     grow({IDC_PLOT}, 0, 0, 1, 1);
     grow({IDC_VALUES}, 1, 0, 0, 1);
     grow({ID_FLY, ID_PAUSE, ID_STOP, ID_RESET, IDC_PACE, IDC_PROGRESS, IDC_PACE_LABEL}, 1, 0, 0, 0);
-    grow({ID_FAILURE, ID_SNAPSHOT, ID_GO_BACK, ID_RECOMMEND, ID_BUDGET, ID_EXPORT, ID_PICTURE, ID_COPY}, 1, 1, 0, 0);
+    grow({ID_FAILURE, ID_SNAPSHOT, ID_GO_BACK, ID_RECOMMEND, ID_BUDGET, ID_EXPORT, ID_PICTURE, ID_COPY}, 1, 1,
+         0, 0);
 }
 
 double DisplayPage::pace() const
@@ -53,7 +54,8 @@ void DisplayPage::update()
     static const COLORREF NEW = RGB(0, 70, 160), OTHER = RGB(255, 150, 60);
     const auto &view = VIEWS[chosen(IDC_QUANTITY)];
     const Texts axes = parts(view.axes), names = parts(view.traces[0] == '\0' ? "data" : view.traces);
-    const bool is_map = view.channel == PLACE, has_two = view.traces[0] != '\0', is_error = view.channel < RATE;
+    const bool is_map = view.channel == PLACE, has_two = view.traces[0] != '\0',
+               is_error = view.channel < RATE;
     bool has_second = !is_error;
     Curves curves;
     std::vector<Panel> panels;

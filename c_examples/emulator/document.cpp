@@ -37,7 +37,8 @@ bool App::open(const std::wstring &path)
 {
     std::string bytes;
     std::wstring why;
-    if (path.size() > 4 && lstrcmpiW(&path[path.size() - 4], L".csv") == 0) { /* a log, for this scene's simulator */
+    if (path.size() > 4 &&
+        lstrcmpiW(&path[path.size() - 4], L".csv") == 0) { /* a log, for this scene's simulator */
         why = scene.set_text(SINS_SCENE_TEXT_LOG, narrow(path));
         edited(why);
         return why.empty();
@@ -159,7 +160,8 @@ bool App::is_input(const std::wstring &path) const
 void App::export_records(const std::wstring &path)
 {
     std::wstring why, name = flight_->increments_name(), increments = folder_of(path) + name;
-    bool is_own = is_absolute(name) || name.find_first_of(L"/\\:") != std::wstring::npos || increments == path;
+    bool is_own =
+        is_absolute(name) || name.find_first_of(L"/\\:") != std::wstring::npos || increments == path;
     if (path.empty() || is_input(path)) {
         return;
     }
@@ -182,8 +184,8 @@ void App::save_picture(const std::wstring &path)
 void App::command(int id)
 {
     std::wstring path, why;
-    bool of_flight = id == ID_EXPORT || id == ID_PICTURE || id == ID_COPY || id == ID_SNAPSHOT || id == ID_GO_BACK
-                     || id == ID_PAUSE || id == ID_STOP;
+    bool of_flight = id == ID_EXPORT || id == ID_PICTURE || id == ID_COPY || id == ID_SNAPSHOT ||
+                     id == ID_GO_BACK || id == ID_PAUSE || id == ID_STOP;
     leave_field();
     if (flight_ == NULL && of_flight) {
         say_line(text("nothing_flown"));
@@ -212,7 +214,8 @@ void App::command(int id)
         break;
     case ID_FAILURE: edit_failures(*this); break;
     case ID_SNAPSHOT:
-        say_line(flight_->save_snapshot(why) ? text("snapshot_at", {shown(flight_->status().snapshot_s, 8)}) : why);
+        say_line(flight_->save_snapshot(why) ? text("snapshot_at", {shown(flight_->status().snapshot_s, 8)})
+                                             : why);
         break;
     case ID_GO_BACK:
         flight_->go_back(why);

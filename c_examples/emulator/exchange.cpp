@@ -1,4 +1,5 @@
-/* The exchange between the fields of a dialog and the keys of a scene, and what a dialog asks and says besides. */
+/* The exchange between the fields of a dialog and the keys of a scene, and what a dialog asks and says
+ * besides. */
 #include <set>
 
 #include "dialog.h"
@@ -73,7 +74,8 @@ void Dialog::load(const std::function<std::string(const std::string &path)> &val
             }
         }
         if (key.words.empty()) {
-            bool is_decimal = own.find_first_not_of("0123456789") != std::string::npos && number_of(own, number);
+            bool is_decimal =
+                own.find_first_not_of("0123456789") != std::string::npos && number_of(own, number);
             std::wstring text = is_decimal ? shown(number, 15) : wide(unquoted(own));
             if (text != window_text(control)) {
                 SetWindowTextW(control, text.c_str());
@@ -121,7 +123,8 @@ std::vector<Change> Dialog::changes() const
                 elements[other.second.element] = value_of(other.first, other.second);
             }
         }
-        changes.push_back({key->path(), key->count > 1 ? list_of(elements) : elements[0], key->path() == si_path_});
+        changes.push_back(
+            {key->path(), key->count > 1 ? list_of(elements) : elements[0], key->path() == si_path_});
     }
     return changes;
 }
@@ -157,7 +160,9 @@ bool Dialog::is_change(HWND control, int code) const
         return false;
     }
     const Key &key = *found->second.key;
-    return code == (key.words.empty() ? (int)EN_KILLFOCUS : key.is_switch() ? (int)BN_CLICKED : (int)CBN_SELCHANGE);
+    return code == (key.words.empty() ? (int)EN_KILLFOCUS
+                    : key.is_switch() ? (int)BN_CLICKED
+                                      : (int)CBN_SELCHANGE);
 }
 
 std::wstring ask_file(HWND owner, bool save, const std::string &filter, const wchar_t *ending,

@@ -7,12 +7,12 @@ static const double RECORDS = 2000, LEAST_POINTS = 100000;
 /* Steps between two looks at the window. */
 static const int STEPS = 256;
 
-Flight::~Flight()
+std::unique_lock<std::mutex> Flight::lock() const
 {
-    stop();
-    if (worker_ != NULL) {
-        DeleteCriticalSection(&section_);
-    }
+    waiting_++;
+    std::unique_lock<std::mutex> lock(mutex_);
+    waiting_--;
+    return lock;
 }
 
 bool Flight::start(const Scene &scene, const std::wstring &folder, double pace, std::wstring &why)
@@ -26,30 +26,24 @@ bool Flight::start(const Scene &scene, const std::wstring &folder, double pace, 
         return false;
     }
     double every_s = scene_.setup().every_s, intervals = (double)(samples_.count - 1);
-    every_ = (size_t)std::fmax(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1);
+    every_ =
+        (size_t)std::fmax(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1);
     points_every_ = (size_t)std::fmax((double)samples_.count / LEAST_POINTS, 1);
     if (!records_.open(why) || (!increments_name().empty() && !increments_.open(why))) {
         return false;
     }
-    InitializeCriticalSection(&section_);
     move_pace(pace);
-    worker_ = CreateThread(NULL, 0, thread, this, 0, NULL);
-    SetThreadPriority(worker_, THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
+    worker_ = std::thread(&Flight::fly, this);
     return true;
-}
-
-DWORD WINAPI Flight::thread(void *flight)
-{
-    ((Flight *)flight)->fly();
-    return 0;
 }
 
 void Flight::fly()
 {
+    SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
     while (!ends_) {
         bool waits = waiting_ > 0;
         {
-            Guard guard(*this);
+            std::lock_guard<std::mutex> guard(mutex_);
             double elapsed_s = (double)(GetTickCount64() - paced_at_ms_) / 1000;
             double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
             for (int k = 0; k < STEPS && state_ == FLYING && !waits; k++) {
@@ -75,8 +69,8 @@ bool Flight::step(std::wstring &why)
     sins_flight_sample sample = sized<sins_flight_sample>();
     sins_imu imu = sized<sins_imu>();
     size_t index = now_.next;
-    if (samples_.get(index, &sample) < 0
-        || lib.sins_scene_prepare(scene_.handle(), sim_, samples_.start_s, &sample) < 0) {
+    if (samples_.get(index, &sample) < 0 ||
+        lib.sins_scene_prepare(scene_.handle(), sim_, samples_.start_s, &sample) < 0) {
         why = samples_.place(index) + last_error();
         return false;
     }
@@ -94,7 +88,7 @@ bool Flight::step(std::wstring &why)
 
 void Flight::pace(double factor)
 {
-    Guard guard(*this);
+    auto guard = lock();
     move_pace(factor);
 }
 
@@ -108,7 +102,7 @@ void Flight::move_pace(double factor)
 
 void Flight::pause(bool paused)
 {
-    Guard guard(*this);
+    auto guard = lock();
     state_ = state_ == FLYING && paused ? PAUSED : state_ == PAUSED && !paused ? FLYING : state_;
     move_pace(pace_);
 }
@@ -116,17 +110,18 @@ void Flight::pause(bool paused)
 /* The worker ends; what was flown stays. */
 void Flight::stop()
 {
-    if (worker_ != NULL && !ends_.exchange(true)) {
-        WaitForSingleObject(worker_, INFINITE);
-        CloseHandle(worker_);
+    if (worker_.joinable()) {
+        ends_ = true;
+        worker_.join();
         state_ = state_ == FLYING || state_ == PAUSED ? STOPPED : state_;
     }
 }
 
 Flight::Status Flight::status() const
 {
-    Guard guard(*this);
-    Status status = {state_, 0, samples_.duration_s, saved_s_, sized<sins_record>(), sized<sins_accuracy>(), sentence_};
+    auto guard = lock();
+    Status status = {state_,   0, samples_.duration_s, saved_s_, sized<sins_record>(), sized<sins_accuracy>(),
+                     sentence_};
     if (lib.sins_get_record(sim_, &status.record) == SINS_OK) {
         status.time_s = status.record.time_s - samples_.start_s;
     }
@@ -136,13 +131,13 @@ Flight::Status Flight::status() const
 
 Curves Flight::curves() const
 {
-    Guard guard(*this);
+    auto guard = lock();
     return now_.curves;
 }
 
 void Flight::plan(const Scene &scene)
 {
-    Guard guard(*this);
+    auto guard = lock();
     Scene planned;
     sins_planned_failure failure = sized<sins_planned_failure>(), other = failure;
     sins_failure none = sized<sins_failure>();
@@ -163,7 +158,7 @@ void Flight::plan(const Scene &scene)
 bool Flight::save_snapshot(std::wstring &why)
 {
     double time_s = status().time_s;
-    Guard guard(*this);
+    auto guard = lock();
     size_t size = 0;
     lib.sins_snapshot_size(sim_, &size);
     snapshot_.resize(size);
@@ -180,7 +175,7 @@ bool Flight::save_snapshot(std::wstring &why)
 
 bool Flight::go_back(std::wstring &why)
 {
-    Guard guard(*this);
+    auto guard = lock();
     if (saved_s_ < 0 || lib.sins_snapshot_load(sim_, snapshot_.data(), snapshot_.size()) < 0) {
         why = saved_s_ < 0 ? text("no_snapshot") : last_error(sim_);
         return false;

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 #include "curves.h"
 #include "samples.h"
@@ -35,7 +37,7 @@ public:
         std::wstring sentence; /* why it failed */
     };
 
-    ~Flight();
+    ~Flight() { stop(); }
     /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
     bool start(const Scene &scene, const std::wstring &folder, double pace, std::wstring &why);
     void pace(double factor);
@@ -47,22 +49,24 @@ public:
     void plan(const Scene &scene);
     bool save_snapshot(std::wstring &why);
     bool go_back(std::wstring &why);
-    /* The records so far, as `sins fly` writes them; the measured increments, if the scene names a file for them. */
+    /* The records so far, as `sins fly` writes them; the measured increments, if the scene names a file for
+     * them. */
     bool write_records(const std::wstring &path, std::wstring &why) const;
     bool write_increments(const std::wstring &path, std::wstring &why) const;
     std::wstring increments_name() const { return wide(scene_.words(SINS_SCENE_TEXT_IMU)); }
     const std::wstring &log_path() const { return samples_.log_path; }
 
 private:
-    struct Moment { /* what goes on from sample to sample */
-        size_t next = 0;                                    /* sample */
-        double angle[3] = {}, velocity[3] = {}, time_s = 0; /* sums since the last record: sensor errors and their time */
-        Point low, high;                                    /* since the last point of the curves */
+    struct Moment {      /* what goes on from sample to sample */
+        size_t next = 0; /* sample */
+        double angle[3] = {}, velocity[3] = {},
+               time_s = 0; /* sums since the last record: sensor errors and their time */
+        Point low, high;   /* since the last point of the curves */
         bool has_point = false;
         long long records = 0, increments = 0; /* bytes */
         Curves curves;
     };
-    static DWORD WINAPI thread(void *flight);
+    std::unique_lock<std::mutex> lock() const; /* the worker makes way for the window */
     void fly();
     bool step(std::wstring &why);
     bool add_interval(const sins_imu &imu, std::wstring &why);
@@ -79,28 +83,12 @@ private:
     double saved_s_ = -1;
     std::vector<char> snapshot_;
     Lines records_, increments_;
-    HANDLE worker_ = NULL;
+    std::thread worker_;
     State state_ = FLYING;
     std::wstring sentence_;
     double pace_ = 0, paced_from_s_ = 0;
     ULONGLONG paced_at_ms_ = 0;
-    mutable CRITICAL_SECTION section_;
+    mutable std::mutex mutex_;
     mutable std::atomic<int> waiting_{0};
     std::atomic<bool> ends_{false};
-    friend class Guard;
-};
-
-/* Holds the lock of a flight; the worker makes way for the window. */
-class Guard {
-public:
-    explicit Guard(const Flight &flight) : flight_(flight)
-    {
-        flight_.waiting_++;
-        EnterCriticalSection(&flight_.section_);
-        flight_.waiting_--;
-    }
-    ~Guard() { LeaveCriticalSection(&flight_.section_); }
-
-private:
-    const Flight &flight_;
 };

@@ -55,7 +55,8 @@ static std::string columns()
     static const struct {
         const char *name, *unit;
         int axes; /* of TRIPLES */
-    } ERRORS[] = {{"position_", "_m", 1}, {"velocity_", "_m_s", 1}, {"misalignment_", "_rad", 1}, {"", "_rad", 2}};
+    } ERRORS[] = {
+        {"position_", "_m", 1}, {"velocity_", "_m_s", 1}, {"misalignment_", "_rad", 1}, {"", "_rad", 2}};
     std::string line = "time_s";
     auto add = [&](const std::string &before, int axes, const std::string &behind) {
         for (const std::string &axis : split(TRIPLES[axes], " ")) {
@@ -78,8 +79,9 @@ static std::string columns()
     return line + "\n";
 }
 
-static const char INCREMENTS[] = "time_s,angle_increment_x_rad,angle_increment_y_rad,angle_increment_z_rad,"
-                                 "velocity_increment_x_m_s,velocity_increment_y_m_s,velocity_increment_z_m_s\n";
+static const char INCREMENTS[] =
+    "time_s,angle_increment_x_rad,angle_increment_y_rad,angle_increment_z_rad,"
+    "velocity_increment_x_m_s,velocity_increment_y_m_s,velocity_increment_z_m_s\n";
 
 static void put(Point &point, int channel, const double *values)
 {
@@ -186,12 +188,12 @@ bool Flight::keep_row(const sins_record &record, std::wstring &why)
 
 bool Flight::write_records(const std::wstring &path, std::wstring &why) const
 {
-    Guard guard(*this);
+    auto guard = lock();
     return records_.copy(path, why);
 }
 
 bool Flight::write_increments(const std::wstring &path, std::wstring &why) const
 {
-    Guard guard(*this);
+    auto guard = lock();
     return increments_.copy(path, why);
 }

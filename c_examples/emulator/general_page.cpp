@@ -1,9 +1,10 @@
-/* General parameters, and every effect of the sensors and their surroundings: panel (b) of the paper's figure 2. */
+/* General parameters, and every effect of the sensors and their surroundings: panel (b) of the paper's
+ * figure 2. */
 #include "app.h"
 
 /* Sections of the list, in the order of the text "sections". */
-static const char *const SECTIONS[] = {"gyro", "accelerometer", "altimeter", "gravity", "mounting",
-                                       "start", "options", "flight", "output"};
+static const char *const SECTIONS[] = {"gyro",  "accelerometer", "altimeter", "gravity", "mounting",
+                                       "start", "options",       "flight",    "output"};
 
 class GeneralPage : public Page {
 public:
@@ -21,7 +22,8 @@ public:
                 effects_.push_back(&key);
                 std::string value = app_.scene.get(key.path());
                 std::wstring unit = value.empty() ? L"" : wide(key.unit);
-                lines.push_back({label(key.path(), key.doc), value.empty() ? text("off") : seen(key, value), unit});
+                lines.push_back(
+                    {label(key.path(), key.doc), value.empty() ? text("off") : seen(key, value), unit});
             }
         }
         rows(IDC_EFFECTS, lines);
@@ -86,7 +88,8 @@ protected:
         if (notice->idFrom != IDC_EFFECTS) {
             return;
         }
-        if (notice->code == (UINT)LVN_ITEMCHANGED && (((NMLISTVIEW *)notice)->uNewState & LVIS_SELECTED) != 0) {
+        if (notice->code == (UINT)LVN_ITEMCHANGED &&
+            (((NMLISTVIEW *)notice)->uNewState & LVIS_SELECTED) != 0) {
             si_path_ = "";
             unbind_values();
             choose_effect();
@@ -99,7 +102,8 @@ protected:
                 bool is_off = app_.scene.get(effects_[draw->nmcd.dwItemSpec]->path()).empty();
                 draw->clrText = is_off ? RGB(150, 150, 150) : RGB(0, 0, 0);
             }
-            SetWindowLongPtrW(window_, DWLP_MSGRESULT, stage == CDDS_PREPAINT ? CDRF_NOTIFYITEMDRAW : CDRF_DODEFAULT);
+            SetWindowLongPtrW(window_, DWLP_MSGRESULT,
+                              stage == CDDS_PREPAINT ? CDRF_NOTIFYITEMDRAW : CDRF_DODEFAULT);
         }
     }
 
@@ -137,8 +141,8 @@ private:
         sins_options options = sized<sins_options>();
         cue("flight.rate_hz", shown(setup.rate_hz, 6));
         cue("flight.hours", shown(setup.flown_s / 3600, 6));
-        if (lib.sins_scene_create_simulator(app_.scene.handle(), &sim) == SINS_OK
-            && lib.sins_get_options(sim, &options) == SINS_OK) {
+        if (lib.sins_scene_create_simulator(app_.scene.handle(), &sim) == SINS_OK &&
+            lib.sins_get_options(sim, &options) == SINS_OK) {
             cue("options.subsamples", std::to_wstring(options.subsamples));
             cue("options.updates_per_sample", std::to_wstring(options.updates_per_sample));
         }
@@ -177,7 +181,8 @@ private:
         show(IDC_UNIT, !is_word && !key->unit.empty());
         show(IDC_SAME, key->count > 1);
         check(IDC_SAME, value[0] != '[');
-        fill(item(IDC_UNIT), key->si_name.empty() ? Texts{wide(key->unit)} : Texts{wide(key->unit), wide(key->si_unit())});
+        fill(item(IDC_UNIT),
+             key->si_name.empty() ? Texts{wide(key->unit)} : Texts{wide(key->unit), wide(key->si_unit())});
         choose(IDC_UNIT, is_si ? 1 : 0);
     }
 
@@ -185,8 +190,9 @@ private:
     {
         Items items = app_.scene.items();
         std::string own = section();
-        items.erase(std::remove_if(items.begin(), items.end(), [&](const Item &item) { return item.section == own; }),
-                    items.end());
+        items.erase(
+            std::remove_if(items.begin(), items.end(), [&](const Item &item) { return item.section == own; }),
+            items.end());
         items.push_back({own, {{"preset", quoted(word)}}, {}});
         choose(IDC_PRESET, 0);
         app_.edited(told(app_.scene.read(items)));

@@ -1,4 +1,5 @@
-/* Dialogs for one item of a list of the scene: a manoeuvre with its sinusoids, and the failures of sensors. */
+/* Dialogs for one item of a list of the scene: a manoeuvre with its sinusoids, and the failures of sensors.
+ */
 #include "app.h"
 
 class ManoeuvreDialog : public Dialog {
@@ -114,7 +115,8 @@ protected:
         columns(IDC_FAILING, "columns_manoeuvres", {28, 130, 280});
         bind_sizes();
         cue("failure.until_s", L"\u221e");
-        load([this](const std::string &path) { return path == "failure.from_s" ? now() : std::string(); }, true);
+        load([this](const std::string &path) { return path == "failure.from_s" ? now() : std::string(); },
+             true);
         choose(IDC_KIND, 1);
         show_list();
     }
@@ -124,8 +126,8 @@ protected:
         Items items = app_.scene.list("failure");
         size_t row = (size_t)selected(IDC_FAILING);
         Flight *flight = app_.flight();
-        /* In flight a failure begins and ends with the next interval, not earlier: the scene then flies to the same bits
-         * again. */
+        /* In flight a failure begins and ends with the next interval, not earlier: the scene then flies to
+         * the same bits again. */
         bool is_flying = flight != NULL && flight->status().state == Flight::FLYING;
         if (is_flying) {
             flight->pause(true);
@@ -163,8 +165,8 @@ private:
     void bind_sizes()
     {
         static const char *const SIZES[] = {"failure.size_deg_h", "failure.size_micro_g", "failure.size_m"};
-        static const char *const DENSITIES[] = {"failure.density_deg_sqrt_h", "failure.density_micro_g_sqrt_hz",
-                                                "failure.density_m_sqrt_hz"};
+        static const char *const DENSITIES[] = {
+            "failure.density_deg_sqrt_h", "failure.density_micro_g_sqrt_hz", "failure.density_m_sqrt_hz"};
         int sensor = chosen(IDC_SENSOR);
         bind(item(IDC_FAILURE_SIZE), SIZES[sensor]);
         bind(item(IDC_DENSITY), DENSITIES[sensor]);
@@ -190,14 +192,16 @@ private:
         const Key &sensor = *key_of("failure.sensor"), &axis = *key_of("failure.axis");
         double from_s = -1, now_s = 0;
         number_of(now(), now_s);
-        if (is_flying && (get(IDC_FROM).empty() || (number_of(narrow(get(IDC_FROM)), from_s) && from_s < now_s))) {
+        if (is_flying &&
+            (get(IDC_FROM).empty() || (number_of(narrow(get(IDC_FROM)), from_s) && from_s < now_s))) {
             set(IDC_FROM, wide(now()));
         }
         for (const Change &change : changes()) {
             failure.set(change.path, change.value);
         }
         failure.set("failure.sensor", quoted(sensor.words[(size_t)chosen(IDC_SENSOR)]));
-        failure.set("failure.axis", chosen(IDC_SENSOR) < 2 ? quoted(axis.words[(size_t)chosen(IDC_SENSOR_AXIS)]) : "");
+        failure.set("failure.axis",
+                    chosen(IDC_SENSOR) < 2 ? quoted(axis.words[(size_t)chosen(IDC_SENSOR_AXIS)]) : "");
         failure.set("failure.from_s", toml(get(IDC_FROM)));
         return failure;
     }

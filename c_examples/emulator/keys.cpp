@@ -77,7 +77,8 @@ std::string Key::si_unit() const
     }
     size_t end = si_name.rfind('_', same + 1);
     std::string unit = si_name.substr(end == std::string::npos || end + 1 < same ? same : end + 1);
-    const std::pair<const char *, const char *> words[] = {{"sqrt_s", "sqrt(s)"}, {"_per_", " / "}, {"_", "/"}};
+    const std::pair<const char *, const char *> words[] = {
+        {"sqrt_s", "sqrt(s)"}, {"_per_", " / "}, {"_", "/"}};
     for (const auto &word : words) {
         for (size_t at; (at = unit.find(word.first)) != std::string::npos;) {
             unit.replace(at, strlen(word.first), word.second);
@@ -91,7 +92,8 @@ bool Key::single_sets(size_t element) const
     return count < 9 || (takes.find("off the diagonal") != std::string::npos) == (element % 4 != 0);
 }
 
-/* A scene that sets one key, for what the library says of it: the range of a value, or the value in the key's unit. */
+/* A scene that sets one key, for what the library says of it: the range of a value, or the value in the key's
+ * unit. */
 static std::string scene_with(const Key &key, const std::string &name, const std::string &value)
 {
     std::string numbers = value, manoeuvre = "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 1\n";
@@ -129,13 +131,15 @@ std::wstring Key::tip() const
         std::string &range = ranges[path()];
         for (const Fault &fault : Scene().read(scene_with(*this, name, PROBE))) {
             size_t from = fault.sentence.rfind("from ");
-            if (range.empty() && from != std::string::npos && fault.sentence.find(name) != std::string::npos) {
+            if (range.empty() && from != std::string::npos &&
+                fault.sentence.find(name) != std::string::npos) {
                 range = fault.sentence.substr(from);
             }
         }
     }
     std::wstring range = wide(ranges[path()]);
-    return label(path(), doc) + (unit.empty() ? L"" : L" [" + wide(unit) + L"]") + (range.empty() ? L"" : L"\n" + range);
+    return label(path(), doc) + (unit.empty() ? L"" : L" [" + wide(unit) + L"]") +
+           (range.empty() ? L"" : L"\n" + range);
 }
 
 Texts Key::word_labels() const
@@ -191,8 +195,8 @@ Texts Item::described() const
         if (!key.words.empty()) {
             words += (words.empty() ? L"" : L" ") + key.word_label(unquoted(entry.second));
         } else {
-            values += (values.empty() ? L"" : L", ") + label(key.path() + ".short", entry.first) + L" " + wide(get(key))
-                      + (key.unit.empty() ? L"" : L" " + wide(key.unit));
+            values += (values.empty() ? L"" : L", ") + label(key.path() + ".short", entry.first) + L" " +
+                      wide(get(key)) + (key.unit.empty() ? L"" : L" " + wide(key.unit));
         }
     }
     return {words, values};
@@ -229,8 +233,8 @@ std::string unquoted(const std::string &value)
 /* A whole number of up to 64 bits must not go through a double. */
 static bool is_whole(const std::string &text)
 {
-    return text.find_first_not_of("0123456789") == std::string::npos && text.size() < 20
-           && (text.size() == 1 || text[0] != '0');
+    return text.find_first_not_of("0123456789") == std::string::npos && text.size() < 20 &&
+           (text.size() == 1 || text[0] != '0');
 }
 
 std::string toml(const std::wstring &typed)
@@ -246,7 +250,8 @@ std::vector<std::string> numbers(const std::string &value, const Key &key)
 {
     std::vector<std::string> result;
     bool is_list = begins(value, "[");
-    std::vector<std::string> list = is_list ? split(value.substr(1, value.size() - 2), ", ") : std::vector<std::string>();
+    std::vector<std::string> list =
+        is_list ? split(value.substr(1, value.size() - 2), ", ") : std::vector<std::string>();
     for (size_t k = 0; k < key.count; k++) {
         std::string element = is_list ? (k < list.size() ? list[k] : "") : key.single_sets(k) ? value : "";
         result.push_back(is_list && (element == "0" || element == "0.0") ? "" : element);

@@ -32,7 +32,8 @@ int WINAPI wWinMain(HINSTANCE instance, HINSTANCE, LPWSTR, int)
     return load_library() ? App().run(instance) : 1;
 }
 
-/* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /language en or zh, /quit; or a FILE. */
+/* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /language en or zh, /quit; or
+ * a FILE. */
 void App::follow_command_line()
 {
     int count = 0;

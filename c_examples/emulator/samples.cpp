@@ -11,7 +11,8 @@ bool Samples::open(const Scene &scene, const std::wstring &folder, std::wstring 
     if (setup.flight == SINS_SCENE_FLIGHT_LOG) {
         return open_log(scene, folder, why);
     }
-    if (lib.sins_scene_create_flight(scene.handle(), &flight_) < 0 || lib.sins_flight_duration(flight_, &end_s_) < 0) {
+    if (lib.sins_scene_create_flight(scene.handle(), &flight_) < 0 ||
+        lib.sins_flight_duration(flight_, &end_s_) < 0) {
         why = last_error();
         return false;
     }

@@ -7,7 +7,8 @@ std::wstring last_error(const sins_sim *sim)
     lib.sins_last_error_info(sim, &info);
     if (is_chinese() && (info.flags & LIMITS) == LIMITS) {
         const Key *key = key_of(info.field);
-        std::wstring field = key == NULL ? wide(info.field) : label(key->path(), key->doc) + L" (" + wide(info.field) + L")";
+        std::wstring field =
+            key == NULL ? wide(info.field) : label(key->path(), key->doc) + L" (" + wide(info.field) + L")";
         return text("limits", {field, shown(info.value, 6), shown(info.minimum, 6), shown(info.maximum, 6)});
     }
     return wide(whole_text([sim](char *buffer, size_t size, size_t *needed) {
@@ -44,7 +45,8 @@ static Items items_of(const std::string &text)
         if (begins(line, "[")) {
             size_t first = line.find_first_not_of('[');
             std::string section = line.substr(first, line.find(']') - first);
-            Items &all = !items.empty() && begins(section, items.back().section + ".") ? items.back().items : items;
+            Items &all =
+                !items.empty() && begins(section, items.back().section + ".") ? items.back().items : items;
             all.push_back({section, {}, {}});
             last = &all.back();
         } else if (!begins(line, "#") && equals != std::string::npos && last != NULL) {
@@ -98,7 +100,8 @@ Faults Scene::read(const std::string &text)
     } else if (status < 0) {
         faults.push_back({0, "", narrow(last_error())});
     }
-    while (status == SINS_SCENE_HAS_FAULTS && lib.sins_scene_get_fault(handle, faults.size(), &fault) == SINS_OK) {
+    while (status == SINS_SCENE_HAS_FAULTS &&
+           lib.sins_scene_get_fault(handle, faults.size(), &fault) == SINS_OK) {
         faults.push_back({(size_t)fault.line, "", fault.sentence});
     }
     return faults;
@@ -152,7 +155,8 @@ Faults Scene::change(std::vector<Change> changes)
         Items items = items_;
         for (const Change &change : changes) {
             std::string section = key_of(change.path)->section;
-            auto own = std::find_if(items.begin(), items.end(), [&](const Item &item) { return item.section == section; });
+            auto own = std::find_if(items.begin(), items.end(),
+                                    [&](const Item &item) { return item.section == section; });
             own = own == items.end() ? items.insert(own, {section, {}, {}}) : own;
             own->set(change.path, change.value, change.in_si);
         }

@@ -1,4 +1,5 @@
-/* Studies of the flight at hand: the options that it needs, and the budget of its errors. A worker thread computes. */
+/* Studies of the flight at hand: the options that it needs, and the budget of its errors. A worker thread
+ * computes. */
 #include "app.h"
 
 #include <cmath>
@@ -23,27 +24,29 @@ struct Study {
     std::wstring sentence; /* why it failed */
     std::atomic<bool> is_cancelled{false}, is_done{false};
 
-    bool compute();
+    void compute();
 };
 
-/* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the dialog is closed, it
- * ends by itself; the next study waits for that, so that no more than one takes memory and time. */
+/* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the dialog
+ * is closed, it ends by itself; the next study waits for that, so that no more than one takes memory and
+ * time. */
 static std::shared_ptr<Study> running;
 
 /* The samples of the piece, then the call. */
-bool Study::compute()
+void Study::compute()
 {
     Samples flight;
     Handle<sins_sim> sim;
+    status = SINS_ERROR_INVALID_ARGUMENT; /* until the library has another */
     if (!flight.open(scene, folder, sentence)) {
-        return false;
+        return;
     }
     size_t first = (size_t)std::fmin(from_s / flight.period_s + 1e-6, (double)flight.count);
     size_t last = (size_t)std::fmin(to_s / flight.period_s + 1e-6, (double)flight.count - 1);
     if (last <= first || last - first >= most) {
         sentence = last <= first ? text("no_piece", {shown(flight.duration_s, 10)})
                                  : text("too_long", {std::to_wstring(most)});
-        return false;
+        return;
     }
     std::vector<sins_flight_sample> samples(last - first + 1, sized<sins_flight_sample>());
     status = lib.sins_scene_create_simulator(scene.handle(), &sim);
@@ -57,17 +60,6 @@ bool Study::compute()
         status = call(*this, sim, samples);
     }
     sentence = status < 0 ? last_error() : L"";
-    return status >= 0;
-}
-
-static DWORD WINAPI study_thread(void *pointer)
-{
-    std::unique_ptr<std::shared_ptr<Study>> study((std::shared_ptr<Study> *)pointer);
-    if (!(*study)->compute() && (*study)->status >= 0) {
-        (*study)->status = SINS_ERROR_INVALID_ARGUMENT;
-    }
-    (*study)->is_done = true;
-    return 0;
 }
 
 class StudyDialog : public Dialog {
@@ -113,7 +105,10 @@ protected:
         if (study_ != NULL && !study_->is_done && running == NULL) {
             running = study_;
             set(IDC_STATE, text("computing"));
-            CloseHandle(CreateThread(NULL, 0, study_thread, new std::shared_ptr<Study>(running), 0, NULL));
+            std::thread([own = running] {
+                own->compute();
+                own->is_done = true;
+            }).detach();
         } else if (study_ != NULL && study_->is_done) {
             set(IDC_COMPUTE, text("&Compute"));
             set(IDC_STATE, study_->sentence);
@@ -190,7 +185,8 @@ protected:
         study.requirement.attitude_rad = number(IDC_LIMIT_ATTITUDE) * SINS_ARCSEC;
         study.requirement.duration_s = number(IDC_FOR);
         study.call = [](Study &own, const sins_sim *sim, const std::vector<sins_flight_sample> &samples) {
-            return lib.sins_recommend(sim, samples.data(), samples.size(), &own.requirement, &own.options, &own.cost);
+            return lib.sins_recommend(sim, samples.data(), samples.size(), &own.requirement, &own.options,
+                                      &own.cost);
         };
     }
 
@@ -199,11 +195,15 @@ protected:
         const sins_cost &cost = study.cost;
         const Key &scheme = *key_of("options.scheme");
         const Texts names = parts("recommend_rows");
-        const Texts values = {
-            scheme.word_label(scheme.words[(size_t)study.options.scheme]), std::to_wstring(study.options.subsamples),
-            std::to_wstring(study.options.updates_per_sample), shown(cost.position_m, 4) + L" m",
-            shown(cost.velocity_m_s, 4) + L" m/s", shown(cost.attitude_rad / SINS_ARCSEC, 4) + L" \u2033",
-            shown(cost.instructions_per_step, 6), shown(cost.ns_per_step, 4) + L" ns", std::to_wstring(cost.tried)};
+        const Texts values = {scheme.word_label(scheme.words[(size_t)study.options.scheme]),
+                              std::to_wstring(study.options.subsamples),
+                              std::to_wstring(study.options.updates_per_sample),
+                              shown(cost.position_m, 4) + L" m",
+                              shown(cost.velocity_m_s, 4) + L" m/s",
+                              shown(cost.attitude_rad / SINS_ARCSEC, 4) + L" \u2033",
+                              shown(cost.instructions_per_step, 6),
+                              shown(cost.ns_per_step, 4) + L" ns",
+                              std::to_wstring(cost.tried)};
         std::vector<Texts> lines;
         for (size_t k = 0; k < min(names.size(), values.size()); k++) {
             lines.push_back({names[k], values[k]});
@@ -214,7 +214,8 @@ protected:
         enable(IDC_ADOPT, true);
     }
 
-    /* The recommended options for the scene. The simulator's sample period is that of the flight, and stays out. */
+    /* The recommended options for the scene. The simulator's sample period is that of the flight, and stays
+     * out. */
     void adopt() override
     {
         sins_options options = sized<sins_options>();
@@ -248,8 +249,8 @@ protected:
         study.request.attitude_rad = number(IDC_LIMIT_ATTITUDE) * SINS_ARCSEC;
         study.call = [](Study &own, const sins_sim *sim, const std::vector<sins_flight_sample> &samples) {
             auto call = [&](sins_budget_row *rows, size_t capacity, size_t *count) {
-                return lib.sins_error_budget(sim, samples.data(), samples.size(), &own.request, rows, capacity, count,
-                                             &own.budget);
+                return lib.sins_error_budget(sim, samples.data(), samples.size(), &own.request, rows,
+                                             capacity, count, &own.budget);
             };
             size_t count = 0;
             call(NULL, 0, &count);
@@ -268,15 +269,18 @@ protected:
             largest = std::fmax(largest, own.position_m);
         }
         shares_.clear();
-        auto add = [&](const std::wstring &name, double position_m, double velocity_m_s, double attitude_rad) {
-            lines.push_back({name, L"", shown(position_m, 4), shown(velocity_m_s, 4), shown(attitude_rad / SINS_ARCSEC, 4)});
+        auto add = [&](const std::wstring &name, double position_m, double velocity_m_s,
+                       double attitude_rad) {
+            lines.push_back({name, L"", shown(position_m, 4), shown(velocity_m_s, 4),
+                             shown(attitude_rad / SINS_ARCSEC, 4)});
         };
         for (const sins_budget_row &own : study.rows) {
             bool is_accel = begins(own.field, "accel.");
             const Key *key = key_of(is_accel ? "accelerometer." + std::string(own.field + 6) : own.field);
             std::wstring name = label(std::string("effect.") + own.effect, own.effect);
             if (key != NULL && is_chinese()) {
-                name = label("section." + key->section, key->section) + L"\u00b7" + label(key->path(), own.effect);
+                name = label("section." + key->section, key->section) + L"\u00b7" +
+                       label(key->path(), own.effect);
             }
             name += (own.flags & SINS_BUDGET_RANDOM) != 0 ? L" (1\u03c3)" : L"";
             name += (own.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L"";
@@ -284,7 +288,8 @@ protected:
             add(name, own.position_m, own.velocity_m_s, own.attitude_rad);
         }
         shares_.push_back(0);
-        add(text("budget_total"), study.budget.position_m, study.budget.velocity_m_s, study.budget.attitude_rad);
+        add(text("budget_total"), study.budget.position_m, study.budget.velocity_m_s,
+            study.budget.attitude_rad);
         rows(IDC_RESULT, lines);
     }
 

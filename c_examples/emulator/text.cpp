@@ -1,5 +1,6 @@
 #include "text.h"
 
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -7,8 +8,12 @@
 
 namespace fs = std::filesystem;
 
-static WORD language_id;
-static std::map<std::string, std::wstring> texts;
+typedef std::map<std::string, std::wstring> Language;
+
+static Language languages[2]; /* English, Chinese: written once, as threads read them */
+static std::atomic<int> chosen{0};
+static const WORD IDS[] = {MAKELANGID(LANG_ENGLISH, SUBLANG_ENGLISH_US),
+                           MAKELANGID(LANG_CHINESE, SUBLANG_CHINESE_SIMPLIFIED)};
 
 std::wstring wide(const std::string &utf8)
 {
@@ -28,7 +33,7 @@ std::string narrow(const std::wstring &text)
 
 const void *resource(LPCWSTR type, UINT id, DWORD *size)
 {
-    HRSRC found = FindResourceExW(NULL, type, MAKEINTRESOURCEW(id), language_id);
+    HRSRC found = FindResourceExW(NULL, type, MAKEINTRESOURCEW(id), IDS[chosen]);
     if (size != NULL) {
         *size = SizeofResource(NULL, found);
     }
@@ -37,26 +42,26 @@ const void *resource(LPCWSTR type, UINT id, DWORD *size)
 
 void set_language(bool chinese)
 {
+    Language &own = languages[chinese ? 1 : 0];
     DWORD size = 0;
-    language_id = chinese ? MAKELANGID(LANG_CHINESE, SUBLANG_CHINESE_SIMPLIFIED)
-                          : MAKELANGID(LANG_ENGLISH, SUBLANG_ENGLISH_US);
+    chosen = chinese ? 1 : 0;
     const char *bytes = (const char *)resource(MAKEINTRESOURCEW(10), IDR_TEXTS, &size); /* RT_RCDATA */
-    texts.clear();
-    for (const std::string &line : split(std::string(bytes, size), "\n")) {
+    for (const std::string &line : split(own.empty() ? std::string(bytes, size) : "", "\n")) {
         size_t equals = line.find(" = ");
         if (equals != std::string::npos) {
-            texts[line.substr(0, equals)] = wide(line.substr(equals + 3));
+            own[line.substr(0, equals)] = wide(line.substr(equals + 3));
         }
     }
 }
 
 bool is_chinese()
 {
-    return PRIMARYLANGID(language_id) == LANG_CHINESE;
+    return chosen == 1;
 }
 
 std::wstring label(const std::string &name, const std::string &otherwise)
 {
+    const Language &texts = languages[chosen];
     auto found = texts.find(name);
     return found == texts.end() ? wide(otherwise) : found->second;
 }
@@ -104,16 +109,19 @@ static bool matches(const std::string &sentence, const std::string &kind, Texts 
 
 std::wstring told(const std::string &sentence)
 {
+    const Language &texts = languages[chosen];
     size_t colon = sentence.find(": "), name_end = sentence.find_first_of(" [:");
     if (colon == std::string::npos) {
         return label(sentence, sentence);
     }
-    for (auto rule = texts.lower_bound("rule."); rule != texts.end() && begins(rule->first, "rule."); ++rule) {
+    auto rule =
+        texts.lower_bound("rule/"); /* backwards: of two kinds that begin alike the longer one counts */
+    while (rule != texts.begin() && begins((--rule)->first, "rule.")) {
         Texts values;
         if (matches(sentence.substr(colon + 2), rule->first.substr(5), values)) {
-            std::string name = sentence.substr(0, name_end);
-            return label(name, name) + wide(sentence.substr(name_end, colon - name_end)) + L"\uff1a"
-                   + text(rule->first, values);
+            std::wstring name = label(sentence.substr(0, name_end), sentence.substr(0, name_end));
+            name = name.substr(0, name.find(L'\uff1b')); /* its first part */
+            return name + wide(sentence.substr(name_end, colon - name_end)) + L"\uff1a" + text(rule->first, values);
         }
     }
     return wide(sentence);
@@ -125,17 +133,20 @@ std::string shortest(double value)
     double size = std::fabs(value);
     bool is_fixed = size == 0 || (size >= 1e-5 && size < 1e15);
     char *end = std::to_chars(digits, digits + sizeof digits, value,
-                              is_fixed ? std::chars_format::fixed : std::chars_format::scientific).ptr;
+                              is_fixed ? std::chars_format::fixed : std::chars_format::scientific)
+                    .ptr;
     std::string text(digits, end);
     size_t exponent = text.find('e');
-    return exponent == std::string::npos ? text
-                                         : text.substr(0, exponent + 1) + std::to_string(atoi(&text[exponent + 1]));
+    return exponent == std::string::npos
+               ? text
+               : text.substr(0, exponent + 1) + std::to_string(atoi(&text[exponent + 1]));
 }
 
 std::wstring shown(double value, int digits)
 {
     char text[64];
-    return wide(std::string(text, std::to_chars(text, text + 64, value, std::chars_format::general, digits).ptr));
+    return wide(
+        std::string(text, std::to_chars(text, text + 64, value, std::chars_format::general, digits).ptr));
 }
 
 bool number_of(const std::string &text, double &value)
@@ -165,7 +176,8 @@ std::vector<std::string> split(const std::string &text, const std::string &by)
 static std::wstring system_sentence(DWORD error)
 {
     WCHAR sentence[256] = L"";
-    FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, NULL, error, 0, sentence, 256, NULL);
+    FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, NULL, error, 0, sentence, 256,
+                   NULL);
     std::wstring text = sentence;
     return text.substr(0, text.find_last_not_of(L"\r\n ") + 1);
 }
@@ -181,7 +193,8 @@ bool read_file(const std::wstring &path, std::string &bytes, std::wstring &why)
     }
     bool done = file != NULL && feof(file);
     if (!done) {
-        why = text("cannot_read", {path, system_sentence(bytes.size() >> 30 ? ERROR_FILE_TOO_LARGE : GetLastError())});
+        why = text("cannot_read",
+                   {path, system_sentence(bytes.size() >> 30 ? ERROR_FILE_TOO_LARGE : GetLastError())});
     }
     if (file != NULL) {
         fclose(file);

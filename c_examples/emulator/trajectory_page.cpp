@@ -12,7 +12,9 @@ public:
         std::wstring builtin = wide(app_.scene.words(SINS_SCENE_TEXT_BUILTIN));
         std::vector<Texts> lines;
         Page::refresh(all_is_new);
-        choose(IDC_SOURCE, is_path ? 1 : is_log ? 2 : 0); /* built-in flights first, as the paper's simulations are */
+        choose(IDC_SOURCE, is_path  ? 1
+                           : is_log ? 2
+                                    : 0); /* built-in flights first, as the paper's simulations are */
         if (!builtin.empty()) {
             SendMessageW(item(IDC_BUILTIN), CB_SELECTSTRING, (WPARAM)-1, (LPARAM)builtin.c_str());
         }
@@ -84,7 +86,8 @@ private:
             app_.say_line(why);
         }
         sins_flight_sample sample = sized<sins_flight_sample>();
-        for (size_t k = 0; k < samples.count && samples.get(k, &sample) == SINS_OK; k += samples.count / 3000 + 1) {
+        for (size_t k = 0; k < samples.count && samples.get(k, &sample) == SINS_OK;
+             k += samples.count / 3000 + 1) {
             track.x.push_back(sample.longitude_rad);
             track.traces[0].cells.push_back({sample.latitude_rad, sample.latitude_rad, sample.latitude_rad});
             profile.x.push_back(sample.time_s - samples.start_s);
@@ -120,16 +123,20 @@ private:
         size_t count = 0, repeat = 1;
         Scene rest, &scene = app_.scene;
         sins_scene *from = scene.setup().flight == SINS_SCENE_FLIGHT_LOG ? rest.handle() : scene.handle();
-        sins_status status = lib.sins_scene_get_manoeuvres(from, &start, manoeuvres.data(), 4096, &count, &repeat);
+        sins_status status =
+            lib.sins_scene_get_manoeuvres(from, &start, manoeuvres.data(), 4096, &count, &repeat);
         return scene.taken(status < 0 ? status
-                                      : lib.sins_scene_set_manoeuvres(scene.handle(), &start, manoeuvres.data(), count, repeat));
+                                      : lib.sins_scene_set_manoeuvres(scene.handle(), &start,
+                                                                      manoeuvres.data(), count, repeat));
     }
 
     /* Adds, edits, moves or removes a manoeuvre. */
     void edit(int id)
     {
         Items all = app_.scene.list("manoeuvre");
-        size_t row = (size_t)selected(IDC_MANOEUVRES), next = id == IDC_UP ? row - 1 : id == IDC_DOWN ? row + 1 : row;
+        size_t row = (size_t)selected(IDC_MANOEUVRES), next = id == IDC_UP     ? row - 1
+                                                              : id == IDC_DOWN ? row + 1
+                                                                               : row;
         if (id == IDC_ADD) {
             next = row < all.size() ? row + 1 : all.size();
             Item fresh = {"manoeuvre", {{"kind", "\"straight\""}, {"duration_s", "60"}}, {}};
