@@ -201,18 +201,21 @@ void Dialog::tip(HWND control, const std::wstring &text)
 void Dialog::columns(int id, const std::string &titles, const std::vector<int> &widths) const
 {
     Texts names = parts(titles);
-    SendMessageW(item(id), LVM_SETEXTENDEDLISTVIEWSTYLE, 0,
-                 LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
+    RECT client;
+    GetClientRect(item(id), &client);
+    int rest = client.right - GetSystemMetrics(SM_CXVSCROLL);
+    for (int width : widths) {
+        rest -= scaled(width);
+    }
+    ListView_SetExtendedListViewStyle(item(id), LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
     for (size_t k = 0; k < names.size(); k++) {
         LVCOLUMNW column = {};
         column.mask = LVCF_TEXT | LVCF_WIDTH | LVCF_SUBITEM;
-        column.cx = scaled(widths[k]);
+        column.cx = widths[k] == 0 ? rest : scaled(widths[k]);
         column.pszText = &names[k][0];
         column.iSubItem = (int)k;
-        SendMessageW(item(id), LVM_INSERTCOLUMNW, k, (LPARAM)&column);
+        ListView_InsertColumn(item(id), (int)k, &column);
     }
-    ListView_SetColumnWidth(item(id), (int)names.size() - 1,
-                            LVSCW_AUTOSIZE_USEHEADER); /* the last takes the rest */
 }
 
 void Dialog::rows(int id, const std::vector<Texts> &rows) const

@@ -49,6 +49,7 @@ protected:
     void grow(std::initializer_list<int> ids, int x, int y, int w, int h);
 
     /* Lists. */
+    /* A width of 0 takes what the others leave. */
     void columns(int id, const std::string &titles, const std::vector<int> &widths) const;
     void rows(int id, const std::vector<Texts> &rows) const; /* writes what changed */
     int selected(int id) const

@@ -24,7 +24,7 @@ void DisplayPage::on_init()
     for (int id : {IDC_DATA2, IDC_DATA1, IDC_AXIS, IDC_AXIS + 1, IDC_AXIS + 2}) {
         check(id, true);
     }
-    columns(IDC_VALUES, "columns_values", {92, 106});
+    columns(IDC_VALUES, "columns_values", {92, 0});
     tip(item(IDC_PLOT), text("plot_tip"));
     grow({IDC_PLOT}, 0, 0, 1, 1);
     grow({IDC_VALUES}, 1, 0, 0, 1);

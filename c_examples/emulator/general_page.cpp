@@ -45,7 +45,7 @@ protected:
         grades.insert(grades.begin(), text("preset"));
         fill(item(IDC_SECTION), parts("sections"));
         fill(item(IDC_PRESET), grades);
-        columns(IDC_EFFECTS, "columns_effects", {252, 150, 90});
+        columns(IDC_EFFECTS, "columns_effects", {0, 130, 90});
         grow({IDC_EFFECTS}, 0, 0, 1, 1);
         grow({IDC_EFFECT, IDC_WORD, IDC_UNIT, IDC_SAME, IDC_OFF}, 0, 1, 0, 0);
         for (int k = 0; k < 9; k++) {

@@ -112,7 +112,7 @@ public:
 protected:
     void on_init() override
     {
-        columns(IDC_FAILING, "columns_manoeuvres", {28, 130, 280});
+        columns(IDC_FAILING, "columns_manoeuvres", {28, 130, 0});
         bind_sizes();
         cue("failure.until_s", L"\u221e");
         load([this](const std::string &path) { return path == "failure.from_s" ? now() : std::string(); },

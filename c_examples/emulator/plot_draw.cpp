@@ -124,7 +124,7 @@ static std::vector<double> ticks(double low, double high, double step)
 {
     std::vector<double> result;
     for (double tick = std::ceil(low / step); tick * step <= high * (1 + 1e-12 * (high > 0)); tick++) {
-        result.push_back(tick * step);
+        result.push_back(tick * step + 0.0); /* no -0 */
     }
     return result;
 }

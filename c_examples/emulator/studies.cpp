@@ -1,170 +1,10 @@
-/* Studies of the flight at hand: the options that it needs, and the budget of its errors. A worker thread
- * computes. */
-#include "app.h"
-
+/* The studies: the options that the flight needs, and the budget of its errors. */
 #include <cmath>
+
+#include "study.h"
 
 /* Samples that sins_recommend() takes, and those of a budget that fit into memory. */
 static const size_t RECOMMEND_SAMPLES = 360000, BUDGET_SAMPLES = 2000000;
-
-/* A computation: what it needs and what it finds, shared by its thread and the dialog. */
-struct Study {
-    Scene scene;
-    std::wstring folder;
-    double from_s, to_s;
-    size_t most;
-    sins_requirement requirement = sized<sins_requirement>();
-    sins_budget_request request = sized<sins_budget_request>();
-    sins_options options = sized<sins_options>();
-    sins_cost cost = sized<sins_cost>();
-    std::vector<sins_budget_row> rows;
-    sins_budget budget = sized<sins_budget>();
-    sins_status (*call)(Study &, const sins_sim *, const std::vector<sins_flight_sample> &);
-    sins_status status = SINS_OK;
-    std::wstring sentence; /* why it failed */
-    std::atomic<bool> is_cancelled{false}, is_done{false};
-
-    void compute();
-};
-
-/* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the dialog
- * is closed, it ends by itself; the next study waits for that, so that no more than one takes memory and
- * time. */
-static std::shared_ptr<Study> running;
-
-/* The samples of the piece, then the call. */
-void Study::compute()
-{
-    Samples flight;
-    Handle<sins_sim> sim;
-    status = SINS_ERROR_INVALID_ARGUMENT; /* until the library has another */
-    if (!flight.open(scene, folder, sentence)) {
-        return;
-    }
-    size_t first = (size_t)std::fmin(from_s / flight.period_s + 1e-6, (double)flight.count);
-    size_t last = (size_t)std::fmin(to_s / flight.period_s + 1e-6, (double)flight.count - 1);
-    if (last <= first || last - first >= most) {
-        sentence = last <= first ? text("no_piece", {shown(flight.duration_s, 10)})
-                                 : text("too_long", {std::to_wstring(most)});
-        return;
-    }
-    std::vector<sins_flight_sample> samples(last - first + 1, sized<sins_flight_sample>());
-    status = lib.sins_scene_create_simulator(scene.handle(), &sim);
-    for (size_t k = 0; k < samples.size() && status >= 0 && !is_cancelled; k++) {
-        status = flight.get(first + k, &samples[k]);
-        if (status >= 0) { /* its temperature: no failures here */
-            status = lib.sins_scene_prepare(scene.handle(), sim, flight.start_s, &samples[k]);
-        }
-    }
-    if (status >= 0 && !is_cancelled) {
-        status = call(*this, sim, samples);
-    }
-    sentence = status < 0 ? last_error() : L"";
-}
-
-class StudyDialog : public Dialog {
-public:
-    StudyDialog(App &app, size_t most) : app_(app), most_(most) {}
-    ~StudyDialog() override { cancel(); }
-
-protected:
-    virtual void begin(Study &study) = 0;
-    virtual void show_result(const Study &study) = 0;
-    virtual void adopt() {}
-
-    void on_init() override
-    {
-        Samples samples;
-        std::wstring why;
-        double length_s = samples.open(app_.scene, app_.folder(), why) ? samples.duration_s : 0;
-        set(IDC_FROM, L"0");
-        set(IDC_TO, shown(min(length_s, 600.0), 10));
-        set(IDC_STATE, why);
-        enable(IDC_ADOPT, false);
-        SetTimer(window_, 1, 100, NULL);
-    }
-
-    void on_command(int id, int) override
-    {
-        if (id == IDC_COMPUTE && study_ != NULL) {
-            cancel();
-            set(IDC_STATE, text("cancelled"));
-            set(IDC_COMPUTE, text("&Compute"));
-        } else if (id == IDC_COMPUTE || id == IDOK) {
-            start();
-        } else if (id == IDC_ADOPT) {
-            adopt();
-        }
-    }
-
-    void on_timer() override
-    {
-        if (running != NULL && running->is_done) {
-            running.reset();
-        }
-        if (study_ != NULL && !study_->is_done && running == NULL) {
-            running = study_;
-            set(IDC_STATE, text("computing"));
-            std::thread([own = running] {
-                own->compute();
-                own->is_done = true;
-            }).detach();
-        } else if (study_ != NULL && study_->is_done) {
-            set(IDC_COMPUTE, text("&Compute"));
-            set(IDC_STATE, study_->sentence);
-            if (study_->status >= 0) {
-                show_result(*study_);
-            }
-            study_.reset();
-        }
-    }
-
-    /* A number of a field, 0 where it is empty. What is none is marked. */
-    double number(int id)
-    {
-        double value = 0;
-        std::string typed = narrow(get(id));
-        bool is_number = typed.empty() || (number_of(typed, value) && value >= 0);
-        mark(item(id), is_number ? L"" : text("not_valid", {wide(typed)}));
-        return is_number ? value : 0;
-    }
-
-    App &app_;
-
-private:
-    void start()
-    {
-        auto study = std::make_shared<Study>();
-        if (study_ != NULL) {
-            return;
-        }
-        study->scene.read(app_.scene.text());
-        study->folder = app_.folder();
-        study->from_s = number(IDC_FROM);
-        study->to_s = number(IDC_TO);
-        study->most = most_;
-        begin(*study);
-        if (has_marks()) {
-            set(IDC_STATE, text("field_not_valid"));
-            return;
-        }
-        study_ = study;
-        set(IDC_STATE, text("waiting"));
-        set(IDC_COMPUTE, text("&Cancel"));
-        on_timer();
-    }
-
-    void cancel()
-    {
-        if (study_ != NULL) {
-            study_->is_cancelled = true;
-            study_.reset();
-        }
-    }
-
-    size_t most_;
-    std::shared_ptr<Study> study_; /* the one that is waited for */
-};
 
 class RecommendDialog : public StudyDialog {
 public:
@@ -174,7 +14,7 @@ protected:
     void on_init() override
     {
         StudyDialog::on_init();
-        columns(IDC_RESULT, "columns_recommend", {240, 170});
+        columns(IDC_RESULT, "columns_recommend", {240, 0});
         set(IDC_LIMIT_POSITION, L"1");
     }
 
@@ -238,7 +78,7 @@ protected:
     void on_init() override
     {
         StudyDialog::on_init();
-        columns(IDC_RESULT, "columns_budget", {176, 110, 84, 84, 84});
+        columns(IDC_RESULT, "columns_budget", {0, 110, 84, 84, 84});
     }
 
     void begin(Study &study) override

@@ -121,7 +121,8 @@ std::wstring told(const std::string &sentence)
         if (matches(sentence.substr(colon + 2), rule->first.substr(5), values)) {
             std::wstring name = label(sentence.substr(0, name_end), sentence.substr(0, name_end));
             name = name.substr(0, name.find(L'\uff1b')); /* its first part */
-            return name + wide(sentence.substr(name_end, colon - name_end)) + L"\uff1a" + text(rule->first, values);
+            std::wstring value = wide(sentence.substr(name_end, colon - name_end));
+            return name + value + L"\uff1a" + text(rule->first, values);
         }
     }
     return wide(sentence);

@@ -40,7 +40,7 @@ protected:
         cue("flight.repeat", L"1");
         fill(item(IDC_SOURCE), parts("sources"));
         fill(item(IDC_BUILTIN), app_.builtins());
-        columns(IDC_MANOEUVRES, "columns_manoeuvres", {28, 90, 190});
+        columns(IDC_MANOEUVRES, "columns_manoeuvres", {28, 90, 0});
         track_.attach(item(IDC_TRACK));
         profile_.attach(item(IDC_PROFILE));
         grow({IDC_TRACK}, 0, 0, 1, 2);
