@@ -169,13 +169,15 @@ check() {
     done
     pictures en
     pictures zh
-    dots "$2"
+    [ -n "$dots_seen" ] || dots
     echo "$2 bits: flown as sins flies, to the byte; pictures in $folder"
 }
 
-# dots BITS: a small screen, and screens of 144 and 192 dots an inch, each with a registry of its own.
+# dots: a small screen, and screens of 144 and 192 dots an inch, each with a registry of its own. In one word size.
+dots_seen=
 dots() {
     local dots before=$WINEPREFIX
+    dots_seen=1
     "$WINESERVER" -k || true
     screen 800x600
     pictures en _small
@@ -184,7 +186,7 @@ dots() {
         export WINEPREFIX=$before.$dots
         screen $((10 * dots + 40))x$((7 * dots + 60))
         mkdir -p "$WINEPREFIX"
-        fonts
+        fonts 2>/dev/null # it sets up its folder
         "$wine" reg add 'HKCU\Control Panel\Desktop' /v LogPixels /t REG_DWORD /d "$dots" /f >/dev/null
         "$WINESERVER" -k || true
         pictures zh "_$dots"

@@ -44,11 +44,15 @@ static LRESULT ask(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
     return (LRESULT)answer;
 }
 
-/* The page that has a control. */
+/* The page that has a control: at the start the pages come up behind the window. */
 static HWND page_of(int id)
 {
     HWND page = NULL;
-    while ((page = FindWindowExW(main_window, page, L"#32770", NULL)) != NULL && GetDlgItem(page, id) == NULL) {
+    int k;
+    for (k = 0; k < 300 && page == NULL; k++) {
+        Sleep(k == 0 ? 0 : 100);
+        while ((page = FindWindowExW(main_window, page, L"#32770", NULL)) != NULL && GetDlgItem(page, id) == NULL) {
+        }
     }
     if (page == NULL) {
         fail("no page has such a control");
@@ -431,6 +435,7 @@ int main(int count, char **arguments)
     if (main_window == NULL || count < 2) {
         fail("no window");
     }
+    page_of(IDC_PROGRESS);
     Sleep(1000);
     if (strcmp(arguments[1], "fly") == 0 && count == 3) {
         fly(arguments[2]);
