@@ -205,9 +205,11 @@ void App::change_language(bool chinese)
 void App::leave_field()
 {
     HWND focus = GetFocus();
-    if (focus != NULL && IsChild(window_, focus)) {
-        SendMessageW(GetParent(focus), WM_COMMAND, MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS),
-                     (LPARAM)focus);
+    WCHAR kind[16] = L"";
+    GetClassNameW(focus, kind, 16);
+    if (IsChild(window_, focus) && lstrcmpiW(kind, L"Edit") == 0) { /* a button would take it for a click */
+        WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS);
+        SendMessageW(GetParent(focus), WM_COMMAND, left, (LPARAM)focus);
     }
 }
 

@@ -220,8 +220,9 @@ static void exercise(void)
 {
     HWND display = page_of(IDC_PROGRESS), failures;
     int k;
-    choose(display, IDC_PACE, 2); /* 100 times real time: it is in flight yet when it goes back */
-    command(ID_FLY);
+    command(ID_PAGE + 3);
+    choose(display, IDC_PACE, 2);                      /* 100 times real time: it is in flight yet when it goes back */
+    ask(GetDlgItem(display, ID_FLY), BM_CLICK, 0, 0); /* the button has the focus from now on */
     Sleep(500);
     command(ID_SNAPSHOT);
     Sleep(500);
