@@ -155,6 +155,7 @@ void Dialog::layout() const
                    own.place.top + part(own.y, higher), width + part(own.w, wider),
                    height + part(own.h, higher), TRUE);
     }
+    fit_columns();
 }
 
 std::wstring window_text(HWND window)
@@ -198,23 +199,34 @@ void Dialog::tip(HWND control, const std::wstring &text)
     SendMessageW(tips_, is_new ? TTM_ADDTOOLW : TTM_UPDATETIPTEXTW, 0, (LPARAM)&tool);
 }
 
-void Dialog::columns(int id, const std::string &titles, const std::vector<int> &widths) const
+void Dialog::columns(int id, const std::string &titles, const std::vector<int> &widths)
 {
     Texts names = parts(titles);
-    RECT client;
-    GetClientRect(item(id), &client);
-    int rest = client.right - GetSystemMetrics(SM_CXVSCROLL);
-    for (int width : widths) {
-        rest -= scaled(width);
-    }
     ListView_SetExtendedListViewStyle(item(id), LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
     for (size_t k = 0; k < names.size(); k++) {
         LVCOLUMNW column = {};
-        column.mask = LVCF_TEXT | LVCF_WIDTH | LVCF_SUBITEM;
-        column.cx = widths[k] == 0 ? rest : scaled(widths[k]);
+        column.mask = LVCF_TEXT | LVCF_SUBITEM;
         column.pszText = &names[k][0];
         column.iSubItem = (int)k;
         ListView_InsertColumn(item(id), (int)k, &column);
+    }
+    widths_[id] = widths;
+    fit_columns();
+}
+
+void Dialog::fit_columns() const
+{
+    for (const auto &entry : widths_) {
+        RECT client;
+        GetWindowRect(item(entry.first), &client);
+        int rest = client.right - client.left - GetSystemMetrics(SM_CXVSCROLL) - scaled(4);
+        for (int width : entry.second) {
+            rest -= scaled(width);
+        }
+        for (size_t k = 0; k < entry.second.size(); k++) {
+            int width = entry.second[k] == 0 ? rest : scaled(entry.second[k]);
+            ListView_SetColumnWidth(item(entry.first), (int)k, width);
+        }
     }
 }
 

@@ -50,7 +50,7 @@ protected:
 
     /* Lists. */
     /* A width of 0 takes what the others leave. */
-    void columns(int id, const std::string &titles, const std::vector<int> &widths) const;
+    void columns(int id, const std::string &titles, const std::vector<int> &widths);
     void rows(int id, const std::vector<Texts> &rows) const; /* writes what changed */
     int selected(int id) const
     {
@@ -87,6 +87,7 @@ private:
     void init();
     void init_control(HWND control, std::vector<std::pair<std::string, size_t>> &keys);
     void layout() const;
+    void fit_columns() const;
     HBRUSH color(HDC dc, HWND control) const;
     std::wstring text_of(HWND control, const Field &field) const;
     std::string value_of(HWND control, const Field &field) const;
@@ -101,6 +102,7 @@ private:
     std::map<HWND, std::wstring> marked_;
     std::map<HWND, Field> fields_;
     std::map<int, Growth> growth_;
+    std::map<int, std::vector<int>> widths_; /* of the columns of lists */
     SIZE size_ = {};
 };
 
