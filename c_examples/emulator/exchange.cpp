@@ -8,7 +8,7 @@ void Dialog::bind(HWND control, const std::string &path, size_t element)
 {
     const Key *key = key_of(path);
     fields_[control] = {key, element, "", L""};
-    if (!key->words.empty() && !key->is_switch()) {
+    if (!key->words.empty()) {
         fill(control, key->word_labels());
     }
     if (key->count > 0) {
@@ -66,7 +66,7 @@ void Dialog::load(const std::function<std::string(const std::string &path)> &val
         }
         mark(control, L"");
         if (!key.words.empty()) {
-            SendMessageW(control, key.is_switch() ? BM_SETCHECK : CB_SETCURSEL, key.index_of(own), 0);
+            SendMessageW(control, CB_SETCURSEL, key.index_of(own), 0);
         } else if (key.count > 0) {
             own = numbers(own, key)[field.element];
             if (key.path() == si_path_ && number_of(own, number)) {
@@ -93,8 +93,7 @@ std::wstring Dialog::text_of(HWND control, const Field &field) const
     if (key.words.empty()) {
         return window_text(control);
     }
-    LRESULT index = SendMessageW(control, key.is_switch() ? BM_GETCHECK : CB_GETCURSEL, 0, 0);
-    return wide(key.words[(size_t)max((LRESULT)0, index)]);
+    return wide(key.words[(size_t)max((LRESULT)0, SendMessageW(control, CB_GETCURSEL, 0, 0))]);
 }
 
 /* The value of a control: as it was loaded, unless it was changed. */
@@ -159,10 +158,7 @@ bool Dialog::is_change(HWND control, int code) const
     if (found == fields_.end()) {
         return false;
     }
-    const Key &key = *found->second.key;
-    return code == (key.words.empty() ? (int)EN_KILLFOCUS
-                    : key.is_switch() ? (int)BN_CLICKED
-                                      : (int)CBN_SELCHANGE);
+    return code == (found->second.key->words.empty() ? (int)EN_KILLFOCUS : (int)CBN_SELCHANGE);
 }
 
 std::wstring ask_file(HWND owner, bool save, const std::string &filter, const wchar_t *ending,

@@ -175,7 +175,6 @@ private:
         }
         if (is_word) {
             bind(item(IDC_WORD), key->path());
-            fill(item(IDC_WORD), key->word_labels()); /* a switch too */
         }
         show(IDC_WORD, is_word);
         show(IDC_UNIT, !is_word && !key->unit.empty());

@@ -8,7 +8,7 @@
  *     driver files DIR     opens DIR\exercise.toml and saves it as DIR\again.toml by the file dialogs, flies it, exports, saves and
  *                          copies the picture, drops DIR\trainer.toml and a log, opens a recent scene
  *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
- *     driver sentence      types a number beyond its limit, and prints the status line
+ *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line
  *
  * Each message has to be answered within a minute: the window lives.
  */
@@ -420,11 +420,21 @@ static void sentence(void)
 {
     wchar_t text[512] = L"";
     char utf8[2048] = "";
+    HWND general = page_of(IDC_SECTION);
+    command(ID_PAGE + 1);
+    choose(general, IDC_SECTION, 8); /* output */
+    ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_END, 0);
+    choose(general, IDC_WORD, 1); /* its last key is true or false: quiet */
+    ask(main_window, WM_GETTEXT, 512, (LPARAM)text);
+    if (wcschr(text, L'*') == NULL) {
+        fail("a word of the list does not change the scene");
+    }
     type(GetDlgItem(page_of(IDC_HOURS), IDC_HOURS), L"-1");
     ask(FindWindowExW(main_window, NULL, STATUSCLASSNAMEW, NULL), WM_GETTEXT, 512, (LPARAM)text);
     WideCharToMultiByte(CP_UTF8, 0, text, -1, utf8, sizeof utf8, NULL, NULL);
     printf("%s\n", utf8);
-    close_window();
+    PostMessageW(main_window, WM_CLOSE, 0, 0); /* the scene was changed: it asks */
+    answer(IDNO);
 }
 
 int main(int count, char **arguments)
