@@ -17,12 +17,18 @@ if [ -z "$sins" ]; then
     sins=target/release/sins
 fi
 
+# screen SIZE: all that follows is on a screen of this size.
 display_file=$(mktemp)
-Xvfb -displayfd 4 -screen 0 1000x740x24 4>"$display_file" 2>/dev/null &
-screen=$!
+screen=
+screen() {
+    [ -z "$screen" ] || kill "$screen"
+    : >"$display_file"
+    Xvfb -displayfd 4 -screen 0 "$1x24" 4>"$display_file" 2>/dev/null &
+    screen=$!
+    until [ -s "$display_file" ]; do sleep 0.2; done
+    export DISPLAY=:$(cat "$display_file")
+}
 trap 'kill $screen; rm -f "$display_file"' EXIT
-until [ -s "$display_file" ]; do sleep 0.2; done
-export DISPLAY=:$(cat "$display_file")
 
 # path FILE: as wine sees it.
 path() {
@@ -48,9 +54,29 @@ refuses() {
     echo "$1: $(head -c 200 "$folder/sentence" | tr -d '\r' | head -1)"
 }
 
-# pictures LANGUAGE: each page and dialog.
+# drive COMMAND [FOLDER] -- OPTION...: the program with these options, driven through its dialogs.
+drive() {
+    local command=() program
+    while [ "$1" != -- ]; do command+=("$1"); shift; done
+    shift
+    emulator "$@" &
+    program=$!
+    "$wine" "$folder/driver.exe" "${command[@]}" >"$folder/said" || { cat "$folder/said"; fail "${command[*]}"; }
+    tr -d '\r' <"$folder/said"
+    wait "$program"
+}
+
+# fonts: wine has none of its own for dialogs.
+fonts() {
+    local name
+    for name in "MS Shell Dlg" "MS Shell Dlg 2" Tahoma; do
+        "$wine" reg add 'HKLM\Software\Microsoft\Windows NT\CurrentVersion\FontSubstitutes' /v "$name" /d "WenQuanYi Micro Hei" /f >/dev/null
+    done
+}
+
+# pictures LANGUAGE [NAME]: each page and dialog.
 pictures() {
-    local line program watched
+    local line program watched name=$1${2:-}
     emulator /language "$1" /scene "$(path "$folder/flown/trainer.toml")" /run &
     program=$!
     coproc driver { "$wine" "$folder/driver.exe" pages; }
@@ -58,12 +84,12 @@ pictures() {
     while read -r line <&"${driver[0]}"; do
         line=${line%$'\r'}
         [ "${line% *}" = page ] || fail "$line"
-        import -window root "$folder/$1_${line#page }.png"
+        import -window root "$folder/${name}_${line#page }.png"
         echo >&"${driver[1]}"
     done 2>/dev/null
     wait "$watched" || true
     wait "$program"
-    [ -f "$folder/$1_manoeuvre.png" ] || fail "not all pages were shown"
+    [ -f "$folder/${name}_manoeuvre.png" ] || fail "not all pages were shown"
 }
 
 # check ARCH BITS OTHER: everything, with the DLL of the other word size to be refused.
@@ -73,12 +99,10 @@ check() {
     mkdir -p "$folder/flown"
     # A server that other tests left has a desktop without a screen.
     "$WINESERVER" -k 2>/dev/null || true
+    screen 1000x740
     c_examples/emulator/build.sh "$1" "$folder"
     "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Werror -O1 -o "$folder/driver.exe" tests/emulator/driver.c -luser32 -static
-    # Wine has no font of its own for dialogs.
-    for name in "MS Shell Dlg" "MS Shell Dlg 2" Tahoma; do
-        "$wine" reg add 'HKLM\Software\Microsoft\Windows NT\CurrentVersion\FontSubstitutes' /v "$name" /d "WenQuanYi Micro Hei" /f >/dev/null
-    done
+    fonts
 
     refuses "no DLL" "sins.dll: no such file"
     echo text >"$folder/sins.dll"
@@ -96,29 +120,41 @@ check() {
     refuses "a binary file as scene" "binary.toml:" /scene "$(path "$folder/binary.toml")"
     refuses "a binary file as log" "binary.csv:" /scene "$(path "$folder/log.toml")" /run
 
-    # Through the dialogs: an hour of the paper's simulation 2.
+    # Through the dialogs: an hour of the paper's simulation 2, with the measured increments of each interval.
     "$sins" scene write simulation2 >"$folder/flown/simulation2.toml"
     sed -i 's/^hours = 48/hours = 2/' "$folder/flown/simulation2.toml"
-    emulator /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")" &
-    "$wine" "$folder/driver.exe" fly 1 | tr -d '\r'
-    wait $!
+    drive fly 1 -- /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")"
     grep -q '^hours = 1 ' "$folder/flown/simulation2.toml" || fail "the scene was not saved with its hour"
     "$sins" scene write simulation2 | sed 's/^hours = 48/hours = 1/' | cmp - "$folder/flown/simulation2.toml"
     "$sins" fly "$folder/flown/simulation2.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/simulation2.csv" "$folder/flown/records/simulation2.csv"
+    sed 's/^hours = 1 /hours = 0.1 /' "$folder/flown/simulation2.toml" >"$folder/flown/increments.toml"
+    printf '[output]\nimu = "imu.csv"\n' >>"$folder/flown/increments.toml"
+    emulator /scene "$(path "$folder/flown/increments.toml")" /run /export "$(path "$folder/flown/records")" /quit
+    "$sins" fly "$folder/flown/increments.toml" --out "$folder/flown/expected" --quiet
+    cmp "$folder/flown/expected/imu.csv" "$folder/flown/records/imu.csv"
 
     # A failure that is set in flight is in the scene that is saved, which flies to the same bits.
     cp "$folder/flown/simulation2.toml" "$folder/flown/exercise.toml"
-    emulator /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")" &
-    "$wine" "$folder/driver.exe" exercise | tr -d '\r'
-    wait $!
+    drive exercise -- /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")"
     grep -q '^\[\[failure\]\]' "$folder/flown/exercise.toml" || fail "the failure is not in the scene"
     "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
 
-    # Two at once, by the command line: failures, temperature, a log.
+    # File dialogs, drag and drop, clipboard; studies that are cancelled; a sentence of the library in Chinese.
     cp c_examples/scenes/{trainer,fighter}.toml "$folder/flown"
     sed -i "s|\.\./flights|$PWD/c_examples/flights|" "$folder/flown/fighter.toml"
+    cp "$folder/log.toml" "$folder/flown"
+    cp "$(ls c_examples/flights/*.csv | head -1)" "$folder/flown/log.csv"
+    drive files "$(path "$folder/flown")" -- /language en
+    cmp "$folder/flown/exercise.toml" "$folder/flown/again.toml"
+    cmp "$folder/flown/expected/exercise.csv" "$folder/flown/new.csv"
+    [ "$(identify -format %k "$folder/flown/again.png")" -gt 10 ] || fail "again.png shows nothing"
+    drive studies -- /language en /scene "$(path "$folder/flown/trainer.toml")"
+    drive sentence -- /language zh
+    grep -q '须' "$folder/said" || fail "the sentence is not in Chinese"
+
+    # Two at once, by the command line: failures, temperature, a log.
     for scene in trainer fighter; do
         emulator /scene "$(path "$folder/flown/$scene.toml")" /run /export "$(path "$folder/flown/records")" \
             /picture "$(path "$folder/$scene.png")" /quit &
@@ -133,7 +169,30 @@ check() {
     done
     pictures en
     pictures zh
+    [ -n "$dots_seen" ] || dots
     echo "$2 bits: flown as sins flies, to the byte; pictures in $folder"
+}
+
+# dots: a small screen, and screens of 144 and 192 dots an inch, each with a registry of its own. In one word size.
+dots_seen=
+dots() {
+    local dots before=$WINEPREFIX
+    dots_seen=1
+    "$WINESERVER" -k || true
+    screen 800x600
+    pictures en _small
+    for dots in 144 192; do
+        "$WINESERVER" -k || true
+        export WINEPREFIX=$before.$dots
+        screen $((10 * dots + 40))x$((7 * dots + 60))
+        mkdir -p "$WINEPREFIX"
+        fonts 2>/dev/null # it sets up its folder
+        "$wine" reg add 'HKCU\Control Panel\Desktop' /v LogPixels /t REG_DWORD /d "$dots" /f >/dev/null
+        "$WINESERVER" -k || true
+        pictures zh "_$dots"
+    done
+    "$WINESERVER" -k || true
+    export WINEPREFIX=$before
 }
 
 if have_wine x86_64; then check x86_64 64 32; fi

@@ -52,3 +52,12 @@ std::vector<Cell> Curves::channel(int channel) const
     }
     return result;
 }
+
+std::vector<double> Curves::last(int channel) const
+{
+    std::vector<double> result;
+    for (const auto &cells : cells_) {
+        result.push_back(cells[(size_t)channel].last);
+    }
+    return result;
+}

@@ -6,8 +6,8 @@
 
 /* What is drawn over time: three components each, but for the time. */
 enum Channel {
-    ATTITUDE_ERROR = 0, /* roll, pitch, heading [rad]: error data 2, then error data 1 */
-    VELOCITY_ERROR = 6, /* east, north, up [m/s] */
+    ATTITUDE_ERROR = 0,  /* roll, pitch, heading [rad]: error data 2, then error data 1 */
+    VELOCITY_ERROR = 6,  /* east, north, up [m/s] */
     POSITION_ERROR = 12, /* [m] */
     RATE = 18,           /* measured, x, y, z [rad/s] */
     FORCE = 21,          /* [m/s2] */
@@ -27,9 +27,9 @@ class Curves {
 public:
     /* The point at a time; low and high are of all that happened since the point before. */
     void add(double time_s, const Point &low, const Point &high, const Point &last);
-    size_t size() const { return times_.size(); }
     const std::vector<double> &times() const { return times_; } /* of the ends of the cells [s] */
     std::vector<Cell> channel(int channel) const;
+    std::vector<double> last(int channel) const; /* of each cell */
 
 private:
     void halve();

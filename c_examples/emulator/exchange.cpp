@@ -1,150 +1,202 @@
-#include "exchange.h"
+/* The exchange between the fields of a dialog and the keys of a scene, and what a dialog asks and says
+ * besides. */
+#include <set>
 
-/* A digit string is a whole number of up to 64 bits, and must not go through a double. */
-static bool is_whole(const std::string &text)
+#include "dialog.h"
+
+void Dialog::bind(HWND control, const std::string &path, size_t element)
 {
-    return text.find_first_not_of("0123456789") == std::string::npos && text.size() < 20 && (text.size() == 1 || text[0] != '0');
+    const Key *key = key_of(path);
+    fields_[control] = {key, element, "", L""};
+    if (!key->words.empty()) {
+        fill(control, key->word_labels());
+    }
+    if (key->count > 0) {
+        SendMessageW(control, EM_SETCUEBANNER, FALSE, (LPARAM)L"0");
+    }
+    tip(control, key->tip());
 }
 
-std::string toml(const std::wstring &typed)
+void Dialog::unbind(HWND control)
 {
-    std::string text = narrow(typed);
-    double number;
-    size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    text = first == std::string::npos ? "" : text.substr(first, last - first + 1);
-    return text.empty() ? "" : is_whole(text) ? text : number_of(text, number) ? shortest(number) : quoted(text);
+    fields_.erase(control);
+    mark(control, L"");
 }
 
-void ExchangeDialog::exchange(const std::vector<Field> &fields)
+void Dialog::cue(const std::string &path, const std::wstring &text) const
 {
-    fields_ = fields;
-    for (const Field &field : fields) {
-        const Key *key = key_of(field.path);
-        if (!key->words.empty() && key->words[0] != "false") {
-            std::vector<std::wstring> words;
-            for (const std::string &word : key->words) {
-                words.push_back(label(key->path() + "." + word, word));
-            }
-            fill(field.id, words);
+    for (const auto &entry : fields_) {
+        if (entry.second.key->path() == path) {
+            SendMessageW(entry.first, EM_SETCUEBANNER, FALSE, (LPARAM)text.c_str());
         }
-        if (key->count > 0) {
-            cue(field.id, L"0");
-        }
-        tip(field.id, tip_of(*key));
     }
 }
 
-void ExchangeDialog::load(const std::function<std::string(const std::string &path)> &value, bool all_is_new)
+void Dialog::enable_fields(const std::string &begin, bool enabled) const
 {
-    for (const Field &field : fields_) {
-        const Key &key = *key_of(field.path);
-        std::string own = value(field.path);
+    for (const auto &entry : fields_) {
+        if (begins(entry.second.key->path(), begin)) {
+            EnableWindow(entry.first, enabled);
+        }
+    }
+}
+
+void Dialog::mark(HWND control, const std::wstring &sentence)
+{
+    auto found = marked_.find(control);
+    if ((found == marked_.end() ? L"" : found->second) != sentence) {
+        marked_[control] = sentence;
+        if (sentence.empty()) {
+            marked_.erase(control);
+        }
+        InvalidateRect(control, NULL, TRUE);
+    }
+}
+
+void Dialog::load(const std::function<std::string(const std::string &path)> &value, bool all_is_new)
+{
+    for (auto &entry : fields_) {
+        HWND control = entry.first;
+        Field &field = entry.second;
+        const Key &key = *field.key;
+        std::string own = value(key.path());
         double number;
-        if (is_marked(field.id) && !all_is_new) {
+        if (marked_.count(control) != 0 && !all_is_new) {
             continue;
         }
-        mark(field.id, L"");
+        mark(control, L"");
         if (!key.words.empty()) {
-            size_t index = 0;
-            while (index < key.words.size() && key.words[index] != unquoted(own)) {
-                index++;
-            }
-            index = index == key.words.size() ? 0 : index;
-            choose(field.id, (int)index);
-            CheckDlgButton(window_, field.id, index == 1 ? BST_CHECKED : BST_UNCHECKED);
+            SendMessageW(control, CB_SETCURSEL, key.index_of(own), 0);
         } else if (key.count > 0) {
-            own = numbers(own, key)[(size_t)field.element];
-            if (field.path == si_path_ && number_of(own, number)) {
+            own = numbers(own, key)[field.element];
+            if (key.path() == si_path_ && number_of(own, number)) {
                 own = shortest(number / key.units_per_si());
             }
-            set(field.id, is_whole(own) ? wide(own) : number_of(own, number) ? shown(number, 15) : wide(unquoted(own)));
-        } else {
-            set(field.id, wide(unquoted(own)));
         }
-        loaded_[field.id] = own;
-        shown_[field.id] = text_of(field);
+        if (key.words.empty()) {
+            bool is_decimal =
+                own.find_first_not_of("0123456789") != std::string::npos && number_of(own, number);
+            std::wstring text = is_decimal ? shown(number, 15) : wide(unquoted(own));
+            if (text != window_text(control)) {
+                SetWindowTextW(control, text.c_str());
+            }
+        }
+        field.loaded = own;
+        field.shown = text_of(control, field);
     }
 }
 
 /* What a control shows now. */
-std::wstring ExchangeDialog::text_of(const Field &field) const
+std::wstring Dialog::text_of(HWND control, const Field &field) const
 {
-    const Key &key = *key_of(field.path);
+    const Key &key = *field.key;
     if (key.words.empty()) {
-        return get(field.id);
+        return window_text(control);
     }
-    return wide(key.words[(size_t)(key.words[0] == "false" ? checked(field.id) : max(0, chosen(field.id)))]);
+    return wide(key.words[(size_t)max((LRESULT)0, SendMessageW(control, CB_GETCURSEL, 0, 0))]);
 }
 
 /* The value of a control: as it was loaded, unless it was changed. */
-std::string ExchangeDialog::value_of(const Field &field) const
+std::string Dialog::value_of(HWND control, const Field &field) const
 {
-    const Key &key = *key_of(field.path);
-    std::wstring now = text_of(field);
-    if (now == shown_.at(field.id)) {
-        return loaded_.at(field.id);
+    std::wstring now = text_of(control, field);
+    bool is_quoted = field.key->is_text ? !now.empty() : !field.key->words.empty() && !field.key->is_switch();
+    if (now == field.shown) {
+        return field.loaded;
     }
-    if (!key.words.empty()) {
-        return key.words[0] == "false" ? narrow(now) : quoted(narrow(now));
-    }
-    return key.is_text ? (now.empty() ? "" : quoted(narrow(now))) : toml(now);
+    return is_quoted ? quoted(narrow(now)) : field.key->is_switch() ? narrow(now) : toml(now);
 }
 
-std::vector<Change> ExchangeDialog::changes() const
+std::vector<Change> Dialog::changes() const
 {
     std::vector<Change> changes;
-    std::set<std::string> done;
-    for (const Field &field : fields_) {
-        const Key &key = *key_of(field.path);
-        if (text_of(field) == shown_.at(field.id) || !done.insert(field.path).second) {
+    std::set<const Key *> done;
+    for (const auto &entry : fields_) {
+        const Key *key = entry.second.key;
+        if (text_of(entry.first, entry.second) == entry.second.shown || !done.insert(key).second) {
             continue;
         }
-        std::string value = value_of(field);
-        if (key.count > 1) {
-            bool is_off = true;
-            value = "[";
-            for (const Field &other : fields_) {
-                if (other.path == field.path) {
-                    std::string element = value_of(other);
-                    is_off = is_off && element.empty();
-                    value += (value.size() > 1 ? ", " : "") + (element.empty() ? "0" : element);
-                }
+        std::vector<std::string> elements(max((size_t)1, key->count));
+        for (const auto &other : fields_) {
+            if (other.second.key == key) {
+                elements[other.second.element] = value_of(other.first, other.second);
             }
-            value = is_off ? "" : value + "]";
         }
-        changes.push_back({field.path, value, field.path == si_path_});
+        changes.push_back(
+            {key->path(), key->count > 1 ? list_of(elements) : elements[0], key->path() == si_path_});
     }
     return changes;
 }
 
-std::wstring ExchangeDialog::mark_faults(const std::vector<Fault> &faults)
+std::wstring Dialog::mark_faults(const Faults &faults)
 {
-    for (const Field &field : fields_) {
-        const Key *key = key_of(field.path);
+    for (const auto &entry : fields_) {
+        const Field &field = entry.second;
         std::wstring sentence;
+        std::string typed = narrow(window_text(entry.first));
+        double number;
+        bool is_sound = field.key->count > 1 && (typed.empty() || number_of(typed, number));
         for (const Fault &fault : faults) {
-            size_t bracket = fault.sentence.find(key->name + "[");
-            bool is_other = bracket != std::string::npos && atoi(fault.sentence.c_str() + bracket + key->name.size() + 1) != field.element;
-            double number;
-            bool is_sound = key->count > 1 && bracket == std::string::npos && (get(field.id).empty() || number_of(narrow(get(field.id)), number))
-                            && text_of(field) == shown_.at(field.id);
-            if (key_of(fault.path) == key && !is_other && !is_sound) {
-                sentence = wide(fault.sentence);
+            size_t bracket = fault.sentence.find(field.key->name + "[");
+            size_t digit = bracket + field.key->name.size() + 1;
+            bool has_element = bracket != std::string::npos;
+            bool is_own = has_element ? (size_t)atoi(&fault.sentence[digit]) == field.element : !is_sound;
+            if (key_of(fault.path) == field.key && is_own) {
+                sentence = told(fault.sentence);
             }
         }
-        mark(field.id, sentence);
-        tip(field.id, sentence.empty() ? tip_of(*key) : sentence);
+        mark(entry.first, sentence);
+        tip(entry.first, sentence.empty() ? field.key->tip() : sentence);
     }
-    return faults.empty() ? L"" : wide(faults[0].sentence);
+    return told(faults);
 }
 
-bool ExchangeDialog::is_change(int id, int code) const
+/* Whether this notification says that a field has a new value. */
+bool Dialog::is_change(HWND control, int code) const
 {
-    for (const Field &field : fields_) {
-        if (field.id == id) {
-            const Key &key = *key_of(field.path);
-            return code == (key.words.empty() ? (int)EN_KILLFOCUS : key.words[0] == "false" ? (int)BN_CLICKED : (int)CBN_SELCHANGE);
-        }
+    auto found = fields_.find(control);
+    if (found == fields_.end()) {
+        return false;
     }
-    return false;
+    return code == (found->second.key->words.empty() ? (int)EN_KILLFOCUS : (int)CBN_SELCHANGE);
+}
+
+std::wstring ask_file(HWND owner, bool save, const std::string &filter, const wchar_t *ending,
+                      const std::wstring &proposal)
+{
+    WCHAR path[32768] = L"";
+    std::wstring pairs = text(filter) + L'\0';
+    OPENFILENAMEW ask = {};
+    std::replace(pairs.begin(), pairs.end(), L';', L'\0');
+    lstrcpynW(path, proposal.c_str(), 32768);
+    ask.lStructSize = sizeof ask;
+    ask.hwndOwner = owner;
+    ask.lpstrFilter = pairs.c_str();
+    ask.lpstrFile = path;
+    ask.nMaxFile = 32768;
+    ask.lpstrDefExt = ending;
+    ask.Flags = OFN_NOCHANGEDIR | OFN_HIDEREADONLY | (save ? OFN_OVERWRITEPROMPT : OFN_FILEMUSTEXIST);
+    return (save ? GetSaveFileNameW(&ask) : GetOpenFileNameW(&ask)) ? path : L"";
+}
+
+int scaled(int pixels)
+{
+    HDC screen = GetDC(NULL);
+    int dots = GetDeviceCaps(screen, LOGPIXELSY);
+    ReleaseDC(NULL, screen);
+    return MulDiv(pixels, dots, 96);
+}
+
+bool is_unattended = false, has_failed = false;
+
+void say(HWND owner, const std::wstring &sentence, UINT icon)
+{
+    if (!is_unattended) {
+        MessageBoxW(owner, sentence.c_str(), text("title").c_str(), MB_OK | icon);
+        return;
+    }
+    std::string line = "SINS_Emulator: " + narrow(sentence) + "\n";
+    DWORD written;
+    WriteFile(GetStdHandle(STD_ERROR_HANDLE), line.data(), (DWORD)line.size(), &written, NULL);
+    has_failed = true;
 }

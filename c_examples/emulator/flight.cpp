@@ -7,66 +7,49 @@ static const double RECORDS = 2000, LEAST_POINTS = 100000;
 /* Steps between two looks at the window. */
 static const int STEPS = 256;
 
-Flight::~Flight()
+std::unique_lock<std::mutex> Flight::lock() const
 {
-    stop();
-    if (file_ != INVALID_HANDLE_VALUE) {
-        CloseHandle(file_);
-    }
-    if (worker_ != NULL) {
-        DeleteCriticalSection(&section_);
-    }
+    waiting_++;
+    std::unique_lock<std::mutex> lock(mutex_);
+    waiting_--;
+    return lock;
 }
 
 bool Flight::start(const Scene &scene, const std::wstring &folder, double pace, std::wstring &why)
 {
-    std::vector<Fault> faults;
-    WCHAR temporary[MAX_PATH] = L"", path[MAX_PATH] = L"";
-    if (!scene_.read(scene.text(), faults) || !samples_.open(scene_, folder, why)) {
-        why = faults.empty() ? why : wide(faults[0].sentence);
+    why = told(scene_.read(scene.text()));
+    if (!why.empty() || !samples_.open(scene_, folder, why)) {
         return false;
     }
-    double every_s = scene_.setup().every_s;
-    every_ = (size_t)std::fmax(every_s > 0 ? std::round(every_s / samples_.period_s) : std::round((double)(samples_.count - 1) / RECORDS), 1);
-    points_every_ = (size_t)std::fmax((double)samples_.count / LEAST_POINTS, 1);
     if (lib.sins_scene_create_simulator(scene_.handle(), &sim_) < 0) {
-        why = wide(last_error());
+        why = last_error();
         return false;
     }
-    GetTempPathW(MAX_PATH, temporary);
-    GetTempFileNameW(temporary, L"sns", 0, path);
-    file_ = CreateFileW(path, GENERIC_READ | GENERIC_WRITE, 0, NULL, CREATE_ALWAYS, FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, NULL);
-    if (file_ == INVALID_HANDLE_VALUE) {
-        why = text(IDS_CANNOT_WRITE, path, system_sentence(GetLastError()));
+    double every_s = scene_.setup().every_s, intervals = (double)(samples_.count - 1);
+    every_ =
+        (size_t)std::fmax(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1);
+    points_every_ = (size_t)std::fmax((double)samples_.count / LEAST_POINTS, 1);
+    if (!records_.open(why) || (!increments_name().empty() && !increments_.open(why))) {
         return false;
     }
-    InitializeCriticalSection(&section_);
-    pace_ = pace;
-    paced_at_ms_ = GetTickCount64();
-    worker_ = CreateThread(NULL, 0, thread, this, 0, NULL);
-    SetThreadPriority(worker_, THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
-    return worker_ != NULL;
-}
-
-DWORD WINAPI Flight::thread(void *flight)
-{
-    ((Flight *)flight)->fly();
-    return 0;
+    move_pace(pace);
+    worker_ = std::thread(&Flight::fly, this);
+    return true;
 }
 
 void Flight::fly()
 {
+    SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
     while (!ends_) {
         bool waits = waiting_ > 0;
         {
-            Guard guard(*this);
-            double due_s = pace_ > 0 ? paced_from_s_ + pace_ * (double)(GetTickCount64() - paced_at_ms_) / 1000 : INFINITY;
-            for (int k = 0; k < STEPS && state_ == FLYING; k++) {
+            std::lock_guard<std::mutex> guard(mutex_);
+            double elapsed_s = (double)(GetTickCount64() - paced_at_ms_) / 1000;
+            double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
+            for (int k = 0; k < STEPS && state_ == FLYING && !waits; k++) {
                 if ((double)now_.next * samples_.period_s > due_s) {
                     waits = true;
-                    break;
-                }
-                if (!step(sentence_)) {
+                } else if (!step(sentence_)) {
                     state_ = FAILED;
                 } else if (now_.next == samples_.count) {
                     state_ = FINISHED;
@@ -83,51 +66,35 @@ void Flight::fly()
 /* Flies to the next sample. */
 bool Flight::step(std::wstring &why)
 {
-    sins_flight_sample sample;
-    sins_imu imu;
+    sins_flight_sample sample = sized<sins_flight_sample>();
+    sins_imu imu = sized<sins_imu>();
     size_t index = now_.next;
-    SINS_INIT(sample);
-    SINS_INIT(imu);
-    if (samples_.get(index, &sample) < 0 || lib.sins_scene_prepare(scene_.handle(), sim_, samples_.start_s, &sample) < 0) {
-        why = samples_.place(index) + wide(last_error());
+    if (samples_.get(index, &sample) < 0 ||
+        lib.sins_scene_prepare(scene_.handle(), sim_, samples_.start_s, &sample) < 0) {
+        why = samples_.place(index) + last_error();
         return false;
     }
     if (lib.sins_push_sample(sim_, &sample) < 0 || lib.sins_step(sim_) < 0) {
-        why = samples_.place(index) + wide(last_error(sim_));
+        why = samples_.place(index) + last_error(sim_);
         return false;
     }
     now_.next++;
-    if (index > 0 && lib.sins_get_imu(sim_, &imu) == SINS_OK) {
-        Point point;
-        for (int k = 0; k < 3; k++) {
-            now_.angle[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
-            now_.velocity[k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
-            point[RATE + k] = imu.measured_rate_rad_s[k];
-            point[FORCE + k] = imu.measured_force_m_s2[k];
-        }
-        now_.time_s += imu.interval_s;
-        add_extremes(point, RATE, ATTITUDE);
+    if (index > 0 && lib.sins_get_imu(sim_, &imu) == SINS_OK && !add_interval(imu, why)) {
+        return false;
     }
     bool is_row = index % every_ == 0;
     return (!is_row && index % points_every_ != 0) || keep(is_row, why);
 }
 
-void Flight::add_extremes(const Point &point, int first, int last)
-{
-    if (!now_.has_point) {
-        now_.low.fill(INFINITY);
-        now_.high.fill(-INFINITY);
-        now_.has_point = true;
-    }
-    for (int k = first; k < last; k++) {
-        now_.low[k] = std::fmin(now_.low[k], point[k]);
-        now_.high[k] = std::fmax(now_.high[k], point[k]);
-    }
-}
-
 void Flight::pace(double factor)
 {
-    Guard guard(*this);
+    auto guard = lock();
+    move_pace(factor);
+}
+
+/* From now on at this pace. */
+void Flight::move_pace(double factor)
+{
     pace_ = factor;
     paced_from_s_ = (double)now_.next * samples_.period_s;
     paced_at_ms_ = GetTickCount64();
@@ -135,31 +102,26 @@ void Flight::pace(double factor)
 
 void Flight::pause(bool paused)
 {
-    double factor;
-    {
-        Guard guard(*this);
-        factor = pace_;
-        state_ = state_ == FLYING && paused ? PAUSED : state_ == PAUSED && !paused ? FLYING : state_;
-    }
-    pace(factor);
+    auto guard = lock();
+    state_ = state_ == FLYING && paused ? PAUSED : state_ == PAUSED && !paused ? FLYING : state_;
+    move_pace(pace_);
 }
 
 /* The worker ends; what was flown stays. */
 void Flight::stop()
 {
-    if (worker_ != NULL && !ends_.exchange(true)) {
-        WaitForSingleObject(worker_, INFINITE);
-        CloseHandle(worker_);
+    if (worker_.joinable()) {
+        ends_ = true;
+        worker_.join();
         state_ = state_ == FLYING || state_ == PAUSED ? STOPPED : state_;
     }
 }
 
 Flight::Status Flight::status() const
 {
-    Guard guard(*this);
-    Status status = {state_, 0, samples_.duration_s, snapshot_.empty() ? -1 : saved_s_, {}, {}, sentence_};
-    SINS_INIT(status.record);
-    SINS_INIT(status.accuracy);
+    auto guard = lock();
+    Status status = {state_,   0, samples_.duration_s, saved_s_, sized<sins_record>(), sized<sins_accuracy>(),
+                     sentence_};
     if (lib.sins_get_record(sim_, &status.record) == SINS_OK) {
         status.time_s = status.record.time_s - samples_.start_s;
     }
@@ -167,25 +129,19 @@ Flight::Status Flight::status() const
     return status;
 }
 
-void Flight::read(Curves &curves) const
+Curves Flight::curves() const
 {
-    Guard guard(*this);
-    curves = now_.curves;
+    auto guard = lock();
+    return now_.curves;
 }
 
 void Flight::plan(const Scene &scene)
 {
-    Guard guard(*this);
+    auto guard = lock();
     Scene planned;
-    std::vector<Fault> faults;
-    sins_planned_failure failure, other;
-    sins_failure none;
-    SINS_INIT(failure);
-    SINS_INIT(other);
-    SINS_INIT(none);
-    if (!planned.read(scene.text(), faults)) {
-        return;
-    }
+    sins_planned_failure failure = sized<sins_planned_failure>(), other = failure;
+    sins_failure none = sized<sins_failure>();
+    planned.read(scene.text());
     /* Outputs for which the scene plans none any more are left alone by sins_scene_prepare(). */
     for (size_t k = 0; lib.sins_scene_get_failure(scene_.handle(), k, &failure) == SINS_OK; k++) {
         bool stays = false;
@@ -201,37 +157,33 @@ void Flight::plan(const Scene &scene)
 
 bool Flight::save_snapshot(std::wstring &why)
 {
-    Guard guard(*this);
+    double time_s = status().time_s;
+    auto guard = lock();
     size_t size = 0;
-    if (!flush(why) || lib.sins_snapshot_size(sim_, &size) < 0) {
+    lib.sins_snapshot_size(sim_, &size);
+    snapshot_.resize(size);
+    if (lib.sins_snapshot_save(sim_, snapshot_.data(), size, &size) < 0) {
+        why = last_error(sim_);
         return false;
     }
-    snapshot_.resize(size);
-    lib.sins_snapshot_save(sim_, snapshot_.data(), size, &size);
     saved_ = now_;
-    sins_record record;
-    SINS_INIT(record);
-    lib.sins_get_record(sim_, &record);
-    saved_s_ = record.time_s - samples_.start_s;
+    saved_.records = records_.size();
+    saved_.increments = increments_.size();
+    saved_s_ = time_s;
     return true;
 }
 
 bool Flight::go_back(std::wstring &why)
 {
-    bool done = false;
-    double factor;
-    {
-        Guard guard(*this);
-        factor = pace_;
-        if (!snapshot_.empty() && flush(why)) {
-            done = lib.sins_snapshot_load(sim_, snapshot_.data(), snapshot_.size()) == SINS_OK;
-            why = done ? L"" : wide(last_error(sim_));
-        }
-        if (done) {
-            now_ = saved_;
-            state_ = state_ == FLYING ? FLYING : PAUSED;
-        }
+    auto guard = lock();
+    if (saved_s_ < 0 || lib.sins_snapshot_load(sim_, snapshot_.data(), snapshot_.size()) < 0) {
+        why = saved_s_ < 0 ? text("no_snapshot") : last_error(sim_);
+        return false;
     }
-    pace(factor);
-    return done;
+    now_ = saved_;
+    records_.cut(now_.records);
+    increments_.cut(now_.increments);
+    state_ = state_ == FLYING ? FLYING : PAUSED;
+    move_pace(pace_);
+    return true;
 }

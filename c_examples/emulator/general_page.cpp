@@ -1,194 +1,206 @@
-/* General parameters, and every effect of the sensors and their surroundings: panel (b) of the paper's figure 2. */
+/* General parameters, and every effect of the sensors and their surroundings: panel (b) of the paper's
+ * figure 2. */
 #include "app.h"
 
-/* Sections of the list, in the order of IDS_SECTIONS. */
-static const char *const SECTIONS[] = {"gyro", "accelerometer", "altimeter", "gravity", "mounting", "start", "options", "flight", "output"};
+/* Sections of the list, in the order of the text "sections". */
+static const char *const SECTIONS[] = {"gyro",  "accelerometer", "altimeter", "gravity", "mounting",
+                                       "start", "options",       "flight",    "output"};
 
-static std::vector<Field> general_fields()
-{
-    return {{IDC_RATE, "flight.rate_hz", 0}, {IDC_HOURS, "flight.hours", 0}, {IDC_EARTH, "options.earth", 0},
-            {IDC_GRAVITY, "options.gravity", 0}, {IDC_SCHEME, "options.scheme", 0}, {IDC_FRAME, "options.frame", 0},
-            {IDC_SUBSAMPLES, "options.subsamples", 0}, {IDC_UPDATES, "options.updates_per_sample", 0},
-            {IDC_VERTICAL, "options.vertical", 0}, {IDC_MODEL, "options.error_model", 0}, {IDC_SIGNAL, "options.signal", 0},
-            {IDC_AXES, "options.axes", 0}, {IDC_SEED, "options.seed", 0}, {IDC_RUN, "options.run", 0}};
-}
+class GeneralPage : public Page {
+public:
+    using Page::Page;
 
-void GeneralPage::on_init()
-{
-    exchange(general_fields());
-    fill(IDC_SECTION, parts(IDS_SECTIONS));
-    std::vector<std::wstring> grades = {text(IDS_PRESET)};
-    for (const std::string &word : key_of("gyro.preset")->words) {
-        grades.push_back(label("preset." + word, word));
-    }
-    fill(IDC_PRESET, grades);
-    columns(IDC_EFFECTS, parts(IDS_COLUMNS_EFFECTS), {252, 150, 90});
-    grow(IDC_EFFECTS, 0, 0, 1, 1);
-    for (int id : {IDC_EFFECT, IDC_WORD, IDC_UNIT, IDC_SAME, IDC_OFF}) {
-        grow(id, 0, 1, 0, 0);
-    }
-    for (int id = IDC_VALUE; id < IDC_VALUE + 9; id++) {
-        grow(id, 0, 1, 0, 0);
-    }
-}
-
-std::string GeneralPage::section() const
-{
-    return SECTIONS[max(0, chosen(IDC_SECTION))];
-}
-
-const Key *GeneralPage::effect() const
-{
-    size_t row = (size_t)selected(IDC_EFFECTS);
-    return row < effects_.size() ? effects_[row] : NULL;
-}
-
-void GeneralPage::refresh(bool all_is_new)
-{
-    std::string own = section();
-    bool is_other = effects_.empty() || effects_[0]->section != own;
-    int count = 0;
-    effects_.clear();
-    enable(IDC_PRESET, own == "gyro" || own == "accelerometer");
-    for (const Key &key : keys()) {
-        if (key.section != own || key.name == "preset") {
-            continue;
-        }
-        std::string value = unquoted(app_.scene.get(key.path())), list;
-        double number;
-        if (key.count > 0 && !value.empty()) {
-            for (const std::string &element : numbers(value, key)) {
-                list += (list.empty() ? "" : ", ") + (number_of(element, number) ? narrow(shown(number, 12)) : element.empty() ? "0" : element);
-            }
-            value = value[0] == '[' ? list : number_of(value, number) ? narrow(shown(number, 12)) : value;
-        }
-        std::wstring seen = value.empty() ? text(IDS_OFF) : key.words.empty() ? wide(value) : label(key.path() + "." + value, value);
-        effects_.push_back(&key);
-        row(IDC_EFFECTS, count++, {label(key.path(), key.doc), seen, value.empty() ? L"" : wide(key.unit)});
-    }
-    keep_rows(IDC_EFFECTS, count);
-    if (is_other) {
-        select(IDC_EFFECTS, 0);
-    }
-    choose_effect();
-    Page::refresh(all_is_new);
-    sins_scene_setup setup = app_.scene.setup();
-    cue(IDC_RATE, shown(setup.rate_hz, 6));
-    cue(IDC_HOURS, shown(setup.flown_s / 3600, 6));
-    Handle<sins_sim> sim;
-    sins_options options;
-    SINS_INIT(options);
-    if (lib.sins_scene_create_simulator(app_.scene.handle(), &sim) == SINS_OK && lib.sins_get_options(sim, &options) == SINS_OK) {
-        cue(IDC_SUBSAMPLES, std::to_wstring(options.subsamples));
-        cue(IDC_UPDATES, std::to_wstring(options.updates_per_sample));
-    }
-}
-
-/* The fields of the effect that is chosen in the list: one, three or nine. */
-void GeneralPage::choose_effect()
-{
-    const Key *key = effect();
-    std::vector<Field> fields = general_fields();
-    if (key == NULL) {
-        return;
-    }
-    bool is_word = !key->words.empty();
-    int count = is_word ? 0 : max(1, key->count);
-    std::string value = app_.scene.get(key->path());
-    set(IDC_EFFECT, label(key->path(), key->doc));
-    for (int k = 0; k < 9; k++) {
-        show(IDC_VALUE + k, k < count);
-        if (k < count) {
-            fields.push_back({IDC_VALUE + k, key->path(), k});
-        }
-    }
-    show(IDC_WORD, is_word);
-    show(IDC_UNIT, !is_word && !key->unit.empty());
-    show(IDC_SAME, key->count > 1);
-    CheckDlgButton(window_, IDC_SAME, value.empty() || value[0] != '[' ? BST_CHECKED : BST_UNCHECKED);
-    if (is_word) {
-        fields.push_back({IDC_WORD, key->path(), 0});
-    }
-    std::vector<std::wstring> units = {wide(key->unit)};
-    if (!key->si_name.empty()) {
-        units.push_back(wide(key->si_unit()));
-    }
-    bool is_si = si_path_ == key->path();
-    fill(IDC_UNIT, units);
-    choose(IDC_UNIT, is_si ? 1 : 0);
-    si_path_ = is_si ? si_path_ : "";
-    for (int k = 0; k < 9; k++) {
-        if (!has_faults() || !is_marked(IDC_VALUE + k)) {
-            mark(IDC_VALUE + k, L"");
-        }
-    }
-    exchange(fields);
-}
-
-/* One number for all axes: the first field speaks for all. */
-void GeneralPage::before_store(int id)
-{
-    const Key *key = effect();
-    if (key != NULL && id >= IDC_VALUE && id < IDC_VALUE + 9 && key->count > 1 && checked(IDC_SAME)) {
-        std::wstring typed = get(id);
-        for (int k = 0; k < key->count; k++) {
-            set(IDC_VALUE + k, key->single_sets(k) ? typed : L"");
-        }
-    }
-}
-
-void GeneralPage::on_command(int id, int code)
-{
-    const Key *key = effect();
-    if (id == IDC_SECTION && code == CBN_SELCHANGE) {
-        si_path_ = "";
-        refresh(true);
-    } else if (id == IDC_PRESET && code == CBN_SELCHANGE && chosen(IDC_PRESET) > 0) {
-        Items items = app_.scene.items();
-        std::vector<Fault> faults;
-        for (size_t k = items.size(); k-- > 0;) {
-            if (items[k].section == section()) {
-                items.erase(items.begin() + k);
+    void refresh(bool all_is_new) override
+    {
+        std::string own = section();
+        bool is_other = effects_.empty() || effects_[0]->section != own;
+        std::vector<Texts> lines;
+        effects_.clear();
+        enable(IDC_PRESET, own == "gyro" || own == "accelerometer");
+        for (const Key &key : keys()) {
+            if (key.section == own && key.name != "preset") {
+                effects_.push_back(&key);
+                std::string value = app_.scene.get(key.path());
+                std::wstring unit = value.empty() ? L"" : wide(key.unit);
+                lines.push_back(
+                    {label(key.path(), key.doc), value.empty() ? text("off") : seen(key, value), unit});
             }
         }
-        std::string word = key_of("gyro.preset")->words[(size_t)chosen(IDC_PRESET) - 1];
-        items.push_back({section(), {{"preset", quoted(word)}}});
-        app_.scene.read(items, faults);
-        choose(IDC_PRESET, 0);
-        app_.edited(faults.empty() ? L"" : wide(faults[0].sentence));
-    } else if (id == IDC_UNIT && code == CBN_SELCHANGE && key != NULL) {
-        si_path_ = chosen(IDC_UNIT) == 1 ? key->path() : "";
-        refresh(true);
-    } else if (id == IDC_OFF && key != NULL) {
-        for (int k = 0; k < 9; k++) {
-            mark(IDC_VALUE + k, L"");
+        rows(IDC_EFFECTS, lines);
+        if (is_other) {
+            select(IDC_EFFECTS, 0);
         }
-        app_.edited(mark_faults(app_.scene.change({{key->path(), "", false}})));
-    } else {
-        Page::on_command(id, code);
-    }
-}
-
-void GeneralPage::on_notify(NMHDR *notice)
-{
-    if (notice->idFrom != IDC_EFFECTS) {
-        return;
-    }
-    if (notice->code == (UINT)LVN_ITEMCHANGED && (((NMLISTVIEW *)notice)->uNewState & LVIS_SELECTED) != 0) {
-        for (int k = 0; k < 9; k++) {
-            mark(IDC_VALUE + k, L"");
-        }
-        si_path_ = "";
         choose_effect();
-        load([this](const std::string &path) { return app_.scene.get(path); }, false);
-    } else if (notice->code == (UINT)NM_CUSTOMDRAW) {
-        /* What is off is grey. */
-        NMLVCUSTOMDRAW *draw = (NMLVCUSTOMDRAW *)notice;
-        LRESULT result = draw->nmcd.dwDrawStage == CDDS_PREPAINT ? CDRF_NOTIFYITEMDRAW : CDRF_DODEFAULT;
-        if (draw->nmcd.dwDrawStage == CDDS_ITEMPREPAINT && draw->nmcd.dwItemSpec < effects_.size()) {
-            bool is_off = app_.scene.get(effects_[draw->nmcd.dwItemSpec]->path()).empty();
-            draw->clrText = is_off ? RGB(150, 150, 150) : RGB(0, 0, 0);
-        }
-        SetWindowLongPtrW(window_, DWLP_MSGRESULT, result);
+        Page::refresh(all_is_new);
+        show_defaults();
     }
+
+protected:
+    void on_init() override
+    {
+        Texts grades = key_of("gyro.preset")->word_labels();
+        for (size_t k = 0; k < grades.size(); k++) {
+            grades[k] = label("preset." + key_of("gyro.preset")->words[k], narrow(grades[k]));
+        }
+        grades.insert(grades.begin(), text("preset"));
+        fill(item(IDC_SECTION), parts("sections"));
+        fill(item(IDC_PRESET), grades);
+        columns(IDC_EFFECTS, "columns_effects", {0, 130, 90});
+        grow({IDC_EFFECTS}, 0, 0, 1, 1);
+        grow({IDC_EFFECT, IDC_WORD, IDC_UNIT, IDC_SAME, IDC_OFF}, 0, 1, 0, 0);
+        for (int k = 0; k < 9; k++) {
+            grow({IDC_VALUE + k}, 0, 1, 0, 0);
+        }
+    }
+
+    void on_command(int id, int code) override
+    {
+        const Key *key = effect();
+        if (id == IDC_SECTION && code == CBN_SELCHANGE) {
+            si_path_ = "";
+            refresh(true);
+        } else if (id == IDC_PRESET && code == CBN_SELCHANGE && chosen(IDC_PRESET) > 0) {
+            take_preset(key_of("gyro.preset")->words[(size_t)chosen(IDC_PRESET) - 1]);
+        } else if (id == IDC_UNIT && code == CBN_SELCHANGE && key != NULL) {
+            si_path_ = chosen(IDC_UNIT) == 1 ? key->path() : "";
+            refresh(true);
+        } else if (id == IDC_OFF && key != NULL) {
+            unbind_values();
+            app_.edited(mark_faults(app_.scene.change({{key->path(), "", false}})));
+        }
+    }
+
+    /* One number for all axes: the first field speaks for all. */
+    void on_change(int id, int code) override
+    {
+        const Key *key = effect();
+        if (key != NULL && id >= IDC_VALUE && id < IDC_VALUE + 9 && key->count > 1 && checked(IDC_SAME)) {
+            std::wstring typed = get(id);
+            for (size_t k = 0; k < key->count; k++) {
+                set(IDC_VALUE + (int)k, key->single_sets(k) ? typed : L"");
+            }
+        }
+        Page::on_change(id, code);
+    }
+
+    void on_notify(NMHDR *notice) override
+    {
+        if (notice->idFrom != IDC_EFFECTS) {
+            return;
+        }
+        if (notice->code == (UINT)LVN_ITEMCHANGED &&
+            (((NMLISTVIEW *)notice)->uNewState & LVIS_SELECTED) != 0) {
+            si_path_ = "";
+            unbind_values();
+            choose_effect();
+            Page::refresh(false);
+        } else if (notice->code == (UINT)NM_CUSTOMDRAW) {
+            /* What is off is grey. */
+            NMLVCUSTOMDRAW *draw = (NMLVCUSTOMDRAW *)notice;
+            DWORD stage = draw->nmcd.dwDrawStage;
+            if (stage == CDDS_ITEMPREPAINT && draw->nmcd.dwItemSpec < effects_.size()) {
+                bool is_off = app_.scene.get(effects_[draw->nmcd.dwItemSpec]->path()).empty();
+                draw->clrText = is_off ? RGB(150, 150, 150) : RGB(0, 0, 0);
+            }
+            SetWindowLongPtrW(window_, DWLP_MSGRESULT,
+                              stage == CDDS_PREPAINT ? CDRF_NOTIFYITEMDRAW : CDRF_DODEFAULT);
+        }
+    }
+
+private:
+    std::string section() const { return SECTIONS[chosen(IDC_SECTION)]; }
+
+    const Key *effect() const
+    {
+        size_t row = (size_t)selected(IDC_EFFECTS);
+        return row < effects_.size() ? effects_[row] : NULL;
+    }
+
+    /* A value as the list shows it: one number, or the elements. */
+    static std::wstring seen(const Key &key, const std::string &value)
+    {
+        double number;
+        if (key.count == 0) {
+            return key.words.empty() ? wide(unquoted(value)) : key.word_label(unquoted(value));
+        }
+        if (value[0] != '[') {
+            return number_of(value, number) ? shown(number, 12) : wide(value);
+        }
+        std::wstring list;
+        for (const std::string &element : numbers(value, key)) {
+            list += (list.empty() ? L"" : L", ") + (number_of(element, number) ? shown(number, 12) : L"0");
+        }
+        return list;
+    }
+
+    /* What the simulator takes where the scene says nothing. */
+    void show_defaults()
+    {
+        sins_scene_setup setup = app_.scene.setup();
+        Handle<sins_sim> sim;
+        sins_options options = sized<sins_options>();
+        cue("flight.rate_hz", shown(setup.rate_hz, 6));
+        cue("flight.hours", shown(setup.flown_s / 3600, 6));
+        if (lib.sins_scene_create_simulator(app_.scene.handle(), &sim) == SINS_OK &&
+            lib.sins_get_options(sim, &options) == SINS_OK) {
+            cue("options.subsamples", std::to_wstring(options.subsamples));
+            cue("options.updates_per_sample", std::to_wstring(options.updates_per_sample));
+        }
+    }
+
+    void unbind_values()
+    {
+        for (int k = 0; k < 9; k++) {
+            unbind(item(IDC_VALUE + k));
+        }
+        unbind(item(IDC_WORD));
+    }
+
+    /* The fields of the effect that is chosen in the list: one, three or nine, or a word. */
+    void choose_effect()
+    {
+        const Key *key = effect();
+        if (key == NULL) {
+            return;
+        }
+        bool is_word = !key->words.empty(), is_si = si_path_ == key->path();
+        std::string value = app_.scene.get(key->path());
+        set(IDC_EFFECT, label(key->path(), key->doc));
+        for (size_t k = 0; k < 9; k++) {
+            bool is_used = !is_word && k < max((size_t)1, key->count);
+            show(IDC_VALUE + (int)k, is_used);
+            if (is_used) {
+                bind(item(IDC_VALUE + (int)k), key->path(), k);
+            }
+        }
+        if (is_word) {
+            bind(item(IDC_WORD), key->path());
+        }
+        show(IDC_WORD, is_word);
+        show(IDC_UNIT, !is_word && !key->unit.empty());
+        show(IDC_SAME, key->count > 1);
+        check(IDC_SAME, value[0] != '[');
+        fill(item(IDC_UNIT),
+             key->si_name.empty() ? Texts{wide(key->unit)} : Texts{wide(key->unit), wide(key->si_unit())});
+        choose(IDC_UNIT, is_si ? 1 : 0);
+    }
+
+    void take_preset(const std::string &word)
+    {
+        Items items = app_.scene.items();
+        std::string own = section();
+        items.erase(
+            std::remove_if(items.begin(), items.end(), [&](const Item &item) { return item.section == own; }),
+            items.end());
+        items.push_back({own, {{"preset", quoted(word)}}, {}});
+        choose(IDC_PRESET, 0);
+        app_.edited(told(app_.scene.read(items)));
+    }
+
+    std::vector<const Key *> effects_;
+};
+
+Page *general_page(App &app)
+{
+    return new GeneralPage(app);
 }

@@ -7,26 +7,31 @@
 
 extern sins_loader lib;
 
-/* The sentence of the last failed call on a simulator; NULL: of this thread. */
-std::string last_error(const sins_sim *sim = NULL);
+/* Why the last call on a simulator failed, or with NULL the last of this thread, in the user's language. */
+std::wstring last_error(const sins_sim *sim = NULL);
+
+/* A structure of the library, its size filled in. */
+template <typename T> T sized()
+{
+    T value;
+    SINS_INIT(value);
+    return value;
+}
 
 /* A text of the library of any length. */
 template <typename Call> std::string whole_text(Call call)
 {
     size_t size = 0;
-    std::string text;
-    if (call((char *)NULL, (size_t)0, &size) >= 0 || size > 0) {
-        text.resize(size);
-        call(&text[0], size, &size);
-        text.resize(strlen(text.c_str()));
-    }
-    return text;
+    call((char *)NULL, (size_t)0, &size);
+    std::string text(size, '\0');
+    call(&text[0], size, &size);
+    return text.substr(0, strlen(text.c_str()));
 }
 
 /* A handle that destroys itself. */
 template <typename T> class Handle {
 public:
-    explicit Handle(T *handle = NULL) : handle_(handle) {}
+    Handle() = default;
     Handle(Handle &&other) : handle_(other.handle_) { other.handle_ = NULL; }
     Handle &operator=(Handle &&other)
     {
@@ -51,5 +56,5 @@ private:
     static void destroy(sins_flight *handle) { lib.sins_flight_destroy(handle); }
     static void destroy(sins_scene *handle) { lib.sins_scene_destroy(handle); }
     static void destroy(sins_log *handle) { lib.sins_log_destroy(handle); }
-    T *handle_;
+    T *handle_ = NULL;
 };

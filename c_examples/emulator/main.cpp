@@ -25,60 +25,60 @@ int WINAPI wWinMain(HINSTANCE instance, HINSTANCE, LPWSTR, int)
 {
     INITCOMMONCONTROLSEX controls = {sizeof controls, ICC_WIN95_CLASSES};
     std::wstring chosen = registry_text(L"Language");
+    bool is_system_chinese = PRIMARYLANGID(GetUserDefaultUILanguage()) == LANG_CHINESE;
     is_unattended = wcsstr(GetCommandLineW(), L"/quit") != NULL;
     InitCommonControlsEx(&controls);
-    set_language(chosen.empty() ? PRIMARYLANGID(GetUserDefaultUILanguage()) : chosen == L"zh" ? LANG_CHINESE : LANG_ENGLISH);
+    set_language(chosen.empty() ? is_system_chinese : chosen == L"zh");
     return load_library() ? App().run(instance) : 1;
 }
 
-/* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /language en or zh, /quit. */
-void App::automatic()
+/* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /language en or zh, /quit; or
+ * a FILE. */
+void App::follow_command_line()
 {
     int count = 0;
     LPWSTR *arguments = CommandLineToArgvW(GetCommandLineW(), &count);
     for (int k = 1; k < count; k++) {
-        std::wstring option = arguments[k], value = k + 1 < count ? arguments[k + 1] : L"";
-        bool has_value = true;
-        if (option == L"/scene" && value.find(L'.') != std::wstring::npos) {
-            open(value);
-        } else if (option == L"/scene") {
+        std::wstring option = arguments[k], value;
+        if (option == L"/scene" || option == L"/export" || option == L"/picture" || option == L"/language") {
+            value = ++k < count ? arguments[k] : L"";
+        }
+        if (option == L"/scene" && value.find(L'.') == std::wstring::npos) {
             scene = Scene(narrow(value));
             saved_ = scene.text();
+        } else if (option == L"/scene") {
+            open(value);
         } else if (option == L"/export") {
             export_folder_ = value;
         } else if (option == L"/picture") {
             picture_path_ = value;
         } else if (option == L"/language") {
-            set_language(value == L"zh" ? LANG_CHINESE : LANG_ENGLISH);
-        } else {
-            has_value = false;
-            runs_ = runs_ || option == L"/run";
-            if (option != L"/quit" && option != L"/run") {
-                open(option);
-            }
+            set_language(value == L"zh");
+        } else if (option == L"/run") {
+            runs_ = true;
+        } else if (option != L"/quit") {
+            open(option);
         }
-        k += has_value ? 1 : 0;
     }
     LocalFree(arguments);
 }
 
-/* At the end of an automatic flight: what the command line asked for. */
-void App::finish_automatic()
+/* At the end of a flight: what the command line asked for. */
+void App::finish_unattended()
 {
-    Flight::State state = flight_->status().state;
-    if (state == Flight::FLYING || state == Flight::PAUSED || (export_folder_.empty() && picture_path_.empty() && !is_unattended)) {
+    Flight::Status status = flight_->status();
+    bool has_more = !export_folder_.empty() || !picture_path_.empty() || is_unattended;
+    if (status.state == Flight::FLYING || status.state == Flight::PAUSED || !has_more) {
         return;
     }
-    if (state == Flight::FAILED && is_unattended) {
-        say(window_, flight_->status().sentence);
+    if (status.state == Flight::FAILED && is_unattended) {
+        say(window_, status.sentence);
     }
     if (!export_folder_.empty()) {
         CreateDirectoryW(export_folder_.c_str(), NULL);
         export_records(export_folder_ + L"\\" + (path_.empty() ? L"flight" : name_of(path_)) + L".csv");
     }
-    if (!picture_path_.empty()) {
-        display_->plot().save(picture_path_);
-    }
+    save_picture(picture_path_);
     export_folder_ = picture_path_ = L"";
     if (is_unattended) {
         flight_.reset();

@@ -35,8 +35,7 @@ LRESULT Plot::handle(UINT message, WPARAM wparam, LPARAM lparam)
 {
     int x = (short)LOWORD(lparam);
     switch (message) {
-    case WM_ERASEBKGND:
-        return 1;
+    case WM_ERASEBKGND: return 1;
     case WM_PAINT: {
         PAINTSTRUCT paint;
         RECT area;
@@ -56,9 +55,7 @@ LRESULT Plot::handle(UINT message, WPARAM wparam, LPARAM lparam)
         cursor_ = x;
         break;
     }
-    case WM_MOUSELEAVE:
-        cursor_ = -1;
-        break;
+    case WM_MOUSELEAVE: cursor_ = -1; break;
     case WM_LBUTTONDOWN:
         SetFocus(window_);
         SetCapture(window_);
@@ -84,14 +81,14 @@ LRESULT Plot::handle(UINT message, WPARAM wparam, LPARAM lparam)
         zoom({middle + (all.low - middle) * factor, middle + (all.high - middle) * factor});
         break;
     }
-    default:
-        return DefWindowProcW(window_, message, wparam, lparam);
+    default: return DefWindowProcW(window_, message, wparam, lparam);
     }
     InvalidateRect(window_, NULL, FALSE);
     return 0;
 }
 
-void Plot::show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic, const std::wstring &x_title)
+void Plot::show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic,
+                const std::wstring &x_title)
 {
     if (x_quantity != x_quantity_) {
         zoomed_ = {0, 0};
@@ -111,7 +108,8 @@ double Plot::x_at(int pixel) const
         return 0;
     }
     Scale first = scale(0, area);
-    return first.x.low + (double)(pixel - first.box.left) / std::max(1L, first.box.right - first.box.left) * (first.x.high - first.x.low);
+    double share = (double)(pixel - first.box.left) / std::max(1L, first.box.right - first.box.left);
+    return first.x.low + share * (first.x.high - first.x.low);
 }
 
 /* No closer than 1e-6 of all, and no farther than all. */
@@ -119,7 +117,9 @@ void Plot::zoom(Range x)
 {
     Range all = whole_x();
     x = {std::max(x.low, all.low), std::min(x.high, all.high)};
-    zoomed_ = x.high - x.low > 1e-6 * (all.high - all.low) ? (x.low > all.low || x.high < all.high ? x : Range{0, 0}) : zoomed_;
+    if (x.high - x.low > 1e-6 * (all.high - all.low)) {
+        zoomed_ = x.low > all.low || x.high < all.high ? x : Range{0, 0};
+    }
 }
 
 HBITMAP Plot::picture(int width, int height) const
@@ -144,9 +144,9 @@ bool Plot::save(const std::wstring &path) const
     }
     cursor_ = -1;
     HBITMAP bitmap = picture(scaled(1000), scaled(700));
-    Gdiplus::Bitmap *png = new Gdiplus::Bitmap(bitmap, NULL);
+    auto png = std::make_unique<Gdiplus::Bitmap>(bitmap, (HPALETTE)NULL);
     bool done = png->Save(path.c_str(), &PNG, NULL) == Gdiplus::Ok;
-    delete png;
+    png.reset();
     DeleteObject(bitmap);
     Gdiplus::GdiplusShutdown(token);
     return done;
@@ -156,9 +156,9 @@ bool Plot::copy() const
 {
     cursor_ = -1;
     HBITMAP bitmap = picture(scaled(1000), scaled(700));
-    bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL; /* the clipboard's from now on */
+    bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL;
     CloseClipboard();
-    if (!done) {
+    if (!done) { /* else it is the clipboard's */
         DeleteObject(bitmap);
     }
     return done;

@@ -1,4 +1,5 @@
-/* A control that draws curves: panels one above the other, with axes, zoom and a cursor. Window class "SinsPlot". */
+/* A control that draws curves: panels one above the other, with axes, zoom and a cursor. Window class
+ * "SinsPlot". */
 #pragma once
 #include <windows.h>
 
@@ -36,7 +37,8 @@ public:
     static void register_class();
     void attach(HWND control);
     /* x_quantity DEGREES: a map, on which x and y have the same scale. */
-    void show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic, const std::wstring &x_title);
+    void show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic,
+              const std::wstring &x_title);
     void draw(HDC dc, RECT area) const;
     /* The picture as it is seen, at a size of its own. The caller deletes it. */
     HBITMAP picture(int width, int height) const;
@@ -47,11 +49,12 @@ private:
     struct Range {
         double low, high;
     };
+    static double share(double value, Range range) { return (value - range.low) / (range.high - range.low); }
     struct Scale { /* from values to pixels of one panel */
         RECT box;
         Range x, y;
         bool is_logarithmic;
-        double x_of(double value) const { return box.left + (value - x.low) / (x.high - x.low) * (box.right - box.left); }
+        double x_of(double value) const { return box.left + share(value, x) * (box.right - box.left); }
         double y_of(double value) const;
     };
     static LRESULT CALLBACK procedure(HWND, UINT, WPARAM, LPARAM);
@@ -61,7 +64,7 @@ private:
     Scale scale(size_t panel, RECT area) const;
     void draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last) const;
     void draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trace &trace) const;
-    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, Unit unit) const;
+    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, Unit x_unit, Unit y_unit) const;
     double x_at(int pixel) const;
     void zoom(Range x);
 
@@ -70,7 +73,7 @@ private:
     Quantity x_quantity_ = DURATION;
     bool is_logarithmic_ = false;
     std::wstring x_title_;
-    Range zoomed_ = {0, 0}; /* of x; equal: all */
+    Range zoomed_ = {0, 0};   /* of x; equal: all */
     mutable int cursor_ = -1; /* not in pictures */
     int drag_ = -1;
 };

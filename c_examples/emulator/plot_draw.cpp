@@ -67,7 +67,8 @@ Plot::Range Plot::seen_y(const Panel &panel, Range x) const
         return range.low < range.high ? range : Range{range.low - 1, range.high};
     }
     range = range.low <= range.high ? range : Range{-1, 1};
-    double margin = range.high > range.low ? 0.06 * (range.high - range.low) : std::max(1e-12, 0.1 * std::fabs(range.high));
+    double span = range.high - range.low,
+           margin = span > 0 ? 0.06 * span : std::max(1e-12, 0.1 * std::fabs(range.high));
     return {range.low - margin, range.high + margin};
 }
 
@@ -82,14 +83,16 @@ double Plot::Scale::y_of(double value) const
 Plot::Scale Plot::scale(size_t panel, RECT area) const
 {
     Scale scale = {{}, zoomed_.high > zoomed_.low ? zoomed_ : whole_x(), {}, is_logarithmic_};
-    int line = scaled(15), count = std::max(1, (int)panels_.size()), height = ((int)area.bottom - (int)area.top - 2 * line) / count;
-    int top = (int)area.top + (int)panel * height;
+    int line = scaled(15), count = std::max(1, (int)panels_.size());
+    int height = (int)(area.bottom - area.top - 2 * line) / count, top = (int)area.top + (int)panel * height;
     scale.box = {area.left + scaled(58), top + line + 2, area.right - scaled(10), top + height - line / 2};
     scale.y = seen_y(panels_[panel], scale.x);
     if (x_quantity_ == DEGREES) {
         double middle = (scale.y.low + scale.y.high) / 2, center = (scale.x.low + scale.x.high) / 2;
-        double east = std::max(0.02, std::cos(middle)), width = scale.box.right - scale.box.left, tall = scale.box.bottom - scale.box.top;
-        double step = std::max((scale.x.high - scale.x.low) * 1.1 * east / width, (scale.y.high - scale.y.low) / tall);
+        double width = scale.box.right - scale.box.left, tall = scale.box.bottom - scale.box.top;
+        double east = std::max(0.02, std::cos(middle));
+        double step =
+            std::max((scale.x.high - scale.x.low) * 1.1 * east / width, (scale.y.high - scale.y.low) / tall);
         scale.x = {center - step * width / east / 2, center + step * width / east / 2};
         scale.y = {middle - step * tall / 2, middle + step * tall / 2};
     }
@@ -116,74 +119,83 @@ static void write(HDC dc, int x, int y, UINT align, COLORREF color, const std::w
     TextOutW(dc, x, y, text.c_str(), (int)text.size());
 }
 
+/* Where an axis has ticks, in its unit: from the first in the range on. */
+static std::vector<double> ticks(double low, double high, double step)
+{
+    std::vector<double> result;
+    for (double tick = std::ceil(low / step); tick * step <= high * (1 + 1e-12 * (high > 0)); tick++) {
+        result.push_back(tick * step + 0.0); /* no -0 */
+    }
+    return result;
+}
+
 void Plot::draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last) const
 {
     const RECT &box = scale.box;
     Unit x_unit = unit_for(x_quantity_, std::max(std::fabs(scale.x.low), std::fabs(scale.x.high)));
     Unit y_unit = unit_for(panel.quantity, std::max(std::fabs(scale.y.low), std::fabs(scale.y.high)));
     SelectObject(dc, GetStockObject(DC_PEN));
-    double step = nice_step((scale.x.high - scale.x.low) / x_unit.si, (box.right - box.left) / scaled(80));
-    for (double tick = std::ceil(scale.x.low / x_unit.si / step) * step; tick * x_unit.si <= scale.x.high * (1 + 1e-12); tick += step) {
+    double low = scale.x.low / x_unit.si, high = scale.x.high / x_unit.si;
+    for (double tick : ticks(low, high, nice_step(high - low, (box.right - box.left) / scaled(80)))) {
+        double x = scale.x_of(tick * x_unit.si);
         SetDCPenColor(dc, GRID);
-        line(dc, scale.x_of(tick * x_unit.si), box.top, scale.x_of(tick * x_unit.si), box.bottom);
+        line(dc, x, box.top, x, box.bottom);
         if (is_last) {
-            write(dc, (int)scale.x_of(tick * x_unit.si), box.bottom + 2, TA_CENTER, INK, shown(std::fabs(tick) < step / 2 ? 0 : tick, 7));
+            write(dc, (int)x, box.bottom + 2, TA_CENTER, INK, shown(tick, 7));
         }
     }
-    if (is_logarithmic_) {
-        step = std::max(1.0, std::ceil((scale.y.high - scale.y.low) * scaled(16) / (box.bottom - box.top)));
-        y_unit = UNITS[panel.quantity][panel.quantity == ANGLE || panel.quantity == ANGULAR_RATE ? 0 : 1 - (panel.quantity == DEGREES)];
-        double shift = std::log10(y_unit.si);
-        for (double tick = std::ceil(scale.y.low - shift); tick <= scale.y.high - shift; tick += step) {
-            SetDCPenColor(dc, GRID);
-            double y = scale.y_of(std::pow(10, tick + shift));
-            line(dc, box.left, y, box.right, y);
-            write(dc, box.left - 4, (int)y - scaled(7), TA_RIGHT, INK, shown(std::pow(10, tick), 4));
-        }
-    } else {
-        step = nice_step((scale.y.high - scale.y.low) / y_unit.si, (box.bottom - box.top) / scaled(26));
-        for (double tick = std::ceil(scale.y.low / y_unit.si / step) * step; tick * y_unit.si <= scale.y.high; tick += step) {
-            double y = scale.y_of(tick * y_unit.si);
-            SetDCPenColor(dc, std::fabs(tick) < step / 2 ? FRAME : GRID);
-            line(dc, box.left, y, box.right, y);
-            write(dc, box.left - 4, (int)y - scaled(7), TA_RIGHT, INK, shown(std::fabs(tick) < step / 2 ? 0 : tick, 6));
-        }
+    low = scale.y.low / y_unit.si;
+    high = scale.y.high / y_unit.si;
+    double step = nice_step(high - low, (box.bottom - box.top) / scaled(26));
+    if (is_logarithmic_) { /* decades, in one unit whatever the size */
+        bool is_first =
+            panel.quantity == ANGLE || panel.quantity == ANGULAR_RATE || panel.quantity == DEGREES;
+        y_unit = UNITS[panel.quantity][is_first ? 0 : 1];
+        low = scale.y.low - std::log10(y_unit.si);
+        high = scale.y.high - std::log10(y_unit.si);
+        step = std::max(1.0, std::ceil((high - low) * scaled(16) / (box.bottom - box.top)));
+    }
+    for (double tick : ticks(low, high, step)) {
+        double value = is_logarithmic_ ? std::pow(10, tick) : tick, y = scale.y_of(value * y_unit.si);
+        SetDCPenColor(dc, value == 0 ? FRAME : GRID);
+        line(dc, box.left, y, box.right, y);
+        write(dc, box.left - 4, (int)y - scaled(7), TA_RIGHT, INK, shown(value, 6));
     }
     SetDCPenColor(dc, FRAME);
     SelectObject(dc, GetStockObject(NULL_BRUSH));
     Rectangle(dc, box.left, box.top, box.right, box.bottom);
     if (is_last) {
-        write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK, x_title_ + L" [" + x_unit.name + L"]");
+        write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK,
+              x_title_ + L" [" + x_unit.name + L"]");
     }
-    draw_legend(dc, scale, panel, y_unit);
+    draw_legend(dc, scale, panel, x_unit, y_unit);
 }
 
 /* The title with the unit, and each curve's name; with the cursor its value there. */
-void Plot::draw_legend(HDC dc, const Scale &scale, const Panel &panel, Unit unit) const
+void Plot::draw_legend(HDC dc, const Scale &scale, const Panel &panel, Unit x_unit, Unit y_unit) const
 {
     const RECT &box = scale.box;
     int x = box.left;
-    SIZE size;
-    double at = scale.x.low + (double)(cursor_ - box.left) / std::max(1L, box.right - box.left) * (scale.x.high - scale.x.low);
-    bool has_cursor = cursor_ >= box.left && cursor_ <= box.right && !panel.x.empty() && x_quantity_ == DURATION;
-    size_t k = (size_t)(std::lower_bound(panel.x.begin(), panel.x.end(), at) - panel.x.begin());
-    k = std::min(k, panel.x.empty() ? 0 : panel.x.size() - 1);
-    std::wstring title = panel.title + L" [" + unit.name + L"]";
+    auto add = [&](COLORREF color, const std::wstring &words) {
+        SIZE size;
+        write(dc, x, box.top - scaled(14), TA_LEFT, color, words);
+        GetTextExtentPoint32W(dc, words.c_str(), (int)words.size(), &size);
+        x += size.cx + scaled(14);
+    };
+    double share = (double)(cursor_ - box.left) / std::max(1L, box.right - box.left);
+    bool has_cursor = share >= 0 && share <= 1 && !panel.x.empty() && x_quantity_ == DURATION;
+    std::wstring title = panel.title + L" [" + y_unit.name + L"]";
+    size_t k = 0;
     if (has_cursor) {
-        Unit x_unit = unit_for(x_quantity_, std::max(std::fabs(scale.x.low), std::fabs(scale.x.high)));
+        double at = scale.x.low + share * (scale.x.high - scale.x.low);
+        k = (size_t)(std::lower_bound(panel.x.begin(), panel.x.end() - 1, at) - panel.x.begin());
         title += L"  @ " + shown(panel.x[k] / x_unit.si, 6) + L" " + x_unit.name;
         line(dc, cursor_, box.top, cursor_, box.bottom);
     }
-    write(dc, x, box.top - scaled(14), TA_LEFT, INK, title);
-    GetTextExtentPoint32W(dc, title.c_str(), (int)title.size(), &size);
+    add(INK, title);
     for (const Trace &trace : panel.traces) {
-        std::wstring name = trace.name;
-        if (has_cursor && k < trace.cells.size()) {
-            name += L" " + shown(trace.cells[k].last / unit.si, 5);
-        }
-        x += size.cx + scaled(14);
-        write(dc, x, box.top - scaled(14), TA_LEFT, trace.color, name);
-        GetTextExtentPoint32W(dc, name.c_str(), (int)name.size(), &size);
+        bool has_value = has_cursor && k < trace.cells.size();
+        add(trace.color, trace.name + (has_value ? L" " + shown(trace.cells[k].last / y_unit.si, 5) : L""));
     }
 }
 
@@ -212,7 +224,8 @@ void Plot::draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trac
 
 void Plot::draw(HDC dc, RECT area) const
 {
-    static HFONT font = CreateFontW(-scaled(11), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0, CLEARTYPE_QUALITY, 0, L"MS Shell Dlg 2");
+    static HFONT font = CreateFontW(-scaled(11), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0,
+                                    CLEARTYPE_QUALITY, 0, L"MS Shell Dlg 2");
     HGDIOBJ before = SelectObject(dc, font);
     FillRect(dc, &area, GetSysColorBrush(COLOR_WINDOW));
     SetBkMode(dc, TRANSPARENT);

@@ -1,8 +1,7 @@
-/* Numbers of the dialogs, controls, menu commands and strings: for the resources and for the program. */
+/* Numbers of the dialogs, controls and commands: for the resources and for the program. */
 #ifndef RESOURCE_H
 #define RESOURCE_H
 
-/* Dialogs, menu, and the labels of the scene keys. */
 #define IDD_TRAJECTORY 101
 #define IDD_GENERAL 102
 #define IDD_START 103
@@ -12,26 +11,17 @@
 #define IDD_RECOMMEND 107
 #define IDD_BUDGET 108
 #define IDR_MENU 120
-#define IDR_KEYS 121
+#define IDR_TEXTS 121
 
-/* Headings of groups: drawn bold. Any number of controls has this one. */
+/* Any number of controls has these: headings, drawn bold, and fields that a label binds to a key. */
 #define IDC_HEADING 900
+#define IDC_FIELD 901
 
 /* Trajectory. */
 #define IDC_SOURCE 1001
 #define IDC_BUILTIN 1002
 #define IDC_TAKE 1003
-#define IDC_LOG 1004
 #define IDC_BROWSE 1005
-#define IDC_TITLE 1006
-#define IDC_LATITUDE 1010
-#define IDC_LONGITUDE 1011
-#define IDC_HEIGHT 1012
-#define IDC_SPEED 1013
-#define IDC_COURSE 1014
-#define IDC_ROLL 1015
-#define IDC_PITCH 1016
-#define IDC_REPEAT 1017
 #define IDC_MANOEUVRES 1020
 #define IDC_ADD 1021
 #define IDC_EDIT 1022
@@ -42,20 +32,7 @@
 #define IDC_PROFILE 1031
 
 /* General parameters and sensors. */
-#define IDC_RATE 1101
 #define IDC_HOURS 1102
-#define IDC_EARTH 1103
-#define IDC_GRAVITY 1104
-#define IDC_SCHEME 1105
-#define IDC_FRAME 1106
-#define IDC_SUBSAMPLES 1107
-#define IDC_UPDATES 1108
-#define IDC_VERTICAL 1109
-#define IDC_MODEL 1110
-#define IDC_SIGNAL 1111
-#define IDC_AXES 1112
-#define IDC_SEED 1113
-#define IDC_RUN 1114
 #define IDC_SECTION 1120
 #define IDC_PRESET 1121
 #define IDC_EFFECTS 1123
@@ -65,25 +42,6 @@
 #define IDC_UNIT 1141
 #define IDC_SAME 1142
 #define IDC_OFF 1143
-
-/* Start of the INS, mounting, altimeter: three controls each, but for the altimeter. */
-#define IDC_POSITION 1200
-#define IDC_POSITION_SIGMA 1203
-#define IDC_VELOCITY 1206
-#define IDC_VELOCITY_SIGMA 1209
-#define IDC_MISALIGNMENT 1212
-#define IDC_MISALIGNMENT_SIGMA 1215
-#define IDC_ALIGNMENT 1218
-#define IDC_ARM 1220
-#define IDC_BORESIGHT 1223
-#define IDC_ARM_ERROR 1226
-#define IDC_BORESIGHT_ERROR 1229
-#define IDC_BARO_BIAS 1240
-#define IDC_BARO_NOISE 1241
-#define IDC_BARO_SIGMA 1242
-#define IDC_BARO_TIME 1243
-#define IDC_BARO_SCALE 1244
-#define IDC_BARO_LAG 1245
 
 /* Display. */
 #define IDC_PLOT 1301
@@ -117,9 +75,6 @@
 #define IDC_SENSOR_AXIS 1502
 #define IDC_FAILURE_SIZE 1503
 #define IDC_DENSITY 1504
-#define IDC_INTERVAL 1505
-#define IDC_LENGTH 1506
-#define IDC_PROBABILITY 1507
 #define IDC_FAILING 1508
 #define IDC_CLEAR 1509
 #define IDC_SIZE_UNIT 1510
@@ -157,56 +112,8 @@
 #define ID_ENGLISH 2020
 #define ID_CHINESE 2021
 #define ID_ABOUT 2022
-#define ID_PAGE 2030 /* to 2033 */
-#define ID_RECENT 2100  /* to 2108 */
+#define ID_PAGE 2030    /* to 2033 */
+#define ID_RECENT 2100  /* to 2107 */
 #define ID_BUILTIN 2200 /* and those that follow */
-
-/* Strings. */
-#define IDS_TITLE 3001
-#define IDS_TABS 3002
-#define IDS_SOURCES 3003
-#define IDS_QUANTITIES 3004
-#define IDS_PACES 3005
-#define IDS_VALUES 3006
-#define IDS_SECTIONS 3007
-#define IDS_OFF 3008
-#define IDS_COLUMNS_MANOEUVRES 3009
-#define IDS_COLUMNS_EFFECTS 3010
-#define IDS_COLUMNS_VALUES 3011
-#define IDS_COLUMNS_BUDGET 3012
-#define IDS_COLUMNS_RECOMMEND 3013
-#define IDS_SAVE_CHANGES 3014
-#define IDS_CANNOT_READ 3015
-#define IDS_CANNOT_WRITE 3016
-#define IDS_IS_INPUT 3017
-#define IDS_NOT_VALID 3018
-#define IDS_STATES 3019
-#define IDS_PROGRESS 3020
-#define IDS_NOTHING_FLOWN 3021
-#define IDS_COMPUTING 3022
-#define IDS_CANCELLED 3023
-#define IDS_NEW_NAME 3024
-#define IDS_FILTER_SCENE 3025
-#define IDS_FILTER_LOG 3026
-#define IDS_FILTER_CSV 3027
-#define IDS_FILTER_PNG 3028
-#define IDS_TIME 3029
-#define IDS_AXES_ENU 3030
-#define IDS_AXES_RPH 3031
-#define IDS_AXES_XYZ 3032
-#define IDS_TRACK 3033
-#define IDS_HEIGHT_OVER_TIME 3034
-#define IDS_DATA 3035
-#define IDS_NO_FLIGHT 3036
-#define IDS_PLOT_TIP 3037
-#define IDS_ABOUT 3038
-#define IDS_RECOMMEND_ROWS 3039
-#define IDS_MET 3040
-#define IDS_BUDGET_TOTAL 3041
-#define IDS_SNAPSHOT_AT 3042
-#define IDS_READY 3043
-#define IDS_PRESET 3044
-#define IDS_NOT_IN_FLIGHT 3045
-#define IDS_TOO_LONG 3046
 
 #endif

@@ -1,78 +1,59 @@
 #include "scene.h"
 
-std::string last_error(const sins_sim *sim)
+std::wstring last_error(const sins_sim *sim)
 {
-    char sentence[1024] = "";
-    lib.sins_last_error(sim, sentence, sizeof sentence, NULL);
-    return sentence;
+    sins_error_info info = sized<sins_error_info>();
+    const uint32_t LIMITS = SINS_ERROR_INFO_VALUE | SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
+    lib.sins_last_error_info(sim, &info);
+    if (is_chinese() && (info.flags & LIMITS) == LIMITS) {
+        const Key *key = key_of(info.field);
+        std::wstring field =
+            key == NULL ? wide(info.field) : label(key->path(), key->doc) + L" (" + wide(info.field) + L")";
+        return text("limits", {field, shown(info.value, 6), shown(info.minimum, 6), shown(info.maximum, 6)});
+    }
+    return wide(whole_text([sim](char *buffer, size_t size, size_t *needed) {
+        return lib.sins_last_error(sim, buffer, size, needed);
+    }));
 }
 
-std::string Item::get(const Key &key) const
+std::wstring told(const Faults &faults)
 {
-    for (const auto &entry : entries) {
-        if (entry.first == key.name) {
-            return entry.second;
-        }
-        if (!key.si_name.empty() && entry.first == key.si_name) { /* no number in the key's unit is the same to the bit */
-            std::string list;
-            double number;
-            for (const std::string &element : numbers(entry.second, key)) {
-                number = 0;
-                number_of(element, number);
-                list += (list.empty() ? "" : ", ") + shortest(number * key.units_per_si());
-            }
-            return key.count > 1 ? "[" + list + "]" : list;
-        }
-    }
-    return "";
+    return faults.empty() ? L"" : told(faults[0].sentence);
 }
 
-void Item::set(const Key &key, const std::string &value, bool in_si)
-{
-    for (size_t k = entries.size(); k-- > 0;) {
-        if (entries[k].first == key.name || entries[k].first == key.si_name) {
-            entries.erase(entries.begin() + k);
-        }
-    }
-    if (!value.empty()) {
-        entries.insert(key.name == "preset" ? entries.begin() : entries.end(), {in_si ? key.si_name : key.name, value});
-    }
-}
-
-/* Where the value that begins a text ends: behind it the library writes a comment. */
-static size_t value_end(const std::string &text)
+/* A value without the comment that the library writes behind it. */
+static std::string without_comment(const std::string &text)
 {
     char quote = text.empty() ? '\0' : text[0];
-    if (quote == '"' || quote == '\'') {
-        size_t end = 1;
-        while (end < text.size() && text[end] != quote) {
-            end += quote == '"' && text[end] == '\\' ? 2 : 1;
-        }
-        return end + 1;
+    if (quote != '"' && quote != '\'') {
+        return text.substr(0, text.find("  #"));
     }
-    return text.find("  #");
+    size_t end = 1;
+    while (end < text.size() && text[end] != quote) {
+        end += quote == '"' && text[end] == '\\' ? 2 : 1;
+    }
+    return text.substr(0, end + 1);
 }
 
-/* Reads a text that the library wrote: a section or a key a line. */
+/* The sections of a text that the library wrote: one key a line. */
 static Items items_of(const std::string &text)
 {
     Items items;
+    Item *last = NULL;
     for (const std::string &line : split(text, "\n")) {
         size_t equals = line.find(" = ");
         if (begins(line, "[")) {
             size_t first = line.find_first_not_of('[');
-            items.push_back({line.substr(first, line.find(']') - first), {}});
-        } else if (!begins(line, "#") && equals != std::string::npos && !items.empty()) {
-            std::string value = line.substr(equals + 3);
-            items.back().entries.push_back({line.substr(0, equals), value.substr(0, value_end(value))});
+            std::string section = line.substr(first, line.find(']') - first);
+            Items &all =
+                !items.empty() && begins(section, items.back().section + ".") ? items.back().items : items;
+            all.push_back({section, {}, {}});
+            last = &all.back();
+        } else if (!begins(line, "#") && equals != std::string::npos && last != NULL) {
+            last->entries.push_back({line.substr(0, equals), without_comment(line.substr(equals + 3))});
         }
     }
     return items;
-}
-
-static bool is_list(const std::string &section)
-{
-    return begins(section, "manoeuvre") || section == "failure";
 }
 
 Scene::Scene(const std::string &builtin)
@@ -87,164 +68,145 @@ Scene::Scene(const std::string &builtin)
 
 void Scene::write_back()
 {
-    text_ = whole_text([this](char *buffer, size_t size, size_t *needed) { return lib.sins_scene_write(handle_, buffer, size, needed); });
+    text_ = whole_text([this](char *buffer, size_t size, size_t *needed) {
+        return lib.sins_scene_write(handle_, buffer, size, needed);
+    });
     items_ = items_of(text_);
 }
 
-bool Scene::take(sins_status status)
+std::wstring Scene::taken(sins_status status)
 {
-    if (status >= 0) {
-        write_back();
+    if (status < 0) {
+        return last_error();
     }
-    return status >= 0;
+    write_back();
+    return L"";
 }
 
-bool Scene::read(const std::string &text, std::vector<Fault> &faults)
+std::wstring Scene::set_text(int which, const std::string &text)
+{
+    return taken(lib.sins_scene_set_text(handle_, which, text.c_str()));
+}
+
+Faults Scene::read(const std::string &text)
 {
     Handle<sins_scene> handle;
-    sins_fault fault;
+    Faults faults;
+    sins_fault fault = sized<sins_fault>();
     sins_status status = lib.sins_scene_parse(text.data(), text.size(), &handle);
     if (status == SINS_OK) {
         handle_ = std::move(handle);
         write_back();
-        return true;
+    } else if (status < 0) {
+        faults.push_back({0, "", narrow(last_error())});
     }
-    SINS_INIT(fault);
-    for (size_t k = 0; status == SINS_SCENE_HAS_FAULTS && lib.sins_scene_get_fault(handle, k, &fault) == SINS_OK; k++) {
-        faults.push_back({(size_t)fault.line, "", fault.sentence}); /* the line: whoever made the text knows its item */
+    while (status == SINS_SCENE_HAS_FAULTS &&
+           lib.sins_scene_get_fault(handle, faults.size(), &fault) == SINS_OK) {
+        faults.push_back({(size_t)fault.line, "", fault.sentence});
     }
-    if (faults.empty()) {
-        faults.push_back({0, "", last_error()});
-    }
-    return false;
+    return faults;
 }
 
-bool Scene::read(const Items &items, std::vector<Fault> &faults)
+/* The lines of an item, and of each the item's number with the path of its key. */
+static void write_item(const Item &item, size_t number, std::string &text, Faults &lines)
 {
-    std::vector<std::pair<size_t, std::string>> lines(1, {(size_t)-1, ""}); /* item and path of each line, from 1 */
+    bool is_list = begins(item.section, "manoeuvre") || item.section == "failure";
+    text += (is_list ? "[[" + item.section + "]]" : "[" + item.section + "]") + "\n";
+    lines.push_back({number, item.section, ""});
+    for (const auto &entry : item.entries) {
+        text += entry.first + " = " + entry.second + "\n";
+        lines.push_back({number, item.section + "." + entry.first, ""});
+    }
+    for (const Item &own : item.items) {
+        write_item(own, number, text, lines);
+    }
+}
+
+Faults Scene::read(const Items &items)
+{
+    Faults lines(1, {(size_t)-1, "", ""});
     std::string text;
     for (size_t k = 0; k < items.size(); k++) {
-        const Item &item = items[k];
-        text += (is_list(item.section) ? "[[" + item.section + "]]" : "[" + item.section + "]") + "\n";
-        lines.push_back({k, item.section});
-        for (const auto &entry : item.entries) {
-            const Key *key = key_of(item.section + "." + entry.first);
-            text += entry.first + " = " + entry.second + "\n";
-            lines.push_back({k, key == NULL ? item.section : key->path()});
-        }
+        write_item(items[k], k, text, lines);
     }
-    if (read(text, faults)) {
-        return true;
-    }
+    Faults faults = read(text);
     for (Fault &fault : faults) {
-        size_t line = fault.item < lines.size() ? fault.item : 0;
-        fault.item = lines[line].first;
-        fault.path = lines[line].second;
+        const Fault &line = lines[fault.item < lines.size() ? fault.item : 0];
+        fault = {line.item, line.path, fault.sentence};
     }
-    return false;
+    return faults;
 }
 
 std::string Scene::get(const std::string &path) const
 {
     const Key *key = key_of(path);
     for (const Item &item : items_) {
-        if (key != NULL && item.section == key->section) {
+        if (item.section == key->section) {
             return item.get(*key);
         }
     }
     return "";
 }
 
-std::vector<Fault> Scene::change(std::vector<Change> changes)
+Faults Scene::change(std::vector<Change> changes)
 {
-    std::vector<Fault> told;
-    while (!changes.empty()) {
+    Faults all;
+    for (;;) {
         Items items = items_;
-        std::vector<Fault> faults;
         for (const Change &change : changes) {
-            const Key *key = key_of(change.path);
-            size_t k = 0;
-            while (k < items.size() && items[k].section != key->section) {
-                k++;
-            }
-            if (k == items.size()) {
-                items.push_back({key->section, {}});
-            }
-            items[k].set(*key, change.value, change.in_si);
+            std::string section = key_of(change.path)->section;
+            auto own = std::find_if(items.begin(), items.end(),
+                                    [&](const Item &item) { return item.section == section; });
+            own = own == items.end() ? items.insert(own, {section, {}, {}}) : own;
+            own->set(change.path, change.value, change.in_si);
         }
         /* The faults of all changes together count; without those at fault the others are tried again. */
-        if (read(items, faults)) {
-            break;
+        Faults faults = read(items);
+        all = all.empty() ? faults : all;
+        auto is_at_fault = [&](const Change &change) {
+            return std::any_of(faults.begin(), faults.end(),
+                               [&](const Fault &fault) { return key_of(fault.path) == key_of(change.path); });
+        };
+        auto sound = std::remove_if(changes.begin(), changes.end(), is_at_fault);
+        if (sound == changes.begin() || sound == changes.end()) {
+            return all;
         }
-        size_t before = changes.size();
-        for (const Fault &fault : faults) {
-            for (size_t k = changes.size(); k-- > 0;) {
-                if (key_of(changes[k].path) == key_of(fault.path)) {
-                    changes.erase(changes.begin() + k);
-                }
-            }
-        }
-        told = told.empty() ? faults : told;
-        if (changes.size() == before) {
-            break;
-        }
+        changes.erase(sound, changes.end());
     }
-    return told;
+}
+
+Items Scene::list(const std::string &section) const
+{
+    Items items;
+    std::copy_if(items_.begin(), items_.end(), std::back_inserter(items),
+                 [&](const Item &item) { return item.section == section; });
+    return items;
+}
+
+Faults Scene::set_list(const std::string &section, const Items &items)
+{
+    Items all;
+    std::copy_if(items_.begin(), items_.end(), std::back_inserter(all),
+                 [&](const Item &item) { return item.section != section; });
+    size_t first = all.size();
+    all.insert(all.end(), items.begin(), items.end());
+    Faults faults = read(all);
+    for (Fault &fault : faults) {
+        fault.item -= first;
+    }
+    return faults;
 }
 
 sins_scene_setup Scene::setup() const
 {
-    sins_scene_setup setup;
-    SINS_INIT(setup);
+    sins_scene_setup setup = sized<sins_scene_setup>();
     lib.sins_scene_get_setup(handle_, &setup);
     return setup;
 }
 
 std::string Scene::words(int which) const
 {
-    return whole_text([&](char *buffer, size_t size, size_t *needed) { return lib.sins_scene_get_text(handle_, which, buffer, size, needed); });
-}
-
-std::string quoted(const std::string &text)
-{
-    std::string result = "\"";
-    for (unsigned char letter : text) {
-        char escape[8] = {(char)letter, '\0'};
-        if (letter == '"' || letter == '\\') {
-            snprintf(escape, sizeof escape, "\\%c", letter);
-        } else if (letter < ' ' || letter == 127) {
-            snprintf(escape, sizeof escape, "\\u%04x", letter);
-        }
-        result += escape;
-    }
-    return result + "\"";
-}
-
-std::string unquoted(const std::string &value)
-{
-    std::string result;
-    if (value.size() < 2 || (value[0] != '"' && value[0] != '\'')) {
-        return value;
-    }
-    for (size_t k = 1; k + 1 < value.size(); k++) {
-        k += value[0] == '"' && value[k] == '\\' ? 1 : 0;
-        result += value[k];
-    }
-    return result;
-}
-
-std::vector<std::string> numbers(const std::string &value, const Key &key)
-{
-    std::vector<std::string> result((size_t)key.count, "");
-    if (!begins(value, "[")) {
-        for (int k = 0; k < key.count; k++) {
-            result[k] = key.single_sets(k) ? value : "";
-        }
-        return result;
-    }
-    std::vector<std::string> list = split(value.substr(1, value.size() - 2), ", ");
-    for (size_t k = 0; k < list.size() && k < result.size(); k++) {
-        result[k] = list[k] == "0" || list[k] == "0.0" ? "" : list[k];
-    }
-    return result;
+    return whole_text([&](char *buffer, size_t size, size_t *needed) {
+        return lib.sins_scene_get_text(handle_, which, buffer, size, needed);
+    });
 }

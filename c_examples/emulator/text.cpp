@@ -1,12 +1,19 @@
 #include "text.h"
 
+#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <filesystem>
 #include <map>
-#include <utility>
 
-static WORD primary = LANG_ENGLISH;
+namespace fs = std::filesystem;
+
+typedef std::map<std::string, std::wstring> Language;
+
+static Language languages[2]; /* English, Chinese: written once, as threads read them */
+static std::atomic<int> chosen{0};
+static const WORD IDS[] = {MAKELANGID(LANG_ENGLISH, SUBLANG_ENGLISH_US),
+                           MAKELANGID(LANG_CHINESE, SUBLANG_CHINESE_SIMPLIFIED)};
 
 std::wstring wide(const std::string &utf8)
 {
@@ -24,109 +31,123 @@ std::string narrow(const std::wstring &text)
     return utf8;
 }
 
-void set_language(WORD chosen)
+const void *resource(LPCWSTR type, UINT id, DWORD *size)
 {
-    primary = chosen == LANG_CHINESE ? LANG_CHINESE : LANG_ENGLISH;
-}
-
-WORD language()
-{
-    return primary;
-}
-
-/* The bytes of a resource: in the user's language, or else in any. */
-static const void *resource(LPCWSTR type, UINT id, DWORD *size = NULL)
-{
-    WORD chosen = primary == LANG_CHINESE ? MAKELANGID(LANG_CHINESE, SUBLANG_CHINESE_SIMPLIFIED)
-                                          : MAKELANGID(LANG_ENGLISH, SUBLANG_ENGLISH_US);
-    HRSRC found = FindResourceExW(NULL, type, MAKEINTRESOURCEW(id), chosen);
-    if (found != NULL && size != NULL) {
+    HRSRC found = FindResourceExW(NULL, type, MAKEINTRESOURCEW(id), IDS[chosen]);
+    if (size != NULL) {
         *size = SizeofResource(NULL, found);
     }
-    return found == NULL ? NULL : LockResource(LoadResource(NULL, found));
+    return LockResource(LoadResource(NULL, found));
 }
 
-std::wstring text(UINT id)
+void set_language(bool chinese)
 {
-    /* Strings lie in blocks of 16, each behind its length. */
-    const WCHAR *string = (const WCHAR *)resource(MAKEINTRESOURCEW(6), id / 16 + 1);
-    for (UINT k = 0; string != NULL && k < id % 16; k++) {
-        string += 1 + *string;
+    Language &own = languages[chinese ? 1 : 0];
+    DWORD size = 0;
+    chosen = chinese ? 1 : 0;
+    const char *bytes = (const char *)resource(MAKEINTRESOURCEW(10), IDR_TEXTS, &size); /* RT_RCDATA */
+    for (const std::string &line : split(own.empty() ? std::string(bytes, size) : "", "\n")) {
+        size_t equals = line.find(" = ");
+        if (equals != std::string::npos) {
+            own[line.substr(0, equals)] = wide(line.substr(equals + 3));
+        }
     }
-    return string == NULL ? L"" : std::wstring(string + 1, *string);
 }
 
-std::vector<std::wstring> parts(UINT id)
+bool is_chinese()
 {
-    std::vector<std::wstring> result;
-    for (const std::string &part : split(narrow(text(id)), ";")) {
+    return chosen == 1;
+}
+
+std::wstring label(const std::string &name, const std::string &otherwise)
+{
+    const Language &texts = languages[chosen];
+    auto found = texts.find(name);
+    return found == texts.end() ? wide(otherwise) : found->second;
+}
+
+std::wstring text(const std::string &name, const Texts &values)
+{
+    std::wstring result = label(name, name);
+    for (size_t k = values.size(); k-- > 0;) {
+        size_t at = result.find(L"%" + std::to_wstring(k + 1));
+        if (at != std::wstring::npos) {
+            result.replace(at, 2, values[k]);
+        }
+    }
+    return result;
+}
+
+Texts parts(const std::string &name)
+{
+    Texts result;
+    for (const std::string &part : split(narrow(text(name)), ";")) {
         result.push_back(wide(part));
     }
     return result;
 }
 
-std::wstring text(UINT id, const std::wstring &first, const std::wstring &second)
+/* Whether a sentence is of a kind, "must be from %1 to %2", and what stands in place of %1 and %2. */
+static bool matches(const std::string &sentence, const std::string &kind, Texts &values)
 {
-    std::wstring result = text(id);
-    size_t at = result.find(L"%2");
-    if (at != std::wstring::npos) {
-        result.replace(at, 2, second);
-    }
-    at = result.find(L"%1");
-    return at == std::wstring::npos ? result : result.replace(at, 2, first);
-}
-
-const DLGTEMPLATE *dialog_template(UINT id)
-{
-    return (const DLGTEMPLATE *)resource(MAKEINTRESOURCEW(5), id);
-}
-
-HMENU menu_of(UINT id)
-{
-    return LoadMenuIndirectW(resource(MAKEINTRESOURCEW(4), id));
-}
-
-std::wstring label(const std::string &path, const std::string &otherwise)
-{
-    static std::map<WORD, std::map<std::string, std::wstring>> labels;
-    std::map<std::string, std::wstring> &own = labels[primary];
-    if (own.empty()) {
-        DWORD size = 0;
-        const char *bytes = (const char *)resource(MAKEINTRESOURCEW(10), IDR_KEYS, &size);
-        for (const std::string &line : split(bytes == NULL ? "" : std::string(bytes, size), "\n")) {
-            size_t equals = line.find(" = ");
-            if (equals != std::string::npos) {
-                own[line.substr(0, equals)] = wide(line.substr(equals + 3));
-            }
+    size_t from = 0, at = 0, place;
+    values.clear();
+    while ((place = kind.find('%', from)) != std::string::npos) {
+        std::string before = kind.substr(from, place - from);
+        size_t next = kind.find('%', place + 1);
+        std::string behind = kind.substr(place + 2, next == std::string::npos ? next : next - place - 2);
+        size_t end = behind.empty() ? sentence.size() : sentence.find(behind, at + before.size());
+        if (sentence.compare(at, before.size(), before) != 0 || end == std::string::npos) {
+            return false;
         }
-        own[""] = L"";
+        values.push_back(wide(sentence.substr(at + before.size(), end - at - before.size())));
+        from = place + 2;
+        at = end;
     }
-    auto found = own.find(path);
-    return found == own.end() ? wide(otherwise) : found->second;
+    return sentence.substr(at) == kind.substr(from);
+}
+
+std::wstring told(const std::string &sentence)
+{
+    const Language &texts = languages[chosen];
+    size_t colon = sentence.find(": "), name_end = sentence.find_first_of(" [:");
+    if (colon == std::string::npos) {
+        return label(sentence, sentence);
+    }
+    auto rule =
+        texts.lower_bound("rule/"); /* backwards: of two kinds that begin alike the longer one counts */
+    while (rule != texts.begin() && begins((--rule)->first, "rule.")) {
+        Texts values;
+        if (matches(sentence.substr(colon + 2), rule->first.substr(5), values)) {
+            std::wstring name = label(sentence.substr(0, name_end), sentence.substr(0, name_end));
+            name = name.substr(0, name.find(L'\uff1b')); /* its first part */
+            std::wstring value = wide(sentence.substr(name_end, colon - name_end));
+            return name + value + L"\uff1a" + text(rule->first, values);
+        }
+    }
+    return wide(sentence);
 }
 
 std::string shortest(double value)
 {
     char digits[400];
     double size = std::fabs(value);
-    if (size == 0 || (size >= 1e-5 && size < 1e15)) {
-        return std::string(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed).ptr);
-    }
-    std::string text(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific).ptr);
-    size_t sign = text.find('e') + 1; /* "e+22" is to be "e22", "e-07" "e-7" */
-    while (sign > 0 && sign < text.size() && (text[sign] == '+' || (text[sign] == '0' && sign + 1 < text.size()))) {
-        text.erase(sign, 1);
-    }
-    while (sign > 0 && sign + 2 < text.size() && text[sign] == '-' && text[sign + 1] == '0') {
-        text.erase(sign + 1, 1);
-    }
-    return text;
+    bool is_fixed = size == 0 || (size >= 1e-5 && size < 1e15);
+    char *end = std::to_chars(digits, digits + sizeof digits, value,
+                              is_fixed ? std::chars_format::fixed : std::chars_format::scientific)
+                    .ptr;
+    std::string text(digits, end);
+    size_t exponent = text.find('e');
+    return exponent == std::string::npos
+               ? text
+               : text.substr(0, exponent + 1) + std::to_string(atoi(&text[exponent + 1]));
 }
 
 std::wstring shown(double value, int digits)
 {
     char text[64];
-    return wide(std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr));
+    return wide(
+        std::string(text, std::to_chars(text, text + 64, value, std::chars_format::general, digits).ptr));
 }
 
 bool number_of(const std::string &text, double &value)
@@ -136,9 +157,9 @@ bool number_of(const std::string &text, double &value)
     return first != last && read.ec == std::errc() && read.ptr == last && std::isfinite(value);
 }
 
-bool begins(const std::string &text, const char *with)
+bool begins(const std::string &text, const std::string &with)
 {
-    return text.compare(0, std::string(with).size(), with) == 0;
+    return text.compare(0, with.size(), with) == 0;
 }
 
 std::vector<std::string> split(const std::string &text, const std::string &by)
@@ -153,40 +174,42 @@ std::vector<std::string> split(const std::string &text, const std::string &by)
     return result;
 }
 
+static std::wstring system_sentence(DWORD error)
+{
+    WCHAR sentence[256] = L"";
+    FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, NULL, error, 0, sentence, 256,
+                   NULL);
+    std::wstring text = sentence;
+    return text.substr(0, text.find_last_not_of(L"\r\n ") + 1);
+}
+
 bool read_file(const std::wstring &path, std::string &bytes, std::wstring &why)
 {
-    HANDLE file = CreateFileW(path.c_str(), GENERIC_READ, FILE_SHARE_READ, NULL, OPEN_EXISTING, 0, NULL);
-    LARGE_INTEGER size = {};
-    bool done = file != INVALID_HANDLE_VALUE && GetFileSizeEx(file, &size) && size.QuadPart < 1ll << 30;
-    DWORD read = 0;
-    if (done) {
-        bytes.resize((size_t)size.QuadPart);
-        done = ReadFile(file, &bytes[0], (DWORD)bytes.size(), &read, NULL) && read == bytes.size();
+    FILE *file = _wfopen(path.c_str(), L"rb");
+    char piece[65536];
+    size_t size;
+    bytes.clear();
+    while (file != NULL && bytes.size() < 1 << 30 && (size = fread(piece, 1, sizeof piece, file)) > 0) {
+        bytes.append(piece, size);
     }
-    why = done ? L"" : text(IDS_CANNOT_READ, path, system_sentence(size.QuadPart >> 30 ? ERROR_FILE_TOO_LARGE : GetLastError()));
-    if (file != INVALID_HANDLE_VALUE) {
-        CloseHandle(file);
+    bool done = file != NULL && feof(file);
+    if (!done) {
+        why = text("cannot_read",
+                   {path, system_sentence(bytes.size() >> 30 ? ERROR_FILE_TOO_LARGE : GetLastError())});
+    }
+    if (file != NULL) {
+        fclose(file);
     }
     return done;
 }
 
-bool write_file(const std::wstring &path, const std::string &bytes, std::wstring &why)
-{
-    bool is_first = true;
-    return write_file(path, [&] { return std::exchange(is_first, false) ? bytes : std::string(); }, why);
-}
-
-bool write_file(const std::wstring &path, const std::function<std::string()> &piece, std::wstring &why)
+bool write_file(const std::wstring &path, const std::function<bool(FILE *)> &write, std::wstring &why)
 {
     std::wstring beside = path + L".new";
-    HANDLE file = CreateFileW(beside.c_str(), GENERIC_WRITE, 0, NULL, CREATE_ALWAYS, 0, NULL);
-    bool done = file != INVALID_HANDLE_VALUE;
-    for (std::string bytes; done && !(bytes = piece()).empty();) {
-        DWORD written = 0;
-        done = WriteFile(file, bytes.data(), (DWORD)bytes.size(), &written, NULL) && written == bytes.size();
-    }
-    DWORD error = done ? 0 : GetLastError();
-    if (file != INVALID_HANDLE_VALUE && !CloseHandle(file) && done) {
+    FILE *file = _wfopen(beside.c_str(), L"wb");
+    bool done = file != NULL && write(file);
+    DWORD error = GetLastError();
+    if (file != NULL && fclose(file) != 0 && done) {
         done = false;
         error = GetLastError();
     }
@@ -196,47 +219,28 @@ bool write_file(const std::wstring &path, const std::function<std::string()> &pi
     }
     if (!done) {
         DeleteFileW(beside.c_str());
-        why = text(IDS_CANNOT_WRITE, path, system_sentence(error));
+        why = text("cannot_write", {path, system_sentence(error)});
     }
     return done;
 }
 
-/* What a file is, whatever it is called; 0 where there is none. */
-static unsigned long long identity(const std::wstring &path, DWORD &volume)
-{
-    BY_HANDLE_FILE_INFORMATION info = {};
-    HANDLE file = CreateFileW(path.c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, NULL, OPEN_EXISTING, 0, NULL);
-    if (file != INVALID_HANDLE_VALUE) {
-        GetFileInformationByHandle(file, &info);
-        CloseHandle(file);
-    }
-    volume = info.dwVolumeSerialNumber;
-    return (unsigned long long)info.nFileIndexHigh << 32 | info.nFileIndexLow;
-}
-
 bool same_file(const std::wstring &one, const std::wstring &other)
 {
-    DWORD volume, other_volume;
-    unsigned long long first = identity(one, volume), second = identity(other, other_volume);
-    return first != 0 && first == second && volume == other_volume;
+    std::error_code none;
+    return !one.empty() && !other.empty() && fs::equivalent(one, other, none);
+}
+
+bool is_absolute(const std::wstring &path)
+{
+    return fs::path(path).has_root_path();
 }
 
 std::wstring folder_of(const std::wstring &path)
 {
-    size_t end = path.find_last_of(L"/\\");
-    return end == std::wstring::npos ? L"" : path.substr(0, end + 1);
+    return path.substr(0, path.find_last_of(L"/\\") + 1);
 }
 
 std::wstring name_of(const std::wstring &path)
 {
-    std::wstring name = path.substr(folder_of(path).size());
-    return name.substr(0, name.rfind(L'.'));
-}
-
-std::wstring system_sentence(DWORD error)
-{
-    WCHAR sentence[256] = L"";
-    FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, NULL, error, 0, sentence, 256, NULL);
-    std::wstring text = sentence;
-    return text.substr(0, text.find_last_not_of(L"\r\n ") + 1);
+    return fs::path(path).stem().wstring();
 }

@@ -5,6 +5,10 @@
  *                          scene, flies it to its end, flies again and closes the window in flight
  *     driver exercise      flies, keeps a snapshot, lets a gyro fail in flight, goes back and flies to the end, saves the scene
  *     driver pages         shows each page and dialog: prints "page NAME" and waits for a line; then closes the window
+ *     driver files DIR     opens DIR\exercise.toml and saves it as DIR\again.toml by the file dialogs, flies it, exports, saves and
+ *                          copies the picture, drops DIR\trainer.toml and a log, opens a recent scene
+ *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
+ *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line
  *
  * Each message has to be answered within a minute: the window lives.
  */
@@ -15,6 +19,8 @@
 #include <windows.h>
 
 #include <commctrl.h>
+#include <dlgs.h>
+#include <shlobj.h>
 
 #include "../../c_examples/emulator/resource.h"
 
@@ -38,11 +44,15 @@ static LRESULT ask(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
     return (LRESULT)answer;
 }
 
-/* The page that has a control. */
+/* The page that has a control: at the start the pages come up behind the window. */
 static HWND page_of(int id)
 {
     HWND page = NULL;
-    while ((page = FindWindowExW(main_window, page, L"#32770", NULL)) != NULL && GetDlgItem(page, id) == NULL) {
+    int k;
+    for (k = 0; k < 300 && page == NULL; k++) {
+        Sleep(k == 0 ? 0 : 100);
+        while ((page = FindWindowExW(main_window, page, L"#32770", NULL)) != NULL && GetDlgItem(page, id) == NULL) {
+        }
     }
     if (page == NULL) {
         fail("no page has such a control");
@@ -173,6 +183,32 @@ static void dialog(HWND window, UINT id, const char *name)
     }
 }
 
+/* The dialog that a command opens; it has a control, or 0. */
+static HWND open_box(HWND window, UINT command_id, int control)
+{
+    HWND found = NULL;
+    int k;
+    PostMessageW(window, WM_COMMAND, command_id, 0);
+    for (k = 0; k < 300 && ((found = box()) == NULL || (control != 0 && GetDlgItem(found, control) == NULL)); k++) {
+        Sleep(100);
+    }
+    if (k == 300) {
+        fail("no dialog opens");
+    }
+    return found;
+}
+
+static void wait_for_no_box(HWND window)
+{
+    int k;
+    for (k = 0; k < 300 && IsWindow(window) && IsWindowVisible(window); k++) {
+        Sleep(100);
+    }
+    if (k == 300) {
+        fail("a dialog stays open");
+    }
+}
+
 static void choose(HWND page, int id, int index)
 {
     HWND combo = GetDlgItem(page, id);
@@ -184,8 +220,9 @@ static void exercise(void)
 {
     HWND display = page_of(IDC_PROGRESS), failures;
     int k;
-    choose(display, IDC_PACE, 2); /* 100 times real time: it is in flight yet when it goes back */
-    command(ID_FLY);
+    command(ID_PAGE + 3);
+    choose(display, IDC_PACE, 2);                      /* 100 times real time: it is in flight yet when it goes back */
+    ask(GetDlgItem(display, ID_FLY), BM_CLICK, 0, 0); /* the button has the focus from now on */
     Sleep(500);
     command(ID_SNAPSHOT);
     Sleep(500);
@@ -229,6 +266,177 @@ static void pages(void)
     ask(box(), WM_COMMAND, IDNO, 0);
 }
 
+/* Names a file in the dialog that a command opens. */
+static void name_file(UINT command_id, const wchar_t *path)
+{
+    HWND dialog = open_box(main_window, command_id, cmb13), field, inside;
+    Sleep(500);
+    for (field = GetDlgItem(dialog, cmb13); (inside = GetWindow(field, GW_CHILD)) != NULL; field = inside) {
+    }
+    ask(field, WM_SETTEXT, 0, (LPARAM)path);
+    PostMessageW(dialog, WM_COMMAND, IDOK, 0);
+    wait_for_no_box(dialog);
+    Sleep(500);
+}
+
+static void expect_title(const wchar_t *begin)
+{
+    wchar_t title[256] = L"";
+    int k;
+    for (k = 0; k < 100 && wcsncmp(title, begin, wcslen(begin)) != 0; k++) {
+        Sleep(100);
+        ask(main_window, WM_GETTEXT, 256, (LPARAM)title);
+    }
+    if (k == 100) {
+        printf("driver: the title is \"%ls\", not \"%ls\"\n", title, begin);
+        exit(1);
+    }
+}
+
+/* Closes the message box that came up, or is about to. */
+static void answer(int button)
+{
+    HWND message = NULL;
+    int k;
+    for (k = 0; k < 100 && (message = box()) == NULL; k++) {
+        Sleep(100);
+    }
+    if (message == NULL) {
+        fail("no message comes up");
+    }
+    Sleep(300);
+    ask(message, WM_COMMAND, (WPARAM)button, 0);
+    wait_for_no_box(message);
+}
+
+/* Drops a file on the window: its name lies in the memory of that process, as the system lays it there. */
+static void drop(const wchar_t *path)
+{
+    unsigned char bytes[sizeof(DROPFILES) + 2048] = {0};
+    DROPFILES *files = (DROPFILES *)bytes;
+    DWORD process = 0;
+    HANDLE handle;
+    void *there;
+    files->pFiles = sizeof *files;
+    files->fWide = TRUE;
+    memcpy(bytes + sizeof *files, path, wcslen(path) * sizeof *path);
+    GetWindowThreadProcessId(main_window, &process);
+    handle = OpenProcess(PROCESS_VM_OPERATION | PROCESS_VM_WRITE, FALSE, process);
+    there = VirtualAllocEx(handle, NULL, sizeof bytes, MEM_COMMIT | MEM_RESERVE, PAGE_READWRITE);
+    if (there == NULL || !WriteProcessMemory(handle, there, bytes, sizeof bytes, NULL)) {
+        fail("nothing can be dropped");
+    }
+    PostMessageW(main_window, WM_DROPFILES, (WPARAM)there, 0);
+    CloseHandle(handle);
+}
+
+static void expect_picture_in_clipboard(void)
+{
+    const BITMAPINFOHEADER *header;
+    HANDLE dib;
+    if (!OpenClipboard(NULL) || (dib = GetClipboardData(CF_DIB)) == NULL || (header = GlobalLock(dib)) == NULL) {
+        fail("no picture in the clipboard");
+    } else if (header->biWidth < 900 || labs(header->biHeight) < 600) {
+        fail("the picture in the clipboard is too small");
+    } else {
+        printf("a picture of %ld x %ld in the clipboard\n", (long)header->biWidth, labs(header->biHeight));
+    }
+    CloseClipboard();
+}
+
+static void files(const wchar_t *folder)
+{
+    wchar_t path[1024];
+    HWND display = page_of(IDC_PROGRESS);
+#define IN_FOLDER(name) (wcscpy(path, folder), wcscat(path, L"\\" name), path)
+    name_file(ID_OPEN, IN_FOLDER(L"exercise.toml"));
+    expect_title(L"exercise.toml - ");
+    name_file(ID_SAVE_AS, IN_FOLDER(L"again.toml"));
+    expect_title(L"again.toml - ");
+    command(ID_FLY);
+    wait_for_end(GetDlgItem(display, IDC_PROGRESS));
+    name_file(ID_EXPORT, IN_FOLDER(L"new.csv"));
+    name_file(ID_PICTURE, IN_FOLDER(L"again.png"));
+    command(ID_COPY);
+    expect_picture_in_clipboard();
+    drop(IN_FOLDER(L"trainer.toml"));
+    expect_title(L"trainer.toml - ");
+    command(ID_RECENT + 1);
+    expect_title(L"again.toml - ");
+    drop(IN_FOLDER(L"log.csv"));
+    expect_title(L"again.toml* - ");
+    drop(IN_FOLDER(L"log.toml")); /* its log is no log: the scene is one, and changes are not lost unasked */
+    answer(IDCANCEL);
+    expect_title(L"again.toml* - ");
+    PostMessageW(main_window, WM_CLOSE, 0, 0);
+    answer(IDNO);
+    printf("files by dialogs, dropped and recent\n");
+}
+
+/* Begins to compute for this long a piece. */
+static void compute(HWND dialog, const wchar_t *to_s)
+{
+    ask(GetDlgItem(dialog, IDC_TO), WM_SETTEXT, 0, (LPARAM)to_s);
+    ask(dialog, WM_COMMAND, IDC_COMPUTE, 0);
+}
+
+static void studies(void)
+{
+    HWND dialog = open_box(main_window, ID_RECOMMEND, IDC_COMPUTE), list = GetDlgItem(dialog, IDC_RESULT);
+    DWORD from_ms, process_id = 0;
+    HANDLE process;
+    int k;
+    GetWindowThreadProcessId(main_window, &process_id);
+    process = OpenProcess(SYNCHRONIZE, FALSE, process_id);
+    compute(dialog, L"1200");
+    Sleep(4000); /* the samples are made: the library computes */
+    from_ms = GetTickCount();
+    ask(dialog, WM_COMMAND, IDC_COMPUTE, 0); /* cancelled */
+    printf("cancelled in %lu ms\n", (unsigned long)(GetTickCount() - from_ms));
+    if (GetTickCount() - from_ms > 2000 || ask(list, LVM_GETITEMCOUNT, 0, 0) != 0) {
+        fail("a cancel waits for the library");
+    }
+    compute(dialog, L"20");
+    for (k = 0; k < 1200 && ask(list, LVM_GETITEMCOUNT, 0, 0) == 0; k++) {
+        Sleep(100);
+    }
+    if (k == 1200) {
+        fail("after a cancel no study has a result");
+    }
+    printf("the next study had its result after %lu ms\n", (unsigned long)(GetTickCount() - from_ms));
+    compute(dialog, L"1200");
+    Sleep(4000);
+    ask(dialog, WM_COMMAND, IDCANCEL, 0);
+    wait_for_no_box(dialog);
+    close_window();
+    if (WaitForSingleObject(process, 10000) != WAIT_OBJECT_0) {
+        fail("the program does not end while a study computes");
+    }
+    CloseHandle(process);
+    printf("ended while a study computed\n");
+}
+
+static void sentence(void)
+{
+    wchar_t text[512] = L"";
+    char utf8[2048] = "";
+    HWND general = page_of(IDC_SECTION);
+    command(ID_PAGE + 1);
+    choose(general, IDC_SECTION, 8); /* output */
+    ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_END, 0);
+    choose(general, IDC_WORD, 1); /* its last key is true or false: quiet */
+    ask(main_window, WM_GETTEXT, 512, (LPARAM)text);
+    if (wcschr(text, L'*') == NULL) {
+        fail("a word of the list does not change the scene");
+    }
+    type(GetDlgItem(page_of(IDC_HOURS), IDC_HOURS), L"-1");
+    ask(FindWindowExW(main_window, NULL, STATUSCLASSNAMEW, NULL), WM_GETTEXT, 512, (LPARAM)text);
+    WideCharToMultiByte(CP_UTF8, 0, text, -1, utf8, sizeof utf8, NULL, NULL);
+    printf("%s\n", utf8);
+    PostMessageW(main_window, WM_CLOSE, 0, 0); /* the scene was changed: it asks */
+    answer(IDNO);
+}
+
 int main(int count, char **arguments)
 {
     int k;
@@ -238,11 +446,20 @@ int main(int count, char **arguments)
     if (main_window == NULL || count < 2) {
         fail("no window");
     }
+    page_of(IDC_PROGRESS);
     Sleep(1000);
     if (strcmp(arguments[1], "fly") == 0 && count == 3) {
         fly(arguments[2]);
     } else if (strcmp(arguments[1], "exercise") == 0) {
         exercise();
+    } else if (strcmp(arguments[1], "files") == 0 && count == 3) {
+        wchar_t folder[512] = L"";
+        MultiByteToWideChar(CP_UTF8, 0, arguments[2], -1, folder, 512);
+        files(folder);
+    } else if (strcmp(arguments[1], "studies") == 0) {
+        studies();
+    } else if (strcmp(arguments[1], "sentence") == 0) {
+        sentence();
     } else {
         pages();
     }
