@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{atan2, hypot, sin_cos_each, two_product, two_sum};
+use crate::math::{atan2_each, hypot, sin_cos_each, two_product, two_sum};
 use crate::snapshot::{ANY, stored};
 
 /// A place by its geodetic coordinates.
@@ -98,11 +98,8 @@ impl Earth {
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
         let p = hypot(r_e.x, r_e.y);
         let (latitude, height_m) = self.meridian(p, r_e.z);
-        let mut place = Geodetic {
-            latitude_rad: atan2(latitude.sin, latitude.cos),
-            longitude_rad: atan2(r_e.y, r_e.x),
-            height_m,
-        };
+        let [latitude_rad, longitude_rad] = atan2_each(&[latitude.sin, r_e.y], &[latitude.cos, r_e.x]);
+        let mut place = Geodetic { latitude_rad, longitude_rad, height_m };
         // One Newton step on the position in twice the precision takes out what rounding left: up to 3 nm.
         let direction = Direction::of(&place);
         let (high, low) = self.position(&direction, height_m);

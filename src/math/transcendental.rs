@@ -1,4 +1,4 @@
-//! Every transcendental function of the crate goes through here, on the `libm` crate or this one's sine: the same bits on
+//! Every transcendental function of the crate goes through here, on the `libm` crate or this one's sine and arc tangent: the same bits on
 //! every operating system, processor and word size. `f64::sin` and its kin call the platform's library and are
 //! forbidden elsewhere (`clippy.toml`).
 
