@@ -100,13 +100,32 @@ impl<T: Struct> Output<T> {
     }
 
     /// Writes all that the host's struct has room for; its `struct_size` stays.
+    #[inline(always)]
     pub fn write(&self, value: &T) {
+        if self.size < size_of::<T>() {
+            return self.write_part(*value);
+        }
+        // SAFETY: as many bytes as the host said.
+        unsafe { self.write_bytes(value, size_of::<T>()) }
+    }
+
+    /// Of a value of its own, so that one that fits is made in the host's place.
+    #[cold]
+    #[inline(never)]
+    fn write_part(&self, value: T) {
+        // SAFETY: as many bytes as the host said, and no more than the value has.
+        unsafe { self.write_bytes(&value, self.size) }
+    }
+
+    /// # Safety
+    /// `new` was promised `size` writable bytes, and `value` has them.
+    #[inline(always)]
+    unsafe fn write_bytes(&self, value: &T, size: usize) {
         const HEAD: usize = size_of::<u32>();
-        let length = self.size.min(size_of::<T>()) - HEAD;
-        // SAFETY: `new` was promised that many writable bytes.
+        // SAFETY: as this function.
         unsafe {
             let from = core::ptr::from_ref(value).cast::<u8>().add(HEAD);
-            core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), length);
+            core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), size - HEAD);
         }
     }
 }

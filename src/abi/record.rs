@@ -3,8 +3,9 @@
 use super::failure::{Failure, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::{errors_of, sins_errors, sins_navigation, write_or_need};
-use crate::simulator::{ErrorSource, Simulator};
+use super::solution::{sins_errors, sins_navigation, written_or_need};
+use crate::errors::NavigationErrors;
+use crate::simulator::{Everything, Simulator};
 
 /// A solution within a sins_record; never grows. Fields as in sins_navigation.
 #[repr(C)]
@@ -118,27 +119,30 @@ impl From<sins_errors> for sins_record_errors {
 }
 
 impl sins_record {
-    /// The record of this moment; `None` before the first sample.
-    pub(super) fn now(simulator: &Simulator) -> Result<Option<Self>, Failure> {
-        let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
-            return Ok(None);
+    #[inline(always)]
+    fn new(all: &Everything) -> Self {
+        let time_s = all.truth.time_s;
+        let errors = |errors: &Option<NavigationErrors>| match errors {
+            Some(errors) => sins_errors::new(time_s, errors, all.near_pole).into(),
+            None => sins_errors::not_computed(time_s).into(),
         };
-        let errors = errors_of(simulator, ErrorSource::Navigation)?;
-        let model = match simulator.options().error_model {
-            true => errors_of(simulator, ErrorSource::Model)?,
-            false => None,
-        };
-        let or_none =
-            |errors: Option<sins_errors>| errors.unwrap_or(sins_errors::not_computed(truth.time_s)).into();
-        Ok(Some(Self {
+        Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
-            time_s: truth.time_s,
-            truth: sins_navigation::from_solution(&truth).into(),
-            navigation: sins_navigation::from_solution(&navigation).into(),
-            navigation_errors: or_none(errors),
-            model_errors: or_none(model),
-        }))
+            time_s,
+            truth: sins_navigation::from_solution(&all.truth).into(),
+            navigation: sins_navigation::from_solution(&all.navigation).into(),
+            navigation_errors: errors(&all.navigation_errors),
+            model_errors: errors(&all.model_errors),
+        }
+    }
+
+    /// Gives the record of this moment to `write`; `None` before the first sample.
+    pub(super) fn now<T>(
+        simulator: &Simulator,
+        write: impl FnOnce(&Self) -> T,
+    ) -> Result<Option<T>, Failure> {
+        Ok(simulator.see_all(|all| write(&Self::new(all)))?)
     }
 }
 
@@ -151,6 +155,6 @@ pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_r
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(record, "record")? };
-        Ok(write_or_need(&output, sins_record::now(simulator)?))
+        Ok(written_or_need(sins_record::now(simulator, |record| output.write(record))?))
     })
 }

@@ -96,10 +96,21 @@ fn fly(
     if status == SINS_OK
         && every > 0
         && simulator.intervals().is_multiple_of(every as u64)
-        && let Some(record) = sins_record::now(simulator)?
     {
-        records.write(*done, &record)?;
-        *done += 1;
+        write_record(simulator, records, done)?;
     }
     Ok(status)
+}
+
+#[inline(never)]
+fn write_record(
+    simulator: &Simulator,
+    records: &Array<sins_record>,
+    done: &mut usize,
+) -> Result<(), Failure> {
+    if let Some(written) = sins_record::now(simulator, |record| records.write(*done, record))? {
+        written?;
+        *done += 1;
+    }
+    Ok(())
 }

@@ -1,11 +1,11 @@
 //! `sins_navigation`, `sins_errors`, `sins_imu`: what is read after a step.
 
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::options::one_of;
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
-use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
+use crate::simulator::{ErrorSource, ImuInterval, Solution};
 
 /// Flags of a sins_navigation.
 pub type sins_navigation_flags = i32;
@@ -158,6 +158,7 @@ pub struct sins_imu {
 interface_struct!(sins_imu, "imu", 216);
 
 impl sins_navigation {
+    #[inline(always)]
     pub(super) fn from_solution(solution: &Solution) -> Self {
         let navigation = &solution.navigation;
         let flag = |set: bool, flag: i32| if set { flag } else { 0 };
@@ -184,6 +185,7 @@ impl sins_navigation {
 }
 
 impl sins_errors {
+    #[inline(always)]
     pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
         let flag = |set: bool, flag: i32| if set { flag } else { 0 };
         Self {
@@ -250,21 +252,14 @@ impl From<&ImuInterval> for sins_imu {
     }
 }
 
-/// The errors of `source`, or `None` before the first sample.
-pub(super) fn errors_of(simulator: &Simulator, source: ErrorSource) -> Result<Option<sins_errors>, Failure> {
-    let errors = simulator.errors_and_pole(source)?;
-    Ok(errors.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole)))
-}
-
 /// Writes `value`, or answers that there is none yet.
 pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
-    match value {
-        Some(value) => {
-            output.write(&value);
-            SINS_OK
-        }
-        None => SINS_NEED_SAMPLE,
-    }
+    written_or_need(value.map(|value| output.write(&value)))
+}
+
+/// The answer of a read: whether there was something to write.
+pub(super) fn written_or_need(written: Option<()>) -> sins_status {
+    if written.is_some() { SINS_OK } else { SINS_NEED_SAMPLE }
 }
 
 /// Reads the truth at the end of the last interval; before the first step, that of the first sample. Where samples have no
@@ -276,8 +271,9 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(truth, "truth")? };
-        let solution = simulator.truth()?;
-        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+        let written =
+            simulator.see_truth(|solution| output.write(&sins_navigation::from_solution(solution)))?;
+        Ok(written_or_need(written))
     })
 }
 
@@ -293,8 +289,9 @@ pub unsafe extern "C" fn sins_get_navigation(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
-        let solution = simulator.navigation()?;
-        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+        let written =
+            simulator.see_navigation(|solution| output.write(&sins_navigation::from_solution(solution)))?;
+        Ok(written_or_need(written))
     })
 }
 
@@ -330,6 +327,9 @@ pub unsafe extern "C" fn sins_get_errors(
             &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
             "sins_errors_source",
         )?;
-        Ok(write_or_need(&output, errors_of(simulator, source)?))
+        let written = simulator.see_errors(source, |time_s, errors, near_pole| {
+            output.write(&sins_errors::new(time_s, errors, near_pole));
+        })?;
+        Ok(written_or_need(written))
     })
 }

@@ -143,19 +143,21 @@ impl Chain {
     }
 
     /// The solution of the truth, which is at `truth`.
+    #[inline]
     pub fn truth(&self, truth: &TruthPoint) -> Solution {
         let inconsistent = self.closure.last_flagged();
-        Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, *self.true_view(truth)) }
+        Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, self.true_view(truth)) }
     }
 
     /// The navigated solution while the truth is at `truth`.
+    #[inline]
     pub fn navigation(&self, truth: &TruthPoint) -> Solution {
         let vertical_unaided =
             self.last.vertical_unaided().unwrap_or(self.options.vertical == VerticalMode::Free);
         Solution {
             vertical_unaided,
             north_unknown: self.north_unknown,
-            ..Solution::new(&self.earth, truth.time_s, *self.navigated_view())
+            ..Solution::new(&self.earth, truth.time_s, self.navigated_view())
         }
     }
 
@@ -185,14 +187,16 @@ impl Chain {
         })
     }
 
-    fn true_view(&self, truth: &TruthPoint) -> &Navigation {
-        self.views.truth.get_or_init(|| truth.navigation(&self.earth, self.options.axes))
+    #[inline(always)]
+    fn true_view(&self, truth: &TruthPoint) -> Navigation {
+        self.views.truth.get_or_make(|| truth.navigation(&self.earth, self.options.axes))
     }
 
     /// What the INS gives out, of the reference point.
-    fn navigated_view(&self) -> &Navigation {
+    #[inline(always)]
+    fn navigated_view(&self) -> Navigation {
         let axes = self.options.axes;
-        self.views.navigation.get_or_init(|| match &self.block {
+        self.views.navigation.get_or_make(|| match &self.block {
             None => self.mechanization.navigation(axes),
             Some(block) => {
                 block.belief().reference_point(&self.mechanization.state()).navigation(&self.earth, axes)
@@ -200,21 +204,27 @@ impl Chain {
         })
     }
 
-    fn navigation_errors(&self, truth: &TruthPoint) -> &NavigationErrors {
-        self.views
-            .difference
-            .get_or_init(|| navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(truth)))
+    #[inline(always)]
+    fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
+        self.views.difference.get_or_make(|| self.difference(truth))
+    }
+
+    fn difference(&self, truth: &TruthPoint) -> NavigationErrors {
+        navigation_minus_truth(&self.earth, &self.navigated_view(), &self.true_view(truth))
     }
 
     /// The errors while the truth is at `truth`; `None` while the error model is off.
+    #[inline(always)]
     pub fn errors(&self, source: ErrorSource, truth: &TruthPoint) -> Option<NavigationErrors> {
-        match source {
-            ErrorSource::Navigation => Some(*self.navigation_errors(truth)),
-            ErrorSource::Model => self.error_model.as_ref().map(|model| {
-                let (truth_view, axes) = (self.true_view(truth), self.options.axes);
-                *self.views.model.get_or_init(|| model.errors(truth, truth_view, axes, self.block.as_ref()))
-            }),
-        }
+        let view = match source {
+            ErrorSource::Navigation => self.views.difference.made(|| self.difference(truth)),
+            ErrorSource::Model => {
+                let model = self.error_model.as_ref()?;
+                let (axes, block) = (self.options.axes, self.block.as_ref());
+                self.views.model.made(|| model.errors(truth, &self.true_view(truth), axes, block))
+            }
+        };
+        view.get()
     }
 
     pub fn trim(&self) -> TrimFigures {
@@ -226,6 +236,6 @@ impl Chain {
     }
 
     pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
-        self.closure.figures(&self.earth, truth, self.navigation_errors(truth))
+        self.closure.figures(&self.earth, truth, &self.navigation_errors(truth))
     }
 }

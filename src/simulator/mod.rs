@@ -26,6 +26,7 @@ pub use closure::ClosureFigures;
 pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
 pub use options::{MAX_UPDATES, Options};
+pub(crate) use solution::Everything;
 pub use solution::Solution;
 
 use crate::earth::Earth;
@@ -271,10 +272,16 @@ impl Simulator {
 
     /// The truth; `None` before the first sample.
     pub fn truth(&self) -> Result<Option<Solution>, Error> {
+        self.see_truth(|solution| *solution)
+    }
+
+    /// What `view` makes of it: this one and its kind are for reads that copy what they see but once.
+    #[inline(always)]
+    pub(crate) fn see_truth<T>(&self, view: impl FnOnce(&Solution) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
         Ok(match (&self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(current), _) => Some(chain.truth(current)),
-            (_, _, Some(first)) => Some(Solution::of_truth(&self.options, &self.earth, first)),
+            (Mode::Flying(chain), Some(current), _) => Some(view(&chain.truth(current))),
+            (_, _, Some(first)) => Some(view(&Solution::of_truth(&self.options, &self.earth, first))),
             _ => None,
         })
     }
@@ -295,9 +302,15 @@ impl Simulator {
 
     /// The navigated solution; `None` before the first sample.
     pub fn navigation(&self) -> Result<Option<Solution>, Error> {
+        self.see_navigation(|solution| *solution)
+    }
+
+    /// What `view` makes of it.
+    #[inline(always)]
+    pub(crate) fn see_navigation<T>(&self, view: impl FnOnce(&Solution) -> T) -> Result<Option<T>, Error> {
         match &self.mode {
-            Mode::Navigating(navigator) => Ok(Some(navigator.solution())),
-            _ => self.read(Chain::navigation),
+            Mode::Navigating(navigator) => Ok(Some(view(&navigator.solution()))),
+            _ => self.read(|chain, truth| view(&chain.navigation(truth))),
         }
     }
 
@@ -320,25 +333,43 @@ impl Simulator {
 
     /// Time [s] and errors of the navigated solution; `None` before the first sample.
     pub fn errors(&self, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
-        Ok(self.errors_and_pole(source)?.map(|(time_s, errors, _)| (time_s, errors)))
+        self.see_errors(source, |time_s, errors, _| (time_s, *errors))
     }
 
-    /// The same, with whether the truth is near a pole: longitude and heading and their errors have no meaning there.
-    pub(crate) fn errors_and_pole(
+    /// What `view` makes of them and of whether the truth is near a pole: longitude and heading and their errors have no meaning
+    /// there.
+    #[inline(always)]
+    pub(crate) fn see_errors<T>(
         &self,
         source: ErrorSource,
-    ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
+        view: impl FnOnce(f64, &NavigationErrors, bool) -> T,
+    ) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
         if source == ErrorSource::Model && !self.options.error_model {
             return Err(Error::bad_state(
                 "the error model is off, as it is by default: create the simulator with options.error_model",
             ));
         }
-        let errors = self.read(|chain, truth| {
-            let near_pole = truth.is_near_pole();
-            chain.errors(source, truth).map(|errors| (truth.time_s, errors, near_pole))
+        let seen = self.read(|chain, truth| {
+            chain.errors(source, truth).map(|errors| view(truth.time_s, &errors, truth.is_near_pole()))
         })?;
-        Ok(errors.flatten())
+        Ok(seen.flatten())
+    }
+
+    /// What `view` makes of all of them at once; `None` before the first sample.
+    #[inline(always)]
+    pub(crate) fn see_all<T>(&self, view: impl FnOnce(&Everything) -> T) -> Result<Option<T>, Error> {
+        self.refuse_while_navigating()?;
+        self.read(|chain, truth| {
+            let everything = Everything {
+                truth: chain.truth(truth),
+                navigation: chain.navigation(truth),
+                near_pole: truth.is_near_pole(),
+                navigation_errors: chain.errors(ErrorSource::Navigation, truth),
+                model_errors: chain.errors(ErrorSource::Model, truth),
+            };
+            view(&everything)
+        })
     }
 
     /// Accuracy and closure so far; `None` before the first sample.
@@ -354,6 +385,7 @@ impl Simulator {
     }
 
     /// Reads the chain as it is, or as it will start from the first sample that waits, with the truth of that moment.
+    #[inline(always)]
     fn read<T>(&self, view: impl FnOnce(&Chain, &TruthPoint) -> T) -> Result<Option<T>, Error> {
         match (&self.mode, self.intake.current(), self.intake.front()) {
             (Mode::Flying(chain), Some(current), _) => Ok(Some(view(chain, current))),

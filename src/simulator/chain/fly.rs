@@ -153,7 +153,7 @@ impl Chain {
         self.closure.advance(&self.earth, next, &inconsistency);
         self.intervals += 1;
         if self.accuracy.is_due(next.time_s) {
-            let errors = *self.navigation_errors(next);
+            let errors = self.navigation_errors(next);
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())
