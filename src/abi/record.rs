@@ -122,18 +122,15 @@ impl sins_record {
     #[inline(always)]
     fn new(all: &Everything) -> Self {
         let time_s = all.truth.time_s;
-        let errors = |errors: &Option<NavigationErrors>| match errors {
-            Some(errors) => sins_errors::new(time_s, errors, all.near_pole).into(),
-            None => sins_errors::not_computed(time_s).into(),
-        };
+        let told = |errors: &NavigationErrors| sins_errors::new(time_s, errors, all.near_pole).into();
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
             time_s,
             truth: sins_navigation::from_solution(&all.truth).into(),
             navigation: sins_navigation::from_solution(&all.navigation).into(),
-            navigation_errors: errors(&all.navigation_errors),
-            model_errors: errors(&all.model_errors),
+            navigation_errors: told(&all.navigation_errors),
+            model_errors: all.model_errors.as_ref().map_or(sins_errors::not_computed(time_s).into(), told),
         }
     }
 

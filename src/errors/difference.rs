@@ -12,8 +12,7 @@ pub fn navigation_minus_truth(
     navigation: &Navigation,
     truth: &Navigation,
 ) -> NavigationErrors {
-    let (r_e, [east, north, _]) = earth.to_earth_fixed_with_axes(&truth.place);
-    let displacement = earth.to_earth_fixed(&navigation.place) - r_e;
+    let (displacement, [east, north, _]) = earth.displacement(&navigation.place, &truth.place);
     NavigationErrors {
         position_n: nalgebra::Vector3::new(
             displacement.dot(&east),

@@ -15,7 +15,7 @@ use super::mounted::block_at_start;
 use super::signals::Signals;
 use super::start::{Start, with_errors};
 use super::views::Views;
-use super::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
+use super::{ImuInterval, Options, SensorSuite, Solution};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, navigation_minus_truth};
@@ -146,7 +146,7 @@ impl Chain {
     #[inline]
     pub fn truth(&self, truth: &TruthPoint) -> Solution {
         let inconsistent = self.closure.last_flagged();
-        Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, self.true_view(truth)) }
+        Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, *self.true_view(truth)) }
     }
 
     /// The navigated solution while the truth is at `truth`.
@@ -157,7 +157,7 @@ impl Chain {
         Solution {
             vertical_unaided,
             north_unknown: self.north_unknown,
-            ..Solution::new(&self.earth, truth.time_s, self.navigated_view())
+            ..Solution::new(&self.earth, truth.time_s, *self.navigated_view())
         }
     }
 
@@ -188,15 +188,15 @@ impl Chain {
     }
 
     #[inline(always)]
-    fn true_view(&self, truth: &TruthPoint) -> Navigation {
-        self.views.truth.get_or_make(|| truth.navigation(&self.earth, self.options.axes))
+    fn true_view(&self, truth: &TruthPoint) -> &Navigation {
+        self.views.truth.get_or_init(|| truth.navigation(&self.earth, self.options.axes))
     }
 
     /// What the INS gives out, of the reference point.
     #[inline(always)]
-    fn navigated_view(&self) -> Navigation {
+    fn navigated_view(&self) -> &Navigation {
         let axes = self.options.axes;
-        self.views.navigation.get_or_make(|| match &self.block {
+        self.views.navigation.get_or_init(|| match &self.block {
             None => self.mechanization.navigation(axes),
             Some(block) => {
                 block.belief().reference_point(&self.mechanization.state()).navigation(&self.earth, axes)
@@ -204,27 +204,15 @@ impl Chain {
         })
     }
 
-    #[inline(always)]
-    fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
-        self.views.difference.get_or_make(|| self.difference(truth))
+    /// Navigation minus truth, which is at `truth`.
+    pub fn navigation_errors(&self, truth: &TruthPoint) -> NavigationErrors {
+        navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(truth))
     }
 
-    fn difference(&self, truth: &TruthPoint) -> NavigationErrors {
-        navigation_minus_truth(&self.earth, &self.navigated_view(), &self.true_view(truth))
-    }
-
-    /// The errors while the truth is at `truth`; `None` while the error model is off.
-    #[inline(always)]
-    pub fn errors(&self, source: ErrorSource, truth: &TruthPoint) -> Option<NavigationErrors> {
-        let view = match source {
-            ErrorSource::Navigation => self.views.difference.made(|| self.difference(truth)),
-            ErrorSource::Model => {
-                let model = self.error_model.as_ref()?;
-                let (axes, block) = (self.options.axes, self.block.as_ref());
-                self.views.model.made(|| model.errors(truth, &self.true_view(truth), axes, block))
-            }
-        };
-        view.get()
+    /// The error model's; `None` while it is off.
+    pub fn model_errors(&self, truth: &TruthPoint) -> Option<NavigationErrors> {
+        let model = self.error_model.as_ref()?;
+        Some(model.errors(truth, self.true_view(truth), self.options.axes, self.block.as_ref()))
     }
 
     pub fn trim(&self) -> TrimFigures {

@@ -351,7 +351,15 @@ impl Simulator {
             ));
         }
         let seen = self.read(|chain, truth| {
-            chain.errors(source, truth).map(|errors| view(truth.time_s, &errors, truth.is_near_pole()))
+            let near_pole = truth.is_near_pole();
+            match source {
+                ErrorSource::Navigation => {
+                    Some(view(truth.time_s, &chain.navigation_errors(truth), near_pole))
+                }
+                ErrorSource::Model => {
+                    chain.model_errors(truth).map(|errors| view(truth.time_s, &errors, near_pole))
+                }
+            }
         })?;
         Ok(seen.flatten())
     }
@@ -365,8 +373,8 @@ impl Simulator {
                 truth: chain.truth(truth),
                 navigation: chain.navigation(truth),
                 near_pole: truth.is_near_pole(),
-                navigation_errors: chain.errors(ErrorSource::Navigation, truth),
-                model_errors: chain.errors(ErrorSource::Model, truth),
+                navigation_errors: chain.navigation_errors(truth),
+                model_errors: chain.model_errors(truth),
             };
             view(&everything)
         })

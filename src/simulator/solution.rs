@@ -32,7 +32,7 @@ pub(crate) struct Everything {
     pub navigation: Solution,
     /// The truth is: longitude and heading and their errors have no meaning.
     pub near_pole: bool,
-    pub navigation_errors: Option<NavigationErrors>,
+    pub navigation_errors: NavigationErrors,
     /// `None` while the error model is off.
     pub model_errors: Option<NavigationErrors>,
 }
