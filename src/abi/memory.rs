@@ -100,33 +100,38 @@ impl<T: Struct> Output<T> {
     }
 
     /// Writes all that the host's struct has room for; its `struct_size` stays.
-    #[inline(always)]
     pub fn write(&self, value: &T) {
-        if self.size < size_of::<T>() {
-            return self.write_part(*value);
-        }
-        // SAFETY: as many bytes as the host said.
-        unsafe { self.write_bytes(value, size_of::<T>()) }
-    }
-
-    /// Of a value of its own, so that one that fits is made in the host's place.
-    #[cold]
-    #[inline(never)]
-    fn write_part(&self, value: T) {
-        // SAFETY: as many bytes as the host said, and no more than the value has.
-        unsafe { self.write_bytes(&value, self.size) }
-    }
-
-    /// # Safety
-    /// `new` was promised `size` writable bytes, and `value` has them.
-    #[inline(always)]
-    unsafe fn write_bytes(&self, value: &T, size: usize) {
         const HEAD: usize = size_of::<u32>();
-        // SAFETY: as this function.
+        let length = self.size.min(size_of::<T>()) - HEAD;
+        // SAFETY: `new` was promised that many writable bytes.
         unsafe {
             let from = core::ptr::from_ref(value).cast::<u8>().add(HEAD);
-            core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), size - HEAD);
+            core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), length);
         }
+    }
+
+    /// The same of what `fill` makes of a struct whose fields it sets, `struct_size` or not: in the host's place, where that has
+    /// room.
+    #[inline(always)]
+    pub fn fill(&self, fill: impl FnOnce(&mut T)) {
+        if self.size < size_of::<T>() || !self.pointer.is_aligned() {
+            return self.fill_and_write(fill);
+        }
+        // SAFETY: `new` was promised that many writable bytes, of which any are a `T`.
+        unsafe {
+            fill(&mut *self.pointer);
+            self.pointer.cast::<u32>().write(self.size as u32);
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fill_and_write(&self, fill: impl FnOnce(&mut T)) {
+        let mut value = MaybeUninit::<T>::zeroed();
+        // SAFETY: any bytes are a `T`.
+        let value = unsafe { value.assume_init_mut() };
+        fill(value);
+        self.write(value);
     }
 }
 
@@ -176,8 +181,14 @@ impl<T: Struct> Array<T> {
 
     /// Element `index`, whose own struct_size is that of the first from then on.
     pub fn write(&self, index: usize, value: &T) -> Result<(), Failure> {
+        self.fill(index, |place| *place = *value)
+    }
+
+    /// Element `index`, filled by `fill`; its own struct_size is that of the first from then on.
+    #[inline(always)]
+    pub fn fill(&self, index: usize, fill: impl FnOnce(&mut T)) -> Result<(), Failure> {
         let pointer = self.element(index)?;
-        Output { pointer, size: self.stride }.write(value);
+        Output { pointer, size: self.stride }.fill(fill);
         // SAFETY: the head of an element, which `new` was promised to be writable.
         unsafe { pointer.cast::<u32>().write_unaligned(self.stride as u32) };
         Ok(())

@@ -1,11 +1,10 @@
 //! `sins_record`: one line of the output of `sins_run`.
 
-use super::failure::{Failure, sins_status};
+use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::{sins_errors, sins_navigation, written_or_need};
-use crate::errors::NavigationErrors;
-use crate::simulator::{Everything, Simulator};
+use crate::simulator::Moment;
 
 /// A solution within a sins_record; never grows. Fields as in sins_navigation.
 #[repr(C)]
@@ -119,27 +118,19 @@ impl From<sins_errors> for sins_record_errors {
 }
 
 impl sins_record {
+    /// Is the record of `moment`, but for its struct_size.
     #[inline(always)]
-    fn new(all: &Everything) -> Self {
-        let time_s = all.truth.time_s;
-        let told = |errors: &NavigationErrors| sins_errors::new(time_s, errors, all.near_pole).into();
-        Self {
-            struct_size: size_of::<Self>() as u32,
-            reserved: 0,
-            time_s,
-            truth: sins_navigation::from_solution(&all.truth).into(),
-            navigation: sins_navigation::from_solution(&all.navigation).into(),
-            navigation_errors: told(&all.navigation_errors),
-            model_errors: all.model_errors.as_ref().map_or(sins_errors::not_computed(time_s).into(), told),
-        }
-    }
-
-    /// Gives the record of this moment to `write`; `None` before the first sample.
-    pub(super) fn now<T>(
-        simulator: &Simulator,
-        write: impl FnOnce(&Self) -> T,
-    ) -> Result<Option<T>, Failure> {
-        Ok(simulator.see_all(|all| write(&Self::new(all)))?)
+    pub(super) fn be_of(&mut self, moment: &Moment<'_>) {
+        let (time_s, near_pole) = (moment.time_s(), moment.near_pole());
+        self.reserved = 0;
+        self.time_s = time_s;
+        self.truth = sins_navigation::from_solution(&moment.truth()).into();
+        self.navigation = sins_navigation::from_solution(&moment.navigation()).into();
+        self.navigation_errors = sins_errors::new(time_s, &moment.navigation_errors(), near_pole).into();
+        self.model_errors = match moment.model_errors() {
+            Some(errors) => sins_errors::new(time_s, &errors, near_pole).into(),
+            None => sins_errors::not_computed(time_s).into(),
+        };
     }
 }
 
@@ -152,6 +143,6 @@ pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_r
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(record, "record")? };
-        Ok(written_or_need(sins_record::now(simulator, |record| output.write(record))?))
+        Ok(written_or_need(simulator.see(|moment| output.fill(|record| record.be_of(moment)))?))
     })
 }

@@ -93,10 +93,7 @@ fn fly(
     done: &mut usize,
 ) -> Result<sins_status, Failure> {
     let status = step(simulator)?;
-    if status == SINS_OK
-        && every > 0
-        && simulator.intervals().is_multiple_of(every as u64)
-    {
+    if status == SINS_OK && every > 0 && simulator.intervals().is_multiple_of(every as u64) {
         write_record(simulator, records, done)?;
     }
     Ok(status)
@@ -108,7 +105,7 @@ fn write_record(
     records: &Array<sins_record>,
     done: &mut usize,
 ) -> Result<(), Failure> {
-    if let Some(written) = sins_record::now(simulator, |record| records.write(*done, record))? {
+    if let Some(written) = simulator.see(|moment| records.fill(*done, |record| record.be_of(moment)))? {
         written?;
         *done += 1;
     }

@@ -271,8 +271,8 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(truth, "truth")? };
-        let written =
-            simulator.see_truth(|solution| output.write(&sins_navigation::from_solution(solution)))?;
+        let written = simulator
+            .see_truth(|solution| output.fill(|place| *place = sins_navigation::from_solution(solution)))?;
         Ok(written_or_need(written))
     })
 }
@@ -289,8 +289,9 @@ pub unsafe extern "C" fn sins_get_navigation(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
-        let written =
-            simulator.see_navigation(|solution| output.write(&sins_navigation::from_solution(solution)))?;
+        let written = simulator.see_navigation(|solution| {
+            output.fill(|place| *place = sins_navigation::from_solution(solution))
+        })?;
         Ok(written_or_need(written))
     })
 }
@@ -328,7 +329,7 @@ pub unsafe extern "C" fn sins_get_errors(
             "sins_errors_source",
         )?;
         let written = simulator.see_errors(source, |time_s, errors, near_pole| {
-            output.write(&sins_errors::new(time_s, errors, near_pole));
+            output.fill(|place| *place = sins_errors::new(time_s, errors, near_pole));
         })?;
         Ok(written_or_need(written))
     })

@@ -88,8 +88,8 @@ impl Directions {
     /// Unit vectors at the second place, Earth-fixed axes.
     #[inline]
     fn east_north_up(&self) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        let [sl, cl, so, co] =
-            [self.sin_latitude, self.cos_latitude, self.sin_longitude, self.cos_longitude].map(|pair| pair.0[1]);
+        let [sl, cl, so, co] = [self.sin_latitude, self.cos_latitude, self.sin_longitude, self.cos_longitude]
+            .map(|pair| pair.0[1]);
         (Vector3::new(-so, co, 0.0), Vector3::new(-sl * co, -sl * so, cl), Vector3::new(cl * co, cl * so, sl))
     }
 }
@@ -125,6 +125,7 @@ impl Earth {
     }
 
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
+    #[inline]
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
         let p = hypot(r_e.x, r_e.y);
         let (latitude, height_m) = self.meridian(p, r_e.z);
@@ -145,7 +146,7 @@ impl Earth {
     }
 
     /// Earth-fixed positions of two places, each as an unevaluated sum of two doubles.
-    #[inline]
+    #[inline(always)]
     fn positions(&self, directions: &Directions, height_m: Pair) -> (VectorPair, VectorPair) {
         let Directions { sin_latitude, cos_latitude, sin_longitude, cos_longitude } = *directions;
         let times = |(high, low): (Pair, Pair), factor: Pair| {
@@ -203,6 +204,7 @@ impl Earth {
 
     /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator; the height free of
     /// a division, h = p cos L + z sin L - a sqrt(1 - e² sin²L).
+    #[inline]
     fn meridian(&self, p: f64, z: f64) -> (Latitude, f64) {
         let mut latitude = Latitude::of(z, p * (1.0 - self.eccentricity2));
         for _ in 0..3 {

@@ -63,7 +63,7 @@ const EVEN: [f64; 5] = [
 
 /// Angles of the points (`x`, `y`) [rad], -π to π. Without a branch on the points, and one step of all after the other, so that
 /// the compiler computes two at a time.
-#[inline(never)]
+#[inline]
 pub fn atan2_each<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
     let mut t = [0.0; N];
     for i in 0..N {

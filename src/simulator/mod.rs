@@ -9,6 +9,7 @@ mod gap;
 mod heap;
 mod imu;
 mod interval;
+mod moment;
 mod mounted;
 mod navigator;
 mod options;
@@ -25,8 +26,8 @@ pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
+pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
-pub(crate) use solution::Everything;
 pub use solution::Solution;
 
 use crate::earth::Earth;
@@ -280,7 +281,7 @@ impl Simulator {
     pub(crate) fn see_truth<T>(&self, view: impl FnOnce(&Solution) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
         Ok(match (&self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(current), _) => Some(view(&chain.truth(current))),
+            (Mode::Flying(chain), Some(point), _) => Some(view(&Moment { chain, point }.truth())),
             (_, _, Some(first)) => Some(view(&Solution::of_truth(&self.options, &self.earth, first))),
             _ => None,
         })
@@ -310,7 +311,7 @@ impl Simulator {
     pub(crate) fn see_navigation<T>(&self, view: impl FnOnce(&Solution) -> T) -> Result<Option<T>, Error> {
         match &self.mode {
             Mode::Navigating(navigator) => Ok(Some(view(&navigator.solution()))),
-            _ => self.read(|chain, truth| view(&chain.navigation(truth))),
+            _ => self.read(|chain, point| view(&Moment { chain, point }.navigation())),
         }
     }
 
@@ -350,34 +351,22 @@ impl Simulator {
                 "the error model is off, as it is by default: create the simulator with options.error_model",
             ));
         }
-        let seen = self.read(|chain, truth| {
-            let near_pole = truth.is_near_pole();
+        let seen = self.read(|chain, point| {
+            let moment = Moment { chain, point };
+            let (time_s, near_pole) = (point.time_s, point.is_near_pole());
             match source {
-                ErrorSource::Navigation => {
-                    Some(view(truth.time_s, &chain.navigation_errors(truth), near_pole))
-                }
-                ErrorSource::Model => {
-                    chain.model_errors(truth).map(|errors| view(truth.time_s, &errors, near_pole))
-                }
+                ErrorSource::Navigation => Some(view(time_s, &moment.navigation_errors(), near_pole)),
+                ErrorSource::Model => moment.model_errors().map(|errors| view(time_s, &errors, near_pole)),
             }
         })?;
         Ok(seen.flatten())
     }
 
-    /// What `view` makes of all of them at once; `None` before the first sample.
+    /// What `view` makes of this moment; `None` before the first sample.
     #[inline(always)]
-    pub(crate) fn see_all<T>(&self, view: impl FnOnce(&Everything) -> T) -> Result<Option<T>, Error> {
+    pub(crate) fn see<T>(&self, view: impl FnOnce(&Moment<'_>) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
-        self.read(|chain, truth| {
-            let everything = Everything {
-                truth: chain.truth(truth),
-                navigation: chain.navigation(truth),
-                near_pole: truth.is_near_pole(),
-                navigation_errors: chain.navigation_errors(truth),
-                model_errors: chain.model_errors(truth),
-            };
-            view(&everything)
-        })
+        self.read(|chain, point| view(&Moment { chain, point }))
     }
 
     /// Accuracy and closure so far; `None` before the first sample.

@@ -2,7 +2,6 @@
 
 use super::Options;
 use crate::earth::Earth;
-use crate::errors::NavigationErrors;
 use crate::state::{NEAR_POLE_M, Navigation};
 use crate::truth::TruthPoint;
 
@@ -26,19 +25,8 @@ pub struct Solution {
     pub inconsistent: bool,
 }
 
-/// Truth, navigation and their errors at an instant.
-pub(crate) struct Everything {
-    pub truth: Solution,
-    pub navigation: Solution,
-    /// The truth is: longitude and heading and their errors have no meaning.
-    pub near_pole: bool,
-    pub navigation_errors: NavigationErrors,
-    /// `None` while the error model is off.
-    pub model_errors: Option<NavigationErrors>,
-}
-
 impl Solution {
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(earth: &Earth, time_s: f64, navigation: Navigation) -> Self {
         let near_pole = is_near_pole(earth, &navigation);
         Self {

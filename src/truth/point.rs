@@ -6,9 +6,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::FlightSample;
 use crate::earth::{Earth, Geodetic, Vertical, navigation_axes_from_half_angles};
-use crate::math::{
-    Euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each,
-};
+use crate::math::{Euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each};
 use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
 /// Times the interval before it beyond which an interval is a gap. One lost sample is none.
@@ -60,14 +58,12 @@ impl TruthPoint {
         let transverse_m = earth.radii(up_e.z).transverse_m;
         let mut r_e = up_e * (transverse_m + sample.place.height_m);
         r_e.z -= earth.eccentricity2 * transverse_m * up_e.z;
-        let state = EarthFixedState {
-            r_e,
-            v_e: rotate(&q_en, &sample.v_n.unwrap_or_default()),
-            q_eb: q_en * q_nb,
-        };
+        let state =
+            EarthFixedState { r_e, v_e: rotate(&q_en, &sample.v_n.unwrap_or_default()), q_eb: q_en * q_nb };
         let gravity_e = earth.gravity(&r_e);
         let to_earth = rotation_matrix(&state.q_eb);
-        let mut point = Self { time_s, interval_s, state, q_nb, to_earth, up_e, gravity_e, a_e: None, sample };
+        let mut point =
+            Self { time_s, interval_s, state, q_nb, to_earth, up_e, gravity_e, a_e: None, sample };
         point.use_specific_force(earth);
         point
     }

@@ -11,6 +11,7 @@ use crate::mechanization::{Frame, Mechanization, VerticalAid, VerticalMode, chec
 use crate::signal::Increment;
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
+use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
 use crate::simulator::{ImuFlags, SensorSuite, singular};
@@ -153,7 +154,7 @@ impl Chain {
         self.closure.advance(&self.earth, next, &inconsistency);
         self.intervals += 1;
         if self.accuracy.is_due(next.time_s) {
-            let errors = self.navigation_errors(next);
+            let errors = Moment { chain: self, point: next }.navigation_errors();
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())
