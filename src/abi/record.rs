@@ -120,17 +120,13 @@ impl From<sins_errors> for sins_record_errors {
 impl sins_record {
     /// Is the record of `moment`, but for its struct_size.
     #[inline(always)]
-    pub(super) fn be_of(&mut self, moment: &Moment<'_>) {
-        let (time_s, near_pole) = (moment.time_s(), moment.near_pole());
+    pub(super) fn be_of(&mut self, moment: Moment<'_>) {
         self.reserved = 0;
-        self.time_s = time_s;
+        self.time_s = moment.time_s();
         self.truth = sins_navigation::from_solution(&moment.truth()).into();
         self.navigation = sins_navigation::from_solution(&moment.navigation()).into();
-        self.navigation_errors = sins_errors::new(time_s, &moment.navigation_errors(), near_pole).into();
-        self.model_errors = match moment.model_errors() {
-            Some(errors) => sins_errors::new(time_s, &errors, near_pole).into(),
-            None => sins_errors::not_computed(time_s).into(),
-        };
+        self.navigation_errors = sins_errors::of_navigation(moment).into();
+        self.model_errors = sins_errors::of_model(moment).into();
     }
 }
 

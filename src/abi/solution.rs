@@ -5,7 +5,7 @@ use super::memory::{Output, interface_struct};
 use super::options::one_of;
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
-use crate::simulator::{ErrorSource, ImuInterval, Solution};
+use crate::simulator::{ErrorSource, ImuInterval, Moment, Solution};
 
 /// Flags of a sins_navigation.
 pub type sins_navigation_flags = i32;
@@ -186,7 +186,21 @@ impl sins_navigation {
 
 impl sins_errors {
     #[inline(always)]
-    pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
+    pub(super) fn of_navigation(moment: Moment<'_>) -> Self {
+        Self::new(moment, &moment.navigation_errors())
+    }
+
+    #[inline(always)]
+    pub(super) fn of_model(moment: Moment<'_>) -> Self {
+        match moment.model_errors() {
+            Some(errors) => Self::new(moment, &errors),
+            None => Self::not_computed(moment.time_s()),
+        }
+    }
+
+    #[inline(always)]
+    fn new(moment: Moment<'_>, errors: &NavigationErrors) -> Self {
+        let (time_s, near_pole) = (moment.time_s(), moment.near_pole());
         let flag = |set: bool, flag: i32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -208,7 +222,7 @@ impl sins_errors {
     }
 
     /// Errors that nobody computes.
-    pub(super) fn not_computed(time_s: f64) -> Self {
+    fn not_computed(time_s: f64) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -271,9 +285,8 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(truth, "truth")? };
-        let written = simulator
-            .see_truth(|solution| output.fill(|place| *place = sins_navigation::from_solution(solution)))?;
-        Ok(written_or_need(written))
+        let solution = simulator.truth()?;
+        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
     })
 }
 
@@ -289,8 +302,11 @@ pub unsafe extern "C" fn sins_get_navigation(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
-        let written = simulator.see_navigation(|solution| {
-            output.fill(|place| *place = sins_navigation::from_solution(solution))
+        if let Some(alone) = simulator.navigated_alone() {
+            return Ok(write_or_need(&output, Some(sins_navigation::from_solution(&alone))));
+        }
+        let written = simulator.see(|moment| {
+            output.fill(|place| *place = sins_navigation::from_solution(&moment.navigation()));
         })?;
         Ok(written_or_need(written))
     })
@@ -328,9 +344,15 @@ pub unsafe extern "C" fn sins_get_errors(
             &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
             "sins_errors_source",
         )?;
-        let written = simulator.see_errors(source, |time_s, errors, near_pole| {
-            output.fill(|place| *place = sins_errors::new(time_s, errors, near_pole));
-        })?;
+        simulator.refuse_without(source)?;
+        let written = match source {
+            ErrorSource::Navigation => {
+                simulator.see(|moment| output.fill(|place| *place = sins_errors::of_navigation(moment)))?
+            }
+            ErrorSource::Model => {
+                simulator.see(|moment| output.fill(|place| *place = sins_errors::of_model(moment)))?
+            }
+        };
         Ok(written_or_need(written))
     })
 }

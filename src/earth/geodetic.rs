@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{Pair, VectorPair, atan2_each, hypot, sin_cos_each, two_product, two_sum};
+use crate::math::{Pair, VectorPair, atan2_each, hypot, sin_cos, sin_cos_each, two_product, two_sum};
 use crate::snapshot::{ANY, stored};
 
 /// A place by its geodetic coordinates.
@@ -163,6 +163,14 @@ impl Earth {
         let (x, y, z) =
             (times(p, cos_longitude), times(p, sin_longitude), times(two_sum(a, flattened), sin_latitude));
         (VectorPair { x: x.0, y: y.0, z: z.0 }, VectorPair { x: x.1, y: y.1, z: z.1 })
+    }
+
+    /// Distance of a place from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
+    #[cold]
+    #[inline(never)]
+    pub fn distance_from_axis(&self, place: Geodetic) -> f64 {
+        let (sin, cos) = sin_cos(place.latitude_rad);
+        (self.radii(sin).transverse_m + place.height_m) * cos
     }
 
     /// The vertical at an Earth-fixed position [m].

@@ -273,16 +273,10 @@ impl Simulator {
 
     /// The truth; `None` before the first sample.
     pub fn truth(&self) -> Result<Option<Solution>, Error> {
-        self.see_truth(|solution| *solution)
-    }
-
-    /// What `view` makes of it: this one and its kind are for reads that copy what they see but once.
-    #[inline(always)]
-    pub(crate) fn see_truth<T>(&self, view: impl FnOnce(&Solution) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
         Ok(match (&self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(point), _) => Some(view(&Moment { chain, point }.truth())),
-            (_, _, Some(first)) => Some(view(&Solution::of_truth(&self.options, &self.earth, first))),
+            (Mode::Flying(chain), Some(point), _) => Some(Moment { chain, point }.truth()),
+            (_, _, Some(first)) => Some(Solution::of_truth(&self.options, &self.earth, first)),
             _ => None,
         })
     }
@@ -303,15 +297,18 @@ impl Simulator {
 
     /// The navigated solution; `None` before the first sample.
     pub fn navigation(&self) -> Result<Option<Solution>, Error> {
-        self.see_navigation(|solution| *solution)
+        match self.navigated_alone() {
+            None => self.see(|moment| moment.navigation()),
+            alone => Ok(alone),
+        }
     }
 
-    /// What `view` makes of it.
-    #[inline(always)]
-    pub(crate) fn see_navigation<T>(&self, view: impl FnOnce(&Solution) -> T) -> Result<Option<T>, Error> {
+    /// The solution where there is no truth.
+    #[inline]
+    pub(crate) fn navigated_alone(&self) -> Option<Solution> {
         match &self.mode {
-            Mode::Navigating(navigator) => Ok(Some(view(&navigator.solution()))),
-            _ => self.read(|chain, point| view(&Moment { chain, point }.navigation())),
+            Mode::Navigating(navigator) => Some(navigator.solution()),
+            _ => None,
         }
     }
 
@@ -334,39 +331,33 @@ impl Simulator {
 
     /// Time [s] and errors of the navigated solution; `None` before the first sample.
     pub fn errors(&self, source: ErrorSource) -> Result<Option<(f64, NavigationErrors)>, Error> {
-        self.see_errors(source, |time_s, errors, _| (time_s, *errors))
+        self.refuse_without(source)?;
+        let seen = self.see(|moment| {
+            let errors = match source {
+                ErrorSource::Navigation => Some(moment.navigation_errors()),
+                ErrorSource::Model => moment.model_errors(),
+            };
+            errors.map(|errors| (moment.time_s(), errors))
+        })?;
+        Ok(seen.flatten())
     }
 
-    /// What `view` makes of them and of whether the truth is near a pole: longitude and heading and their errors have no meaning
-    /// there.
-    #[inline(always)]
-    pub(crate) fn see_errors<T>(
-        &self,
-        source: ErrorSource,
-        view: impl FnOnce(f64, &NavigationErrors, bool) -> T,
-    ) -> Result<Option<T>, Error> {
+    /// Checks that there are errors of `source`.
+    pub(crate) fn refuse_without(&self, source: ErrorSource) -> Result<(), Error> {
         self.refuse_while_navigating()?;
         if source == ErrorSource::Model && !self.options.error_model {
             return Err(Error::bad_state(
                 "the error model is off, as it is by default: create the simulator with options.error_model",
             ));
         }
-        let seen = self.read(|chain, point| {
-            let moment = Moment { chain, point };
-            let (time_s, near_pole) = (point.time_s, point.is_near_pole());
-            match source {
-                ErrorSource::Navigation => Some(view(time_s, &moment.navigation_errors(), near_pole)),
-                ErrorSource::Model => moment.model_errors().map(|errors| view(time_s, &errors, near_pole)),
-            }
-        })?;
-        Ok(seen.flatten())
+        Ok(())
     }
 
     /// What `view` makes of this moment; `None` before the first sample.
     #[inline(always)]
-    pub(crate) fn see<T>(&self, view: impl FnOnce(&Moment<'_>) -> T) -> Result<Option<T>, Error> {
+    pub(crate) fn see<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
-        self.read(|chain, point| view(&Moment { chain, point }))
+        self.read(|chain, point| view(Moment { chain, point }))
     }
 
     /// Accuracy and closure so far; `None` before the first sample.

@@ -8,6 +8,7 @@ use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
 /// A chain while the truth is at `point`.
+#[derive(Clone, Copy)]
 pub(crate) struct Moment<'a> {
     pub(super) chain: &'a Chain,
     pub(super) point: &'a TruthPoint,
@@ -45,23 +46,27 @@ impl Moment<'_> {
     }
 
     /// Navigation minus truth.
+    #[inline(always)]
     pub fn navigation_errors(&self) -> NavigationErrors {
         navigation_minus_truth(&self.chain.earth, self.navigated_view(), self.true_view())
     }
 
     /// The error model's; `None` while it is off.
+    #[inline(always)]
     pub fn model_errors(&self) -> Option<NavigationErrors> {
         let model = self.chain.error_model.as_ref()?;
         let (axes, block) = (self.chain.options.axes, self.chain.block.as_ref());
         Some(model.errors(self.point, self.true_view(), axes, block))
     }
 
+    #[inline(always)]
     fn true_view(&self) -> &Navigation {
         let Chain { earth, options, views, .. } = self.chain;
         views.truth.get_or_init(|| self.point.navigation(earth, options.axes))
     }
 
     /// What the INS gives out, of the reference point.
+    #[inline(always)]
     fn navigated_view(&self) -> &Navigation {
         let Chain { earth, options, mechanization, block, views, .. } = self.chain;
         views.navigation.get_or_init(|| match block {

@@ -49,5 +49,5 @@ impl Solution {
 #[inline]
 fn is_near_pole(earth: &Earth, navigation: &Navigation) -> bool {
     navigation.place.latitude_rad.abs() > FAR_FROM_POLE_RAD
-        && navigation.distance_from_axis(earth) < NEAR_POLE_M
+        && earth.distance_from_axis(navigation.place) < NEAR_POLE_M
 }
