@@ -102,16 +102,3 @@ pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample])
         });
     }
 }
-
-/// The same, and reads truth, navigation and both errors in one call.
-///
-/// # Safety
-/// As [`push_step`].
-pub unsafe fn push_step_record(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
-    // SAFETY: a struct of its own size.
-    unsafe {
-        let mut record: sins_record = core::mem::zeroed();
-        record.struct_size = size_of::<sins_record>() as u32;
-        push_step(sim, samples, || assert_eq!(sins_get_record(sim, &mut record), SINS_OK));
-    }
-}

@@ -105,9 +105,22 @@ fn run(what: &str, count: usize) {
         match what {
             "calls" => c_scene::push_step(sim, samples, || ()),
             "reads" => c_scene::push_step_read(sim, samples),
-            "record" => c_scene::push_step_record(sim, samples),
+            "record" => push_step_record(sim, samples),
             _ => c_scene::run(sim, samples),
         }
         assert_eq!(sins_destroy(sim), SINS_OK);
+    }
+}
+
+/// Flies the samples with push and step, and reads truth, navigation and both errors in one call.
+///
+/// # Safety
+/// `sim` is a living handle at the start of a flight.
+unsafe fn push_step_record(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
+    // SAFETY: a struct of its own size.
+    unsafe {
+        let mut record: sins_record = core::mem::zeroed();
+        record.struct_size = size_of::<sins_record>() as u32;
+        c_scene::push_step(sim, samples, || assert_eq!(sins_get_record(sim, &mut record), SINS_OK));
     }
 }
