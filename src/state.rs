@@ -90,6 +90,7 @@ impl StateErrors {
 
 impl EarthFixedState {
     /// The geographic view.
+    #[inline]
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         let place = earth.to_geodetic(&self.r_e);
         let q_en = navigation_axes(place.latitude_rad, place.longitude_rad);
@@ -99,6 +100,7 @@ impl EarthFixedState {
 
 impl Navigation {
     /// Fills in the attitude angles, and brings the longitude to -π..π.
+    #[inline]
     pub fn new(place: Geodetic, v_n: Vector3<f64>, q_nb: Quaternion<f64>, axes: BodyAxes) -> Self {
         let place = Geodetic { longitude_rad: wrap_angle(place.longitude_rad), ..place };
         Self { place, v_n, q_nb, euler: euler_from_attitude(&axes.exchange(&q_nb)) }
@@ -112,12 +114,6 @@ impl Navigation {
             v_e: rotate(&q_en, &self.v_n),
             q_eb: q_en * self.q_nb,
         }
-    }
-
-    /// Distance from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
-    pub fn distance_from_axis(&self, earth: &Earth) -> f64 {
-        let (sin, cos) = crate::math::sin_cos(self.place.latitude_rad);
-        (earth.radii(sin).transverse_m + self.place.height_m) * cos
     }
 }
 
@@ -138,7 +134,7 @@ mod tests {
                 Navigation::new(place, Vector3::new(100.0, -200.0, 3.0), q_nb, BodyAxes::default());
             let back = navigation.earth_fixed(&earth).navigation(&earth, BodyAxes::default());
             // Where the axis is near, longitude and heading share an error of 1 nm over the distance to it.
-            let angle = 4e-16 + 2e-9 / navigation.distance_from_axis(&earth);
+            let angle = 4e-16 + 2e-9 / earth.distance_from_axis(navigation.place);
             assert!((back.place.latitude_rad - latitude_rad).abs() < 4e-16);
             assert!((back.place.longitude_rad + 2.9).abs() < angle + 4e-16);
             assert!((back.v_n - navigation.v_n).norm() < 300.0 * (angle + 1e-15));

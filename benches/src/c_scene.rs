@@ -69,10 +69,25 @@ pub unsafe fn run(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
     assert_eq!(status, SINS_OK);
 }
 
-/// Flies the samples with push, step, and read navigation and both errors, each a call.
+/// Flies the samples with push and step, each a call, and `read` behind each.
 ///
 /// # Safety
 /// `sim` is a living handle at the start of a flight.
+pub unsafe fn push_step(sim: *mut sins_sim, samples: &[sins_flight_sample], mut read: impl FnMut()) {
+    for (k, sample) in samples.iter().enumerate() {
+        // SAFETY: structs of their own size.
+        unsafe {
+            assert_eq!(sins_push_sample(sim, sample), SINS_OK);
+            assert_eq!(sins_step(sim), if k == 0 { SINS_NEED_SAMPLE } else { SINS_OK });
+        }
+        read();
+    }
+}
+
+/// The same, and reads navigation and both errors, each a call.
+///
+/// # Safety
+/// As [`push_step`].
 pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
     // SAFETY: structs of their own size.
     unsafe {
@@ -80,12 +95,10 @@ pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample])
         navigation.struct_size = size_of::<sins_navigation>() as u32;
         let mut errors: sins_errors = core::mem::zeroed();
         errors.struct_size = size_of::<sins_errors>() as u32;
-        for (k, sample) in samples.iter().enumerate() {
-            assert_eq!(sins_push_sample(sim, sample), SINS_OK);
-            assert_eq!(sins_step(sim), if k == 0 { SINS_NEED_SAMPLE } else { SINS_OK });
+        push_step(sim, samples, || {
             assert_eq!(sins_get_navigation(sim, &mut navigation), SINS_OK);
             assert_eq!(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors), SINS_OK);
             assert_eq!(sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors), SINS_OK);
-        }
+        });
     }
 }

@@ -1,6 +1,6 @@
 //! Flies a number of steps, for an instruction counter: the difference between two numbers of steps is the cost of a step.
-//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`; reads: simulation 2 with push, step, and read
-//! navigation and both errors, each a call; SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed) by push and step of the Rust
+//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`; calls: simulation 2 with push and step, each a call;
+//! reads, record: the same, and reads navigation and both errors, each a call, or truth, navigation and both errors in one; SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed) by push and step of the Rust
 //! simulator; or save | load: as many snapshots of simulation 2 in flight.
 
 mod c_scene;
@@ -22,7 +22,7 @@ fn main() {
     let what = arguments.get(1).map(String::as_str).unwrap_or_default();
     let count = arguments.get(2).and_then(|count| count.parse::<usize>().ok());
     match (what, options(what), count) {
-        ("simulation2" | "reads" | "ideal" | "free", _, Some(count)) => run(what, count),
+        ("simulation2" | "calls" | "reads" | "record" | "ideal" | "free", _, Some(count)) => run(what, count),
         ("save" | "load", _, Some(count)) => snapshots(what == "load", count),
         (_, Some(options), Some(count)) => {
             let samples = scene::patrol(FEW_SAMPLES);
@@ -30,7 +30,7 @@ fn main() {
         }
         _ => {
             eprintln!(
-                "usage: steps simulation2|reads|ideal|free|save|load|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
+                "usage: steps simulation2|calls|reads|record|ideal|free|save|load|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
             );
             std::process::exit(2);
         }
@@ -91,7 +91,7 @@ fn push_and_step(options: &Options, samples: &[FlightSample]) {
 fn run(what: &str, count: usize) {
     let samples = c_scene::c_samples(&scene::patrol(if count < FEW_SAMPLES { FEW_SAMPLES } else { SAMPLES }));
     let mut options = c_scene::c_options();
-    let noisy = matches!(what, "simulation2" | "reads");
+    let noisy = matches!(what, "simulation2" | "calls" | "reads" | "record");
     if !noisy {
         options.error_model = SINS_ERROR_MODEL_OFF;
     }
@@ -102,11 +102,25 @@ fn run(what: &str, count: usize) {
     let sim = c_scene::simulator(&options, noisy);
     // SAFETY: a living handle at the start of a flight.
     unsafe {
-        if what == "reads" {
-            c_scene::push_step_read(sim, samples);
-        } else {
-            c_scene::run(sim, samples);
+        match what {
+            "calls" => c_scene::push_step(sim, samples, || ()),
+            "reads" => c_scene::push_step_read(sim, samples),
+            "record" => push_step_record(sim, samples),
+            _ => c_scene::run(sim, samples),
         }
         assert_eq!(sins_destroy(sim), SINS_OK);
+    }
+}
+
+/// Flies the samples with push and step, and reads truth, navigation and both errors in one call.
+///
+/// # Safety
+/// `sim` is a living handle at the start of a flight.
+unsafe fn push_step_record(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
+    // SAFETY: a struct of its own size.
+    unsafe {
+        let mut record: sins_record = core::mem::zeroed();
+        record.struct_size = size_of::<sins_record>() as u32;
+        c_scene::push_step(sim, samples, || assert_eq!(sins_get_record(sim, &mut record), SINS_OK));
     }
 }

@@ -133,6 +133,30 @@ impl<T: Struct> Output<T> {
             core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), length);
         }
     }
+
+    /// The same of what `fill` makes of a struct whose fields it sets, `struct_size` or not: in the host's place, where that has
+    /// room.
+    #[inline(always)]
+    pub fn fill(&self, fill: impl FnOnce(&mut T)) {
+        if self.size < size_of::<T>() || !self.pointer.is_aligned() {
+            return self.fill_and_write(fill);
+        }
+        // SAFETY: `new` was promised that many writable bytes, of which any are a `T`.
+        unsafe {
+            fill(&mut *self.pointer);
+            self.pointer.cast::<u32>().write(self.size as u32);
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fill_and_write(&self, fill: impl FnOnce(&mut T)) {
+        let mut value = MaybeUninit::<T>::zeroed();
+        // SAFETY: any bytes are a `T`.
+        let value = unsafe { value.assume_init_mut() };
+        fill(value);
+        self.write(value);
+    }
 }
 
 /// An array of structs of the host, as far apart as the first one's `struct_size` says.
@@ -181,8 +205,14 @@ impl<T: Struct> Array<T> {
 
     /// Element `index`, whose own struct_size is that of the first from then on.
     pub fn write(&self, index: usize, value: &T) -> Result<(), Failure> {
+        self.fill(index, |place| *place = *value)
+    }
+
+    /// Element `index`, filled by `fill`; its own struct_size is that of the first from then on.
+    #[inline(always)]
+    pub fn fill(&self, index: usize, fill: impl FnOnce(&mut T)) -> Result<(), Failure> {
         let pointer = self.element(index)?;
-        Output { pointer, size: self.stride }.write(value);
+        Output { pointer, size: self.stride }.fill(fill);
         // SAFETY: the head of an element, which `new` was promised to be writable.
         unsafe { pointer.cast::<u32>().write_unaligned(self.stride as u32) };
         Ok(())

@@ -1,10 +1,10 @@
 //! `sins_record`: one line of the output of `sins_run`.
 
-use super::failure::{Failure, sins_status};
+use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::{errors_of, sins_errors, sins_navigation, write_or_need};
-use crate::simulator::{ErrorSource, Simulator};
+use super::solution::{sins_errors, sins_navigation, written_or_need};
+use crate::simulator::Moment;
 
 /// A solution within a sins_record; never grows. Fields as in sins_navigation.
 #[repr(C)]
@@ -119,27 +119,15 @@ impl From<sins_errors> for sins_record_errors {
 }
 
 impl sins_record {
-    /// The record of this moment; `None` before the first sample.
-    pub(super) fn now(simulator: &Simulator) -> Result<Option<Self>, Failure> {
-        let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
-            return Ok(None);
-        };
-        let errors = errors_of(simulator, ErrorSource::Navigation)?;
-        let model = match simulator.options().error_model {
-            true => errors_of(simulator, ErrorSource::Model)?,
-            false => None,
-        };
-        let or_none =
-            |errors: Option<sins_errors>| errors.unwrap_or(sins_errors::not_computed(truth.time_s)).into();
-        Ok(Some(Self {
-            struct_size: size_of::<Self>() as u32,
-            reserved: 0,
-            time_s: truth.time_s,
-            truth: sins_navigation::from_solution(&truth).into(),
-            navigation: sins_navigation::from_solution(&navigation).into(),
-            navigation_errors: or_none(errors),
-            model_errors: or_none(model),
-        }))
+    /// Is the record of `moment`, but for its struct_size.
+    #[inline(always)]
+    pub(super) fn be_of(&mut self, moment: Moment<'_>) {
+        self.reserved = 0;
+        self.time_s = moment.time_s();
+        self.truth = sins_navigation::from_solution(&moment.truth()).into();
+        self.navigation = sins_navigation::from_solution(&moment.navigation()).into();
+        self.navigation_errors = sins_errors::of_navigation(moment).into();
+        self.model_errors = sins_errors::of_model(moment).into();
     }
 }
 
@@ -153,6 +141,6 @@ pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_r
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(record, "record")? };
-        Ok(write_or_need(&output, sins_record::now(simulator)?))
+        Ok(written_or_need(simulator.see(|moment| output.fill(|record| record.be_of(moment)))?))
     })
 }

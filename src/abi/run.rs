@@ -97,13 +97,21 @@ fn fly(
     done: &mut usize,
 ) -> Result<sins_status, Failure> {
     let status = step(simulator)?;
-    if status == SINS_OK
-        && every > 0
-        && simulator.intervals().is_multiple_of(every as u64)
-        && let Some(record) = sins_record::now(simulator)?
-    {
-        records.write(*done, &record)?;
-        *done += 1;
+    if status == SINS_OK && every > 0 && simulator.intervals().is_multiple_of(every as u64) {
+        write_record(simulator, records, done)?;
     }
     Ok(status)
+}
+
+#[inline(never)]
+fn write_record(
+    simulator: &Simulator,
+    records: &Array<sins_record>,
+    done: &mut usize,
+) -> Result<(), Failure> {
+    if let Some(written) = simulator.see(|moment| records.fill(*done, |record| record.be_of(moment)))? {
+        written?;
+        *done += 1;
+    }
+    Ok(())
 }

@@ -1,11 +1,11 @@
 //! `sins_navigation`, `sins_errors`, `sins_imu`: what is read after a step.
 
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::options::one_of;
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
-use crate::simulator::{ErrorSource, ImuInterval, Simulator, Solution};
+use crate::simulator::{ErrorSource, ImuInterval, Moment, Solution};
 
 /// Flags of a sins_navigation.
 pub type sins_navigation_flags = i32;
@@ -162,6 +162,7 @@ pub struct sins_imu {
 interface_struct!(sins_imu, "imu", 216);
 
 impl sins_navigation {
+    #[inline(always)]
     pub(super) fn from_solution(solution: &Solution) -> Self {
         let navigation = &solution.navigation;
         let flag = |set: bool, flag: i32| if set { flag } else { 0 };
@@ -188,7 +189,22 @@ impl sins_navigation {
 }
 
 impl sins_errors {
-    pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
+    #[inline(always)]
+    pub(super) fn of_navigation(moment: Moment<'_>) -> Self {
+        Self::new(moment, &moment.navigation_errors())
+    }
+
+    #[inline(always)]
+    pub(super) fn of_model(moment: Moment<'_>) -> Self {
+        match moment.model_errors() {
+            Some(errors) => Self::new(moment, &errors),
+            None => Self::not_computed(moment.time_s()),
+        }
+    }
+
+    #[inline(always)]
+    fn new(moment: Moment<'_>, errors: &NavigationErrors) -> Self {
+        let (time_s, near_pole) = (moment.time_s(), moment.near_pole());
         let flag = |set: bool, flag: i32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -210,7 +226,7 @@ impl sins_errors {
     }
 
     /// Errors that nobody computes.
-    pub(super) fn not_computed(time_s: f64) -> Self {
+    fn not_computed(time_s: f64) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -254,12 +270,6 @@ impl From<&ImuInterval> for sins_imu {
     }
 }
 
-/// The errors of `source`, or `None` before the first sample.
-pub(super) fn errors_of(simulator: &Simulator, source: ErrorSource) -> Result<Option<sins_errors>, Failure> {
-    let errors = simulator.errors_and_pole(source)?;
-    Ok(errors.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole)))
-}
-
 /// The source that a host names.
 pub(super) fn source_of(source: i32) -> Result<ErrorSource, Failure> {
     one_of(
@@ -272,13 +282,12 @@ pub(super) fn source_of(source: i32) -> Result<ErrorSource, Failure> {
 
 /// Writes `value`, or answers that there is none yet.
 pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
-    match value {
-        Some(value) => {
-            output.write(&value);
-            SINS_OK
-        }
-        None => SINS_NEED_SAMPLE,
-    }
+    written_or_need(value.map(|value| output.write(&value)))
+}
+
+/// The answer of a read: whether there was something to write.
+pub(super) fn written_or_need(written: Option<()>) -> sins_status {
+    if written.is_some() { SINS_OK } else { SINS_NEED_SAMPLE }
 }
 
 /// Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
@@ -309,8 +318,13 @@ pub unsafe extern "C" fn sins_get_navigation(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
-        let solution = simulator.navigation()?;
-        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+        if let Some(alone) = simulator.navigated_alone() {
+            return Ok(write_or_need(&output, Some(sins_navigation::from_solution(&alone))));
+        }
+        let written = simulator.see(|moment| {
+            output.fill(|place| *place = sins_navigation::from_solution(&moment.navigation()));
+        })?;
+        Ok(written_or_need(written))
     })
 }
 
@@ -342,6 +356,16 @@ pub unsafe extern "C" fn sins_get_errors(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };
-        Ok(write_or_need(&output, errors_of(simulator, source_of(source)?)?))
+        let source = source_of(source)?;
+        simulator.refuse_without(source)?;
+        let written = match source {
+            ErrorSource::Navigation => {
+                simulator.see(|moment| output.fill(|place| *place = sins_errors::of_navigation(moment)))?
+            }
+            ErrorSource::Model => {
+                simulator.see(|moment| output.fill(|place| *place = sins_errors::of_model(moment)))?
+            }
+        };
+        Ok(written_or_need(written))
     })
 }

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{atan2, hypot, sin_cos_each, two_product, two_sum};
+use crate::math::{Pair, VectorPair, atan2_each, hypot, sin_cos, sin_cos_each, two_product, two_sum};
 use crate::snapshot::{ANY, stored};
 
 /// A place by its geodetic coordinates.
@@ -61,27 +61,49 @@ struct Latitude {
     cos: f64,
 }
 
-/// Sines and cosines of latitude and longitude.
+/// Sines and cosines of the latitudes and longitudes of two places.
 #[derive(Debug, Clone, Copy)]
-struct Direction {
-    sin_latitude: f64,
-    cos_latitude: f64,
-    sin_longitude: f64,
-    cos_longitude: f64,
+struct Directions {
+    sin_latitude: Pair,
+    cos_latitude: Pair,
+    sin_longitude: Pair,
+    cos_longitude: Pair,
 }
 
-impl Direction {
+impl Directions {
     #[inline]
-    fn of(place: &Geodetic) -> Self {
-        let ([sin_latitude, sin_longitude], [cos_latitude, cos_longitude]) =
-            sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
-        Self { sin_latitude, cos_latitude, sin_longitude, cos_longitude }
+    fn of(first: &Geodetic, second: &Geodetic) -> Self {
+        let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) = sin_cos_each(&[
+            first.latitude_rad,
+            second.latitude_rad,
+            first.longitude_rad,
+            second.longitude_rad,
+        ]);
+        Self {
+            sin_latitude: Pair([sl0, sl1]),
+            cos_latitude: Pair([cl0, cl1]),
+            sin_longitude: Pair([so0, so1]),
+            cos_longitude: Pair([co0, co1]),
+        }
     }
 
-    /// Unit vectors, Earth-fixed axes.
+    /// Of one place, twice.
+    #[inline]
+    fn of_one(place: &Geodetic) -> Self {
+        let ([sl, so], [cl, co]) = sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
+        Self {
+            sin_latitude: Pair::both(sl),
+            cos_latitude: Pair::both(cl),
+            sin_longitude: Pair::both(so),
+            cos_longitude: Pair::both(co),
+        }
+    }
+
+    /// Unit vectors at the second place, Earth-fixed axes.
     #[inline]
     fn east_north_up(&self) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        let Self { sin_latitude: sl, cos_latitude: cl, sin_longitude: so, cos_longitude: co } = *self;
+        let [sl, cl, so, co] = [self.sin_latitude, self.cos_latitude, self.sin_longitude, self.cos_longitude]
+            .map(|pair| pair.0[1]);
         (Vector3::new(-so, co, 0.0), Vector3::new(-sl * co, -sl * so, cl), Vector3::new(cl * co, cl * so, sl))
     }
 }
@@ -97,30 +119,36 @@ impl Latitude {
 impl Earth {
     /// Earth-fixed position [m] of a place, to half a unit in the last place and the rounding of the sines.
     pub fn to_earth_fixed(&self, place: &Geodetic) -> Vector3<f64> {
-        let (high, low) = self.position(&Direction::of(place), place.height_m);
-        high + low
+        self.to_earth_fixed_with_axes(place).0
     }
 
     /// Earth-fixed position [m], and the unit vectors east, north and up there.
     pub fn to_earth_fixed_with_axes(&self, place: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
-        let direction = Direction::of(place);
-        let (high, low) = self.position(&direction, place.height_m);
-        (high + low, direction.east_north_up().into())
+        let direction = Directions::of_one(place);
+        let (high, low) = self.positions(&direction, Pair::both(place.height_m));
+        ((high + low).second(), direction.east_north_up().into())
+    }
+
+    /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`.
+    #[inline]
+    pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
+        let directions = Directions::of(to, at);
+        let (high, low) = self.positions(&directions, Pair([to.height_m, at.height_m]));
+        let positions = high + low;
+        (positions.first() - positions.second(), directions.east_north_up().into())
     }
 
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
+    #[inline]
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
         let p = hypot(r_e.x, r_e.y);
         let (latitude, height_m) = self.meridian(p, r_e.z);
-        let mut place = Geodetic {
-            latitude_rad: atan2(latitude.sin, latitude.cos),
-            longitude_rad: atan2(r_e.y, r_e.x),
-            height_m,
-        };
+        let [latitude_rad, longitude_rad] = atan2_each(&[latitude.sin, r_e.y], &[latitude.cos, r_e.x]);
+        let mut place = Geodetic { latitude_rad, longitude_rad, height_m };
         // One Newton step on the position in twice the precision takes out what rounding left: up to 3 nm.
-        let direction = Direction::of(&place);
-        let (high, low) = self.position(&direction, height_m);
-        let residual = (r_e - high) - low;
+        let direction = Directions::of_one(&place);
+        let (high, low) = self.positions(&direction, Pair::both(height_m));
+        let residual = (r_e - high.second()) - low.second();
         let (east, north, up) = direction.east_north_up();
         place.latitude_rad += residual.dot(&north) / (self.radii(latitude.sin).meridian_m + height_m);
         place.latitude_rad = place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
@@ -131,23 +159,32 @@ impl Earth {
         place
     }
 
-    /// Earth-fixed position as an unevaluated sum of two doubles.
-    fn position(&self, direction: &Direction, height_m: f64) -> (Vector3<f64>, Vector3<f64>) {
-        let Direction { sin_latitude, cos_latitude, sin_longitude, cos_longitude } = *direction;
-        let times = |(high, low): (f64, f64), factor: f64| {
+    /// Earth-fixed positions of two places, each as an unevaluated sum of two doubles.
+    #[inline(always)]
+    fn positions(&self, directions: &Directions, height_m: Pair) -> (VectorPair, VectorPair) {
+        let Directions { sin_latitude, cos_latitude, sin_longitude, cos_longitude } = *directions;
+        let times = |(high, low): (Pair, Pair), factor: Pair| {
             let (product, error) = two_product(high, factor);
             (product, error + low * factor)
         };
         // RN - a is small and comes without cancellation: RN = a + a e² s² / (w (1 + w)), w² = 1 - e² s².
-        let a = self.equatorial_radius_m;
-        let bulge = self.eccentricity2 * sin_latitude * sin_latitude;
-        let w = (1.0 - bulge).sqrt();
-        let excess = a * bulge / (w * (1.0 + w));
+        let (a, one) = (Pair::both(self.equatorial_radius_m), Pair::both(1.0));
+        let bulge = sin_latitude * self.eccentricity2 * sin_latitude;
+        let w = (one - bulge).sqrt();
+        let excess = a * bulge / (w * (one + w));
         let p = times(two_sum(a, excess + height_m), cos_latitude);
         let flattened = excess * (1.0 - self.eccentricity2) - a * self.eccentricity2 + height_m;
         let (x, y, z) =
             (times(p, cos_longitude), times(p, sin_longitude), times(two_sum(a, flattened), sin_latitude));
-        (Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1))
+        (VectorPair { x: x.0, y: y.0, z: z.0 }, VectorPair { x: x.1, y: y.1, z: z.1 })
+    }
+
+    /// Distance of a place from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
+    #[cold]
+    #[inline(never)]
+    pub fn distance_from_axis(&self, place: Geodetic) -> f64 {
+        let (sin, cos) = sin_cos(place.latitude_rad);
+        (self.radii(sin).transverse_m + place.height_m) * cos
     }
 
     /// The vertical at an Earth-fixed position [m].
@@ -189,6 +226,7 @@ impl Earth {
 
     /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator; the height free of
     /// a division, h = p cos L + z sin L - a sqrt(1 - e² sin²L).
+    #[inline]
     fn meridian(&self, p: f64, z: f64) -> (Latitude, f64) {
         let mut latitude = Latitude::of(z, p * (1.0 - self.eccentricity2));
         for _ in 0..3 {
@@ -228,7 +266,7 @@ impl Earth {
 
     /// Unit vectors east, north and up at a place, Earth-fixed axes.
     pub fn east_north_up(&self, place: &Geodetic) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        Direction::of(place).east_north_up()
+        Directions::of_one(place).east_north_up()
     }
 }
 

@@ -12,8 +12,12 @@ pub fn navigation_minus_truth(
     navigation: &Navigation,
     truth: &Navigation,
 ) -> NavigationErrors {
-    let (r_e, [east, north, _]) = earth.to_earth_fixed_with_axes(&truth.place);
-    let displacement = earth.to_earth_fixed(&navigation.place) - r_e;
+    // What may call a function first: nothing else is to be put aside for it.
+    let longitude_rad = wrap_angle(navigation.place.longitude_rad - truth.place.longitude_rad);
+    let roll_rad = wrap_angle(navigation.euler.roll - truth.euler.roll);
+    let heading_rad = wrap_angle(navigation.euler.heading - truth.euler.heading);
+    let misalignment_n = -rotation_vector(&(navigation.q_nb * truth.q_nb.conjugate()));
+    let (displacement, [east, north, _]) = earth.displacement(&navigation.place, &truth.place);
     NavigationErrors {
         position_n: nalgebra::Vector3::new(
             displacement.dot(&east),
@@ -21,12 +25,12 @@ pub fn navigation_minus_truth(
             navigation.place.height_m - truth.place.height_m,
         ),
         latitude_rad: navigation.place.latitude_rad - truth.place.latitude_rad,
-        longitude_rad: wrap_angle(navigation.place.longitude_rad - truth.place.longitude_rad),
+        longitude_rad,
         velocity_n: navigation.v_n - truth.v_n,
-        misalignment_n: -rotation_vector(&(navigation.q_nb * truth.q_nb.conjugate())),
-        roll_rad: wrap_angle(navigation.euler.roll - truth.euler.roll),
+        misalignment_n,
+        roll_rad,
         pitch_rad: navigation.euler.pitch - truth.euler.pitch,
-        heading_rad: wrap_angle(navigation.euler.heading - truth.euler.heading),
+        heading_rad,
         outside_validity: false,
     }
 }

@@ -1,10 +1,12 @@
 //! Sums that keep what rounding drops.
 
+use core::ops::{Add, Mul, Sub};
+
 use nalgebra::SVector;
 
 /// Sum of two numbers and the rounding error of that sum, exactly (Knuth).
 #[inline]
-pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T) {
     let s = a + b;
     let t = s - a;
     (s, (a - (s - t)) + (b - t))
@@ -13,10 +15,13 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 /// Product of two numbers and the rounding error of that product, exactly (Dekker, Veltkamp splitting).
 /// Valid while neither factor exceeds 2^995.
 #[inline]
-pub fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub fn two_product<T>(a: T, b: T) -> (T, T)
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Mul<f64, Output = T>,
+{
     const SPLITTER: f64 = 134_217_729.0; // 2^27 + 1
-    let split = |x: f64| {
-        let t = SPLITTER * x;
+    let split = |x: T| {
+        let t = x * SPLITTER;
         let high = t - (t - x);
         (high, x - high)
     };

@@ -1,6 +1,7 @@
 //! The mathematics under every block: rotations, compensated sums, derivative stencils, and the one place
 //! where a transcendental function is called.
 
+mod arc_tangent;
 mod axis;
 mod compensated;
 mod gauss;
@@ -11,6 +12,7 @@ mod sine;
 mod stencil;
 mod transcendental;
 
+pub use arc_tangent::atan2_each;
 pub use axis::axis_cross;
 pub use compensated::{Compensated, two_product, two_sum};
 pub use gauss::GAUSS_2;

@@ -1,7 +1,7 @@
 //! Two numbers, and two vectors, that go through the same formula at once: the compiler makes one instruction of the two
 //! where the processor has such (SSE2, NEON), and the bits are those of the plain formula everywhere.
 
-use core::ops::{Add, AddAssign, Mul, Sub};
+use core::ops::{Add, AddAssign, Div, Mul, Sub};
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -23,6 +23,12 @@ impl Pair {
     #[inline(always)]
     pub fn max(self) -> f64 {
         if self.0[0] > self.0[1] { self.0[0] } else { self.0[1] }
+    }
+
+    /// The square roots.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Self([self.0[0].sqrt(), self.0[1].sqrt()])
     }
 
     /// The first and the second, added.
@@ -53,6 +59,14 @@ impl Mul for Pair {
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self([self.0[0] * other.0[0], self.0[1] * other.0[1]])
+    }
+}
+
+impl Div for Pair {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self([self.0[0] / other.0[0], self.0[1] / other.0[1]])
     }
 }
 

@@ -6,6 +6,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
+use super::arc_tangent::atan2_each;
 use super::pair::Pair;
 use super::sine::sin_cos_each;
 use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
@@ -286,9 +287,11 @@ pub fn attitude_from_half_angles(&[sr, sp, sh]: &[f64; 3], &[cr, cp, ch]: &[f64;
 /// that is still defined keeps all its digits.
 pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
     let (w, x, y, z) = (q.w, q.i, q.j, q.k);
-    let half_difference = atan2(-(y + z), w + x);
-    let half_sum = atan2(y - z, w - x);
-    let pitch = 2.0 * atan2(hypot(w + x, y + z), hypot(w - x, y - z)) - FRAC_PI_2;
+    let (plus, minus) = ((w + x, y + z), (w - x, y - z));
+    let sizes = [plus, minus].map(|(a, b)| hypot(a, b));
+    let [half_difference, half_sum, from_nadir] =
+        atan2_each(&[-plus.1, minus.1, sizes[0]], &[plus.0, minus.0, sizes[1]]);
+    let pitch = 2.0 * from_nadir - FRAC_PI_2;
     let heading = wrap_angle(half_sum + half_difference);
     let mut roll = half_sum - half_difference;
     if roll.abs() > PI {

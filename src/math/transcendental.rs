@@ -1,8 +1,8 @@
-//! Every transcendental function of the crate goes through here, on the `libm` crate or this one's sine: the same bits on
+//! Every transcendental function of the crate goes through here, on the `libm` crate or this one's sine and arc tangent: the same bits on
 //! every operating system, processor and word size. `f64::sin` and its kin call the platform's library and are
 //! forbidden elsewhere (`clippy.toml`).
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use super::sine::sin_cos_each;
 
@@ -67,8 +67,49 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// Below 3π: an angle up to here is off by one turn at the most.
+const BELOW_THREE_HALVES: f64 = 9.0;
+
 /// `angle` [rad] brought to -π..π by an exact remainder.
 #[inline]
 pub fn wrap_angle(angle: f64) -> f64 {
-    if angle.abs() <= core::f64::consts::PI { angle } else { libm::remainder(angle, TAU) }
+    let size = angle.abs();
+    if size <= PI {
+        angle
+    } else if size < BELOW_THREE_HALVES {
+        // Exact: the two differ by less than twofold.
+        if angle < 0.0 { -(size - TAU) } else { size - TAU }
+    } else {
+        many_turns(angle)
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn many_turns(angle: f64) -> f64 {
+    libm::remainder(angle, TAU)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_is_wrapped_by_its_exact_remainder() {
+        let check = |angle: f64| {
+            let expected = if angle.abs() <= PI { angle } else { libm::remainder(angle, TAU) };
+            assert_eq!(wrap_angle(angle).to_bits(), expected.to_bits(), "{angle:e}");
+        };
+        for k in -2_000_000..2_000_000 {
+            check(f64::from(k) * 7.3e-6);
+        }
+        for turns in 0..40_u64 {
+            for ulps in -3..=3_i64 {
+                let angle =
+                    f64::from_bits(((0.25 * turns as f64 * TAU).to_bits() + 3).wrapping_add_signed(ulps - 3));
+                check(angle);
+                check(-angle);
+            }
+        }
+    }
 }

@@ -248,6 +248,7 @@ impl Mechanization {
     }
 
     /// The solution in geographic terms.
+    #[inline]
     pub fn navigation(&self, axes: BodyAxes) -> Navigation {
         match &self.solution.axes {
             Axes::EarthFixed(state) => state.state().navigation(&self.earth, axes),

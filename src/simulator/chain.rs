@@ -13,35 +13,36 @@ use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
 use super::interval::LastInterval;
+use super::moment::Moment;
 use super::mounted::block_at_start;
 use super::signals::Signals;
 use super::start::{Start, with_errors};
 use super::views::Views;
-use super::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
+use super::{ImuInterval, Options, SensorSuite};
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::{Accuracy, AccuracyFigures, ErrorModel, NavigationErrors, navigation_minus_truth};
-use crate::mechanization::{Mechanization, VerticalMode};
+use crate::errors::{Accuracy, AccuracyFigures, ErrorModel};
+use crate::mechanization::Mechanization;
 use crate::mounting::Block;
 use crate::signal::{Increment, SignalGenerator};
-use crate::state::{EarthFixedState, Navigation, StateErrors};
+use crate::state::{EarthFixedState, StateErrors};
 use crate::truth::{Recent, TruthPoint, TruthSummary};
 
 /// The chain in flight.
 #[derive(Debug, Clone)]
 pub(super) struct Chain {
-    options: Options,
-    earth: Earth,
+    pub(super) options: Options,
+    pub(super) earth: Earth,
     generator: SignalGenerator,
     /// Those of the last interval are at the places `parts`. A chain that is only read has none.
     pub signals: Signals,
     parts: Range<usize>,
-    last: LastInterval,
+    pub(super) last: LastInterval,
     /// The alignment at the start could not find north.
-    north_unknown: bool,
+    pub(super) north_unknown: bool,
     /// The sensors' block, where it does not sit at the reference point.
-    block: Option<Block>,
+    pub(super) block: Option<Block>,
     /// True less normal gravity, where it is other.
     disturbance: Option<Disturbance>,
     /// Covariance of the errors along the truth: none or one.
@@ -50,13 +51,13 @@ pub(super) struct Chain {
     pub summary: Option<TruthSummary>,
     /// Neither block nor disturbance nor closed loop nor summary: the ideal signals are the generator's.
     is_plain: bool,
-    mechanization: Mechanization,
-    error_model: Option<ErrorModel>,
+    pub(super) mechanization: Mechanization,
+    pub(super) error_model: Option<ErrorModel>,
     accuracy: Accuracy,
     intervals: u64,
-    closure: Closure,
+    pub(super) closure: Closure,
     closed_loop: Option<ClosedLoop>,
-    views: Views,
+    pub(super) views: Views,
 }
 
 /// What a mounting and gravity beyond the normal field make of a chain, and the true state of the sensors.
@@ -148,23 +149,6 @@ impl Chain {
         self.intervals
     }
 
-    /// The solution of the truth, which is at `truth`.
-    pub fn truth(&self, truth: &TruthPoint) -> Solution {
-        let inconsistent = self.closure.last_flagged();
-        Solution { inconsistent, ..Solution::new(&self.earth, truth.time_s, *self.true_view(truth)) }
-    }
-
-    /// The navigated solution while the truth is at `truth`.
-    pub fn navigation(&self, truth: &TruthPoint) -> Solution {
-        let vertical_unaided =
-            self.last.vertical_unaided().unwrap_or(self.options.vertical == VerticalMode::Free);
-        Solution {
-            vertical_unaided,
-            north_unknown: self.north_unknown,
-            ..Solution::new(&self.earth, truth.time_s, *self.navigated_view())
-        }
-    }
-
     pub fn ideal_increments(&self) -> &[Increment] {
         match self.last {
             LastInterval::Flown { .. } => &self.signals.ideal[self.parts.clone()],
@@ -191,38 +175,6 @@ impl Chain {
         })
     }
 
-    fn true_view(&self, truth: &TruthPoint) -> &Navigation {
-        self.views.truth.get_or_init(|| truth.navigation(&self.earth, self.options.axes))
-    }
-
-    /// What the INS gives out, of the reference point.
-    fn navigated_view(&self) -> &Navigation {
-        let axes = self.options.axes;
-        self.views.navigation.get_or_init(|| match &self.block {
-            None => self.mechanization.navigation(axes),
-            Some(block) => {
-                block.belief().reference_point(&self.mechanization.state()).navigation(&self.earth, axes)
-            }
-        })
-    }
-
-    fn navigation_errors(&self, truth: &TruthPoint) -> &NavigationErrors {
-        self.views
-            .difference
-            .get_or_init(|| navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(truth)))
-    }
-
-    /// The errors while the truth is at `truth`; `None` while the error model is off.
-    pub fn errors(&self, source: ErrorSource, truth: &TruthPoint) -> Option<NavigationErrors> {
-        match source {
-            ErrorSource::Navigation => Some(*self.navigation_errors(truth)),
-            ErrorSource::Model => self.error_model.as_ref().map(|model| {
-                let (truth_view, axes) = (self.true_view(truth), self.options.axes);
-                *self.views.model.get_or_init(|| model.errors(truth, truth_view, axes, self.block.as_ref()))
-            }),
-        }
-    }
-
     pub fn trim(&self) -> TrimFigures {
         self.closed_loop.as_ref().map_or(TrimFigures::default(), ClosedLoop::largest)
     }
@@ -232,6 +184,6 @@ impl Chain {
     }
 
     pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
-        self.closure.figures(&self.earth, truth, self.navigation_errors(truth))
+        self.closure.figures(&self.earth, truth, &Moment { chain: self, point: truth }.navigation_errors())
     }
 }

@@ -9,6 +9,7 @@ mod gap;
 mod heap;
 mod imu;
 mod interval;
+mod moment;
 mod mounted;
 mod navigator;
 mod options;
@@ -26,6 +27,7 @@ pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub(crate) use heap::{heap_simulator, push_simulator};
 pub use imu::{ImuFlags, ImuInterval};
+pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
@@ -290,7 +292,7 @@ impl Simulator {
     pub fn truth(&self) -> Result<Option<Solution>, Error> {
         self.refuse_while_navigating()?;
         Ok(match (&self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(current), _) => Some(chain.truth(current)),
+            (Mode::Flying(chain), Some(point), _) => Some(Moment { chain, point }.truth()),
             (_, _, Some(first)) => Some(Solution::of_truth(&self.options, &self.earth, first)),
             _ => None,
         })
@@ -312,9 +314,18 @@ impl Simulator {
 
     /// The navigated solution; `None` before the first sample.
     pub fn navigation(&self) -> Result<Option<Solution>, Error> {
+        match self.navigated_alone() {
+            None => self.see(|moment| moment.navigation()),
+            alone => Ok(alone),
+        }
+    }
+
+    /// The solution where there is no truth.
+    #[inline]
+    pub(crate) fn navigated_alone(&self) -> Option<Solution> {
         match &self.mode {
-            Mode::Navigating(navigator) => Ok(Some(navigator.solution())),
-            _ => self.read(Chain::navigation),
+            Mode::Navigating(navigator) => Some(navigator.solution()),
+            _ => None,
         }
     }
 
@@ -340,18 +351,26 @@ impl Simulator {
         Ok(self.errors_and_pole(source)?.map(|(time_s, errors, _)| (time_s, errors)))
     }
 
-    /// The same, with whether the truth is near a pole: longitude and heading and their errors have no meaning there.
+    /// Time [s] and errors, and whether the truth is near a pole.
     pub(crate) fn errors_and_pole(
         &self,
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
+        self.refuse_without(source)?;
+        Ok(self.see(|moment| moment.errors_and_pole(source))?.flatten())
+    }
+
+    /// Checks that there are errors of `source`.
+    pub(crate) fn refuse_without(&self, source: ErrorSource) -> Result<(), Error> {
         self.refuse_while_navigating()?;
-        self.options.check_source(source)?;
-        let errors = self.read(|chain, truth| {
-            let near_pole = truth.is_near_pole();
-            chain.errors(source, truth).map(|errors| (truth.time_s, errors, near_pole))
-        })?;
-        Ok(errors.flatten())
+        self.options.check_source(source)
+    }
+
+    /// What `view` makes of this moment; `None` before the first sample.
+    #[inline(always)]
+    pub(crate) fn see<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
+        self.refuse_while_navigating()?;
+        self.read(|chain, point| view(Moment { chain, point }))
     }
 
     /// Time [s], covariance of the navigation errors and whether the truth is near a pole; `None` before the first sample. It
@@ -394,6 +413,7 @@ impl Simulator {
     }
 
     /// Reads the chain as it is, or as it will start from the first sample that waits, with the truth of that moment.
+    #[inline(always)]
     fn read<T>(&self, view: impl FnOnce(&Chain, &TruthPoint) -> T) -> Result<Option<T>, Error> {
         match (&self.mode, self.intake.current(), self.intake.front()) {
             (Mode::Flying(chain), Some(current), _) => Ok(Some(view(chain, current))),

@@ -26,6 +26,7 @@ pub struct Solution {
 }
 
 impl Solution {
+    #[inline(always)]
     pub(super) fn new(earth: &Earth, time_s: f64, navigation: Navigation) -> Self {
         let near_pole = is_near_pole(earth, &navigation);
         Self {
@@ -48,5 +49,5 @@ impl Solution {
 #[inline]
 fn is_near_pole(earth: &Earth, navigation: &Navigation) -> bool {
     navigation.place.latitude_rad.abs() > FAR_FROM_POLE_RAD
-        && navigation.distance_from_axis(earth) < NEAR_POLE_M
+        && earth.distance_from_axis(navigation.place) < NEAR_POLE_M
 }

@@ -2,16 +2,12 @@
 
 use core::cell::OnceCell;
 
-use crate::errors::NavigationErrors;
 use crate::state::Navigation;
 
-/// Each view is made when it is read for the first time; the chain forgets them all as it moves on.
+/// Each view is made when it is read for the first time; the chain forgets both as it moves on. Errors, which are little more than
+/// their difference, are made at each read.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Views {
     pub truth: OnceCell<Navigation>,
     pub navigation: OnceCell<Navigation>,
-    /// Navigation minus truth.
-    pub difference: OnceCell<NavigationErrors>,
-    /// Of the error model.
-    pub model: OnceCell<NavigationErrors>,
 }

@@ -2,13 +2,11 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::FlightSample;
 use crate::earth::{Earth, Geodetic, Vertical, navigation_axes_from_half_angles};
-use crate::math::{
-    Euler, attitude_from_euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each,
-};
+use crate::math::{Euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each};
 use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
 /// An interval is a gap if it is more than this many times the interval before it. One lost sample is not a gap.
@@ -23,6 +21,8 @@ pub struct TruthPoint {
     pub interval_s: f64,
     /// Position, velocity, attitude.
     pub state: EarthFixedState,
+    /// Attitude against east-north-up.
+    pub q_nb: Quaternion<f64>,
     /// Matrix of the attitude: sensor axes to Earth-fixed axes.
     pub to_earth: Matrix3<f64>,
     /// Unit vector up.
@@ -53,19 +53,17 @@ impl TruthPoint {
         let (sines, cosines) = sin_cos_each(&angles.map(|angle| 0.5 * angle));
         let ([sl, so, sr, sp, sh, _], [cl, co, cr, cp, ch, _]) = (sines, cosines);
         let q_en = navigation_axes_from_half_angles(&[sl, so], &[cl, co]);
-        let q_nb = attitude_from_half_angles(&[sr, sp, sh], &[cr, cp, ch]);
+        let q_nb = axes.exchange(&attitude_from_half_angles(&[sr, sp, sh], &[cr, cp, ch]));
         let up_e = rotated_z(&q_en);
         let transverse_m = earth.radii(up_e.z).transverse_m;
         let mut r_e = up_e * (transverse_m + sample.place.height_m);
         r_e.z -= earth.eccentricity2 * transverse_m * up_e.z;
-        let state = EarthFixedState {
-            r_e,
-            v_e: rotate(&q_en, &sample.v_n.unwrap_or_default()),
-            q_eb: q_en * axes.exchange(&q_nb),
-        };
+        let state =
+            EarthFixedState { r_e, v_e: rotate(&q_en, &sample.v_n.unwrap_or_default()), q_eb: q_en * q_nb };
         let gravity_e = earth.gravity(&r_e);
         let to_earth = rotation_matrix(&state.q_eb);
-        let mut point = Self { time_s, interval_s, state, to_earth, up_e, gravity_e, a_e: None, sample };
+        let mut point =
+            Self { time_s, interval_s, state, q_nb, to_earth, up_e, gravity_e, a_e: None, sample };
         point.use_specific_force(earth);
         point
     }
@@ -119,10 +117,7 @@ impl TruthPoint {
     /// The point in geographic terms: the host's own place and velocity, to the bit.
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         match self.sample.v_n {
-            Some(v_n) => {
-                let q_nb = axes.exchange(&attitude_from_euler(&self.sample.euler));
-                Navigation::new(self.sample.place, v_n, q_nb, axes)
-            }
+            Some(v_n) => Navigation::new(self.sample.place, v_n, self.q_nb, axes),
             None => self.state.navigation(earth, axes),
         }
     }

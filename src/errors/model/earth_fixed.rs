@@ -105,14 +105,16 @@ impl EarthFixedForm {
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
+    #[inline]
     pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
-        let position_n = local.in_local_axes(&self.dr);
+        let first = local.pair_in_local_axes(&VectorPair::new(&self.dr, &self.dv));
+        let second = local.pair_in_local_axes(&VectorPair::new(&self.psi, v_e));
+        let position_n = first.first();
         let axes = local.rotation_of_axes(&position_n);
-        let v_n = local.in_local_axes(v_e);
         StateErrors {
             position_n,
-            velocity_n: local.in_local_axes(&self.dv) - axes.cross(&v_n),
-            misalignment_n: local.in_local_axes(&self.psi) + axes,
+            velocity_n: first.second() - axes.cross(&second.second()),
+            misalignment_n: second.first() + axes,
         }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::earth::{Earth, Vertical};
+use crate::math::VectorPair;
 
 /// Cosines of latitude below this are taken as this: tan L stays finite at a pole, where it has no meaning.
 const MIN_COS: f64 = 1e-9;
@@ -40,6 +41,13 @@ impl LocalGeometry {
     /// Earth-fixed to local components.
     pub fn in_local_axes(&self, v: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(self.east.dot(v), self.north.dot(v), self.up.dot(v))
+    }
+
+    /// The same of two vectors.
+    #[inline(always)]
+    pub fn pair_in_local_axes(&self, pair: &VectorPair) -> VectorPair {
+        let along = |axis: &Vector3<f64>| VectorPair::both(axis).dot(pair);
+        VectorPair { x: along(&self.east), y: along(&self.north), z: along(&self.up) }
     }
 
     /// Local to Earth-fixed components.

@@ -11,6 +11,7 @@ use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, check_state
 use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
+use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
 use crate::simulator::{ImuFlags, SensorSuite};
@@ -141,7 +142,7 @@ impl Chain {
         }
         self.conclude(&motion, recent);
         if self.accuracy.is_due(next.time_s) {
-            let errors = *self.navigation_errors(next);
+            let errors = Moment { chain: self, point: next }.navigation_errors();
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())

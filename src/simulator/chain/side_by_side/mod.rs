@@ -15,6 +15,7 @@ use crate::sensors::SharedInput;
 use crate::signal::{Increment, RUNS};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
+use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
 use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Simulator, Solution};
@@ -115,7 +116,7 @@ impl SideBySide {
 
     /// The navigated solution of a run; `intake` is that of the truth.
     pub fn navigation(&self, place: usize, intake: &Intake) -> Result<Option<Solution>, Error> {
-        self.read(place, intake, Chain::navigation)
+        self.read(place, intake, |moment| moment.navigation())
     }
 
     /// Time [s] and errors of a run, and whether the truth is near a pole.
@@ -126,10 +127,7 @@ impl SideBySide {
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
         self.options.check_source(source)?;
-        let errors = self.read(place, intake, |chain, truth| {
-            chain.errors(source, truth).map(|errors| (truth.time_s, errors, truth.is_near_pole()))
-        })?;
-        Ok(errors.flatten())
+        Ok(self.read(place, intake, |moment| moment.errors_and_pole(source))?.flatten())
     }
 
     /// Signals of the last interval of a run.
@@ -142,13 +140,13 @@ impl SideBySide {
         &self,
         place: usize,
         intake: &Intake,
-        view: impl FnOnce(&Chain, &TruthPoint) -> T,
+        view: impl FnOnce(Moment<'_>) -> T,
     ) -> Result<Option<T>, Error> {
         match (self.chain_of(place), intake.current(), intake.front()) {
-            (Some(chain), Some(current), _) => Ok(Some(view(&chain, current))),
+            (Some(chain), Some(current), _) => Ok(Some(view(Moment { chain: &chain, point: current }))),
             (_, _, Some(first)) => {
                 let chain = self.start_of(place, first, intake.first_interval().as_ref())?;
-                Ok(Some(view(&chain, first)))
+                Ok(Some(view(Moment { chain: &chain, point: first })))
             }
             _ => Ok(None),
         }
@@ -171,7 +169,7 @@ impl SideBySide {
 
     /// The truth in flight, which is at `truth`.
     pub fn truth(&self, truth: &TruthPoint) -> Option<Solution> {
-        self.chain.as_ref().map(|chain| chain.truth(truth))
+        self.chain.as_ref().map(|chain| Moment { chain, point: truth }.truth())
     }
 
     /// The velocity of the truth at `point`, 0 so far, is known.

@@ -1,0 +1,173 @@
+//! Arc tangent, of several points at once: the very bits of the `libm` crate's (FreeBSD msun, e_atan2.c and s_atan.c).
+
+use core::f64::consts::PI;
+
+/// π less its double.
+const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
+
+/// Ratios beyond which, as for what is no number, the library itself is asked: it has its own rules there.
+const MAX_RATIO: f64 = (1_u64 << 60) as f64;
+
+/// atan t = atan s + atan r, r = (c t - d)/(c + d t), s = d/c.
+#[derive(Clone, Copy)]
+struct Reduction {
+    c: f64,
+    d: f64,
+    /// atan s, and what its double lacks.
+    high: f64,
+    rest: f64,
+}
+
+/// s = 0, 1/2, 1, 3/2, ∞.
+const REDUCTIONS: [Reduction; 5] = [
+    Reduction { c: 1.0, d: 0.0, high: 0.0, rest: 0.0 },
+    Reduction { c: 2.0, d: 1.0, high: 4.636_476_090_008_061e-1, rest: 2.269_877_745_296_168_7e-17 },
+    Reduction { c: 1.0, d: 1.0, high: 7.853_981_633_974_483e-1, rest: 3.061_616_997_868_383e-17 },
+    Reduction { c: 1.0, d: 1.5, high: 9.827_937_232_473_29e-1, rest: 1.390_331_103_123_099_8e-17 },
+    Reduction { c: 0.0, d: 1.0, high: 1.570_796_326_794_896_6, rest: 6.123_233_995_736_766e-17 },
+];
+
+/// They begin at t = 0, 7/16, 11/16, 19/16, 39/16. So the nearest integer to 8 t tells which: where t is a bound, the even one of
+/// two that are as near is above.
+static BY_EIGHTHS: [Reduction; 32] = {
+    let mut by_eighths = [REDUCTIONS[4]; 32];
+    let mut eighths = 0;
+    while eighths < LAST_BEGINS {
+        let index = (eighths >= 4) as usize + (eighths >= 6) as usize + (eighths >= 10) as usize;
+        by_eighths[eighths] = REDUCTIONS[index];
+        eighths += 1;
+    }
+    by_eighths
+};
+const LAST_BEGINS: usize = 20;
+
+/// Added, it leaves the nearest integer in the last bits.
+const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
+
+/// (r - atan r)/r as a polynomial in r², in two: odd and even powers of r².
+const ODD: [f64; 6] = [
+    3.333_333_333_333_293e-1,
+    1.428_571_427_250_346_6e-1,
+    9.090_887_133_436_507e-2,
+    6.661_073_137_387_531e-2,
+    4.976_877_994_615_932e-2,
+    1.628_582_011_536_578_2e-2,
+];
+const EVEN: [f64; 5] = [
+    -1.999_999_999_987_648_3e-1,
+    -1.111_111_040_546_235_6e-1,
+    -7.691_876_205_044_83e-2,
+    -5.833_570_133_790_573_5e-2,
+    -3.653_157_274_421_691_6e-2,
+];
+
+/// Angles of the points (`x`, `y`) [rad], -π to π. Without a branch on the points, and one step of all after the other, so that
+/// the compiler computes two at a time.
+#[inline]
+pub fn atan2_each<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
+    let mut t = [0.0; N];
+    for i in 0..N {
+        t[i] = y[i].abs() / x[i].abs();
+    }
+    // False for NaN too.
+    if !t.iter().all(|t| *t <= MAX_RATIO) {
+        return atan2_of_special(y, x);
+    }
+    let mut eighths = [0; N];
+    for i in 0..N {
+        let last = LAST_BEGINS as f64 / 8.0;
+        eighths[i] = (8.0 * if t[i] < last { t[i] } else { last } + ROUND).to_bits();
+    }
+    let reduction = eighths.map(|eighths| &BY_EIGHTHS[eighths as usize % BY_EIGHTHS.len()]);
+    let (mut r, mut z, mut w) = ([0.0; N], [0.0; N], [0.0; N]);
+    for i in 0..N {
+        let (c, d) = (reduction[i].c, reduction[i].d);
+        r[i] = (c * t[i] - d) / (c + d * t[i]);
+        z[i] = r[i] * r[i];
+        w[i] = z[i] * z[i];
+    }
+    let (mut odd, mut even) = ([ODD[5]; N], [EVEN[4]; N]);
+    for k in (0..5).rev() {
+        for i in 0..N {
+            odd[i] = ODD[k] + w[i] * odd[i];
+        }
+    }
+    for k in (0..4).rev() {
+        for i in 0..N {
+            even[i] = EVEN[k] + w[i] * even[i];
+        }
+    }
+    let mut angle = [0.0; N];
+    for i in 0..N {
+        let Reduction { high, rest, .. } = *reduction[i];
+        let of_t = high - ((r[i] * (z[i] * odd[i] + w[i] * even[i]) - rest) - r[i]);
+        // For a negative x, π - (atan t - rest of π); atan t - 0 + 0 keeps the bits of the others.
+        let behind = (x[i].to_bits().cast_signed() >> 63).cast_unsigned();
+        let if_behind = |x: f64| f64::from_bits(x.to_bits() & behind);
+        let less_rest = of_t - if_behind(PI_REST);
+        let turned = f64::from_bits(less_rest.to_bits() ^ if_behind(-0.0).to_bits());
+        angle[i] = (turned + if_behind(PI)).copysign(y[i]);
+    }
+    angle
+}
+
+#[cold]
+fn atan2_of_special<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
+    core::array::from_fn(|i| libm::atan2(y[i], x[i]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{SPLIT_MIX_STEP, mix};
+
+    /// Against the library's, bit for bit; what is no number has any bits.
+    fn check(y: f64, x: f64) {
+        let found = atan2_each(&[y, y, 0.3, -y], &[x, -x, -0.7, x]);
+        for (found, (y, x)) in found.into_iter().zip([(y, x), (y, -x), (0.3, -0.7), (-y, x)]) {
+            let expected = libm::atan2(y, x);
+            let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
+            assert!(same, "atan2({y:e}, {x:e}): {found:e} {expected:e}");
+        }
+    }
+
+    #[test]
+    fn the_bits_of_the_library_everywhere() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_add(SPLIT_MIX_STEP);
+            mix(state)
+        };
+        for _ in 0..1_000_000 {
+            // Any bits; ratios near 1; ratios of all sizes that are no special ones.
+            check(f64::from_bits(random()), f64::from_bits(random()));
+            let [y, x] = [random(), random()].map(|bits| bits.cast_signed() as f64);
+            check(y, x);
+            check(y * f64::from_bits((random() % 134 + 956) << 52), x);
+        }
+    }
+
+    #[test]
+    fn the_bits_of_the_library_at_the_bounds_and_at_special_numbers() {
+        let bounds = [7.0 / 16.0, 11.0 / 16.0, 19.0 / 16.0, 39.0 / 16.0, 2.5, MAX_RATIO, 1.0, 2f64.powi(-27)];
+        for bound in bounds {
+            for ulps in 0..8 {
+                check(f64::from_bits(bound.to_bits() + ulps), 1.0);
+                check(f64::from_bits(bound.to_bits() - ulps), 1.0);
+                check(3.0 * f64::from_bits(bound.to_bits() - ulps), 3.0);
+            }
+        }
+        let special = [0.0, 5e-324, 2.2e-308, 1e-300, 1.0, 3.0, 1e300, f64::MAX, f64::INFINITY, f64::NAN];
+        for y in special {
+            for x in special {
+                check(y, x);
+            }
+        }
+    }
+
+    #[test]
+    fn points_of_one_call_do_not_meet() {
+        let (y, x) = ([0.1, f64::INFINITY, -3.0], [-2.0, 1.0, 0.0]);
+        assert_eq!(atan2_each(&y, &x), [0, 1, 2].map(|i| libm::atan2(y[i], x[i])));
+    }
+}

@@ -1,0 +1,88 @@
+//! What is read of a chain at an instant.
+
+use super::chain::Chain;
+use super::{ErrorSource, Solution};
+use crate::errors::{NavigationErrors, navigation_minus_truth};
+use crate::mechanization::VerticalMode;
+use crate::state::Navigation;
+use crate::truth::TruthPoint;
+
+/// A chain while the truth is at `point`.
+#[derive(Clone, Copy)]
+pub(crate) struct Moment<'a> {
+    pub(super) chain: &'a Chain,
+    pub(super) point: &'a TruthPoint,
+}
+
+impl Moment<'_> {
+    /// Time [s].
+    pub fn time_s(&self) -> f64 {
+        self.point.time_s
+    }
+
+    /// Whether the truth is: longitude and heading and their errors have no meaning there.
+    pub fn near_pole(&self) -> bool {
+        self.point.is_near_pole()
+    }
+
+    /// The solution of the truth.
+    #[inline(always)]
+    pub fn truth(&self) -> Solution {
+        Solution {
+            inconsistent: self.chain.closure.last_flagged(),
+            ..Solution::new(&self.chain.earth, self.point.time_s, *self.true_view())
+        }
+    }
+
+    /// The navigated solution.
+    #[inline(always)]
+    pub fn navigation(&self) -> Solution {
+        let Chain { earth, options, last, north_unknown, .. } = self.chain;
+        Solution {
+            vertical_unaided: last.vertical_unaided().unwrap_or(options.vertical == VerticalMode::Free),
+            north_unknown: *north_unknown,
+            ..Solution::new(earth, self.point.time_s, *self.navigated_view())
+        }
+    }
+
+    /// Navigation minus truth.
+    #[inline(always)]
+    pub fn navigation_errors(&self) -> NavigationErrors {
+        navigation_minus_truth(&self.chain.earth, self.navigated_view(), self.true_view())
+    }
+
+    /// The error model's; `None` while it is off.
+    #[inline(always)]
+    pub fn model_errors(&self) -> Option<NavigationErrors> {
+        let model = self.chain.error_model.as_ref()?;
+        let (axes, block) = (self.chain.options.axes, self.chain.block.as_ref());
+        Some(model.errors(self.point, self.true_view(), axes, block))
+    }
+
+    /// Time [s] and errors of `source`, and whether the truth is near a pole; `None` of a model that is off.
+    pub fn errors_and_pole(&self, source: ErrorSource) -> Option<(f64, NavigationErrors, bool)> {
+        let errors = match source {
+            ErrorSource::Navigation => Some(self.navigation_errors()),
+            ErrorSource::Model => self.model_errors(),
+        };
+        errors.map(|errors| (self.time_s(), errors, self.near_pole()))
+    }
+
+    #[inline(always)]
+    fn true_view(&self) -> &Navigation {
+        let Chain { earth, options, views, .. } = self.chain;
+        views.truth.get_or_init(|| self.point.navigation(earth, options.axes))
+    }
+
+    /// What the INS gives out, of the reference point.
+    #[inline(always)]
+    fn navigated_view(&self) -> &Navigation {
+        let Chain { earth, options, mechanization, block, views, .. } = self.chain;
+        views.navigation.get_or_init(|| match block {
+            None => mechanization.navigation(options.axes),
+            Some(block) => {
+                block.belief().reference_point(&mechanization.state()).navigation(earth, options.axes)
+            }
+        })
+    }
+}
