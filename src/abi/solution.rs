@@ -1,6 +1,6 @@
 //! `sins_navigation`, `sins_errors`, `sins_imu`: what is read after a step.
 
-use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::options::one_of;
 use super::simulator::{sins_sim, with_simulator};
@@ -191,20 +191,19 @@ impl sins_navigation {
 impl sins_errors {
     #[inline(always)]
     pub(super) fn of_navigation(moment: Moment<'_>) -> Self {
-        Self::new(moment, &moment.navigation_errors())
+        Self::new(moment.time_s(), &moment.navigation_errors(), moment.near_pole())
     }
 
     #[inline(always)]
     pub(super) fn of_model(moment: Moment<'_>) -> Self {
         match moment.model_errors() {
-            Some(errors) => Self::new(moment, &errors),
+            Some(errors) => Self::new(moment.time_s(), &errors, moment.near_pole()),
             None => Self::not_computed(moment.time_s()),
         }
     }
 
     #[inline(always)]
-    fn new(moment: Moment<'_>, errors: &NavigationErrors) -> Self {
-        let (time_s, near_pole) = (moment.time_s(), moment.near_pole());
+    pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
         let flag = |set: bool, flag: i32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
