@@ -58,13 +58,19 @@ fn any_number_of_threads_writes_the_same_files() {
     assert!(bytes(&folder.join("first"))[0] != bytes(&folder.join("1"))[0]);
 }
 
+/// Long enough to be interrupted.
+#[cfg(unix)]
+fn long<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&order(&["--set", "flight.hours=0.1", "--set", "flight.rate_hz=100"])[..], more].concat()
+}
+
 /// Waits for the checkpoint, which comes with the first block.
 #[cfg(unix)]
 fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
     use std::process::Stdio;
     use std::time::{Duration, Instant};
 
-    let order = order(&["--set", "flight.rate_hz=100", "--threads", "1", "--out", out]);
+    let order = long(&["--threads", "1", "--out", out]);
     let child = sins(folder, &order).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let checkpoint = folder.join(out).join("simulation2_ensemble.checkpoint");
     let deadline = Instant::now() + Duration::from_secs(120);
@@ -83,7 +89,7 @@ fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
 #[cfg(unix)]
 fn an_interrupted_ensemble_goes_on_to_the_same_files() {
     let folder = folder("interrupted");
-    let whole = order(&["--set", "flight.rate_hz=100", "-q", "--out", "whole"]);
+    let whole = long(&["-q", "--out", "whole"]);
     done(&folder, &whole);
     let (code, errors) = interrupted(&folder, "asked", "INT");
     assert_eq!(code, 130, "{errors}");
@@ -91,8 +97,7 @@ fn an_interrupted_ensemble_goes_on_to_the_same_files() {
     assert_eq!(names(&folder.join("asked")), ["simulation2_ensemble.checkpoint"]);
     assert_eq!(interrupted(&folder, "killed", "KILL").0, -1);
     for out in ["asked", "killed"] {
-        let (code, _, errors) =
-            run(&folder, &order(&["--set", "flight.rate_hz=100", "--threads", "2", "--out", out]));
+        let (code, _, errors) = run(&folder, &long(&["--threads", "2", "--out", out]));
         assert!(code == 0 && errors.contains(" of 150 runs are flown"), "{errors}");
         assert!(bytes(&folder.join(out)) == bytes(&folder.join("whole")), "{out}");
         assert!(!folder.join(out).join("simulation2_ensemble.checkpoint").exists());
@@ -106,7 +111,7 @@ fn a_checkpoint_that_is_damaged_or_foreign_is_refused() {
     assert_eq!(interrupted(&folder, "out", "INT").0, 130);
     let path = folder.join("out/simulation2_ensemble.checkpoint");
     let good = std::fs::read(&path).unwrap();
-    let again = order(&["--set", "flight.rate_hz=100", "--out", "out"]);
+    let again = long(&["--out", "out"]);
     for (more, words) in [
         (&["--set", "options.seed=7"][..], "is of another order: \"scene "),
         (&["--set", "gyro.bias_sigma_deg_h=0.02"], "is of another order: \"scene "),
