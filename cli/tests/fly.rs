@@ -92,6 +92,28 @@ fn the_true_motion_is_summed_up() {
     assert!(said.contains("truth           largest angular rate"), "{said}");
 }
 
+/// Where the covariance is on, nine columns of standard deviations follow, and the page has the envelope.
+#[test]
+fn standard_deviations_are_recorded_and_drawn() {
+    let folder = folder("sigmas");
+    let fly = |settings: &[&str]| {
+        let fixed = ["fly", "rest", "-q", "--preset", "navigation", "--set", "flight.hours=0.05", "--name", "run"];
+        done(&folder, &[&fixed, settings].concat());
+        numbers(&folder.join("sins_out/run.csv"))
+    };
+    let without = fly(&[]);
+    let with = fly(&["--set", "options.covariance=on"]);
+    assert_eq!(with.0.len(), without.0.len() + 9);
+    assert!(with.0[without.0.len()].starts_with("sigma_position_east"));
+    for (row, other) in with.1.iter().zip(&without.1) {
+        assert_eq!(row[..other.len()], other[..], "the errors are the same");
+    }
+    let sigma = |row: &Vec<f64>| row[without.0.len()];
+    assert!(sigma(&with.1[0]) >= 0.0 && with.1.last().is_some_and(|last| sigma(last) > sigma(&with.1[1])));
+    done(&folder, &["report", "sins_out/run.csv", "-o", "page.html"]);
+    assert!(read(folder.join("page.html")).contains("class=\"sigma\""));
+}
+
 #[test]
 fn what_was_meant_is_told() {
     let folder = folder("meant");

@@ -11,6 +11,7 @@ use crate::earth::Earth;
 use crate::errors::column::{At, Column, advance, keep_within};
 use crate::math::VectorPair;
 use crate::mechanization::{VerticalLoop, VerticalMode};
+use crate::signal::MotionNode;
 use crate::truth::TruthPoint;
 
 /// From the start of a stretch to its end.
@@ -22,146 +23,170 @@ pub(super) struct Passage<'a> {
     pub truth: &'a TruthPoint,
 }
 
-/// What errors of 1 over the stretch make of x.
-struct Responses {
-    /// By constant errors of the axes, and by such as go from -1/2 to 1/2.
-    constant: [Column; AXES],
-    sloping: [Column; AXES],
-    altimeter: Column,
+/// The linear model over the stretch, from the vertical loop of the one before.
+struct Model<'a> {
+    passage: &'a Passage<'a>,
+    nodes: [MotionNode; 3],
+    axes: [Matrix3<f64>; 3],
+    mode: VerticalMode,
+    channel: VerticalLoop,
 }
 
-impl Passage<'_> {
-    pub fn go(&self, root: &mut Root, work: &mut [Column], parameters: &Parameters<'_>) {
-        let t = self.stretch.length_s;
-        let times = (t, t / self.stretch.intervals as f64);
-        let is_aided = self.vertical != VerticalMode::Damped || self.stretch.aided > 0;
-        let mode = if is_aided { self.vertical } else { VerticalMode::Free };
-        let mut channel = root.channel;
-        let (nodes, axes) = self.stretch.lines();
-        let zero = VectorPair::both(&Vector3::zeros());
-        let over = |column: &Column, errors_e: &[VectorPair; 3], channel: &mut VerticalLoop| {
-            let mut column = *column;
-            advance(&mut column, self.earth, t, &nodes, errors_e);
-            self.at.correct_vertical(&mut column, mode, channel, 0.0, times);
-            column
-        };
+/// The columns that are new, of which a root is made.
+struct Columns<'a> {
+    all: &'a mut [Column],
+    used: usize,
+}
 
-        // The transition, by unit columns.
-        let before = root.channel;
-        let mut transition = SMatrix::<f64, ROWS, ROWS>::zeros();
+type Transition = SMatrix<f64, ROWS, ROWS>;
+
+const NONE: Vector3<f64> = Vector3::new(0.0, 0.0, 0.0);
+
+/// Errors of a gyro or of an accelerometer.
+fn errors_of(is_gyro: bool, vector_e: Vector3<f64>) -> VectorPair {
+    if is_gyro { VectorPair::new(&vector_e, &NONE) } else { VectorPair::new(&NONE, &vector_e) }
+}
+
+impl Columns<'_> {
+    fn take(&mut self, column: Column) {
+        self.all[self.used] = column;
+        self.used += 1;
+    }
+}
+
+impl Model<'_> {
+    /// What becomes of a column with the sensor errors `errors_e`, and of the vertical loop.
+    fn over(&self, column: &Column, errors_e: &[VectorPair; 3]) -> (Column, VerticalLoop) {
+        let (mut column, mut channel) = (*column, self.channel);
+        let Passage { earth, stretch, at, .. } = self.passage;
+        advance(&mut column, earth, stretch.length_s, &self.nodes, errors_e);
+        at.correct_vertical(&mut column, self.mode, &mut channel, 0.0, stretch.times());
+        (column, channel)
+    }
+
+    /// What becomes of errors of 1, column by column, and of the vertical loop.
+    fn transition(&self) -> (Transition, VerticalLoop) {
+        let mut transition = Transition::zeros();
+        let mut channel = self.channel;
         for row in 0..ROWS {
             let mut unit = Column::zeros();
             unit[row] = 1.0;
-            channel = before;
-            transition.set_column(row, &over(&unit, &[zero; 3], &mut channel));
+            let (column, after) = self.over(&unit, &[VectorPair::both(&NONE); 3]);
+            transition.set_column(row, &column);
+            channel = after;
         }
-        let alone = |errors_e: &[VectorPair; 3]| over(&Column::zeros(), errors_e, &mut { before });
-        let steady = |gyro: Vector3<f64>, accel: Vector3<f64>| [VectorPair::new(&gyro, &accel); 3];
+        (transition, channel)
+    }
 
-        let none = Vector3::zeros();
-        let errors_of = |axis: usize, shares: [f64; 3]| -> [VectorPair; 3] {
-            core::array::from_fn(|node| {
-                let vector = axes[node].column(axis % 3) * shares[node];
-                if axis < 3 { VectorPair::new(&vector, &none) } else { VectorPair::new(&none, &vector) }
-            })
+    /// What comes of errors of an axis that have these sizes at the nodes.
+    fn by_axis(&self, axis: usize, sizes: [f64; 3]) -> Column {
+        let at = |node: usize| errors_of(axis < 3, self.axes[node].column(axis % 3) * sizes[node]);
+        self.over(&Column::zeros(), &[at(0), at(1), at(2)]).0
+    }
+
+    /// What comes of an input of 1 throughout; of the altimeter at the end, where it is read.
+    fn by(&self, input: Input) -> Column {
+        let Passage { earth, stretch, at, truth, .. } = self.passage;
+        let errors_e = match input {
+            Input::Axis(axis) => return self.by_axis(axis, [1.0; 3]),
+            Input::Element(element) => {
+                stretch.by_element(element).map(|vector_e| errors_of(element < ELEMENTS / 2, vector_e))
+            }
+            // To an INS that computes with normal gravity the rest is an error of its accelerometers.
+            Input::Field(field) => [errors_of(false, -field_e(earth, truth, field)); 3],
+            Input::Altimeter => {
+                let (mut column, mut channel) = (Column::zeros(), self.channel);
+                at.correct_vertical(&mut column, self.mode, &mut channel, 1.0, stretch.times());
+                return column;
+            }
         };
-        let mut altimeter = Column::zeros();
-        self.at.correct_vertical(&mut altimeter, mode, &mut { before }, 1.0, times);
-        let responses = Responses {
-            constant: core::array::from_fn(|axis| alone(&errors_of(axis, [1.0; 3]))),
-            sloping: core::array::from_fn(|axis| alone(&errors_of(axis, [-0.5, 0.0, 0.5]))),
-            altimeter,
-        };
+        self.over(&Column::zeros(), &errors_e).0
+    }
+}
 
-        // The root.
-        let mut used = 0;
-        let mut take = |column: Column| {
-            work[used] = column;
-            used += 1;
-        };
-        root.factor.iter().for_each(|column| take(transition * column));
-
-        // The processes.
-        let mut own = [0.0f64; AXES];
-        for place in 0..COUNT {
-            let source = Source::at(place, parameters);
-            let sensitivity = &mut root.sensitivities[place];
-            if source.sigma == 0.0 && *sensitivity == Column::zeros() {
-                if let (Input::Axis(axis), Kind::Walk(_)) = (source.input, source.kind) {
-                    root.walks[axis] = 0.0;
-                }
-                continue;
-            }
-            let walk = match source.input {
-                Input::Axis(axis) => &mut root.walks[axis],
-                _ => &mut 0.0,
-            };
-            let step = source.advance(t, self.stretch.ground_m, walk);
-            let led = transition * *sensitivity;
-            if source.input == Input::Altimeter {
-                // The altimeter is read at the end.
-                let (decay, diffusion) = (step.decay, step.diffusion);
-                *sensitivity = led * decay + responses.altimeter * source.sigma;
-                take(led * diffusion);
-                continue;
-            }
-            let by_one = match source.input {
-                Input::Axis(axis) => responses.constant[axis],
-                Input::Element(element) => {
-                    let is_gyro = element < ELEMENTS / 2;
-                    let pair = |vector: Vector3<f64>| {
-                        if is_gyro {
-                            VectorPair::new(&vector, &none)
-                        } else {
-                            VectorPair::new(&none, &vector)
-                        }
-                    };
-                    alone(&self.stretch.by_element(element).map(pair))
-                }
-                // To an INS that computes with normal gravity the rest is an error of its accelerometers.
-                Input::Field(field) => alone(&steady(none, -field_e(self.earth, self.truth, field))),
-                Input::Altimeter => Column::zeros(),
-            };
-            let [of_start, of_draw, of_own] = step.mean;
-            let (from_start, from_draw) = (led + by_one * of_start, by_one * of_draw);
-            *sensitivity = from_start * step.decay + from_draw * step.diffusion;
-            if step.diffusion != 0.0 {
-                take(from_start * step.diffusion - from_draw * step.decay);
-            }
-            match source.input {
-                Input::Axis(axis) => own[axis] += of_own * of_own,
-                _ if of_own != 0.0 => take(by_one * of_own),
-                _ => {}
-            }
-        }
-
-        // What is new in every stretch: of white noise its mean, of variance N²/T, and its slope, of 12 N²/T.
-        for axis in 0..AXES {
-            let triad = if axis < 3 { parameters.gyro } else { parameters.accel };
-            let density2 = triad.random_walk[axis % 3] * triad.random_walk[axis % 3] / t;
-            let mean = (density2 + own[axis]).sqrt();
-            if mean != 0.0 {
-                take(responses.constant[axis] * mean);
-            }
-            if density2 != 0.0 {
-                take(responses.sloping[axis] * (12.0 * density2).sqrt());
-            }
-            let pulse = triad.quantization[axis % 3];
-            if pulse != 0.0 {
-                take(self.quantization(axis, pulse, &nodes[1].f_e, &axes[1]));
-            }
-        }
-        if mode == VerticalMode::Damped && parameters.altimeter.noise_m != 0.0 {
-            take(responses.altimeter * (parameters.altimeter.noise_m / (self.stretch.aided as f64).sqrt()));
-        }
-        let work = &mut work[..used];
-        triangularize(work);
-        root.factor.copy_from_slice(&work[..ROWS]);
+impl Passage<'_> {
+    /// Brings `root` from the start of the stretch to its end; `work` is room for the columns.
+    pub fn go(&self, root: &mut Root, work: &mut [Column], parameters: &Parameters<'_>) {
+        let is_aided = self.vertical != VerticalMode::Damped || self.stretch.aided > 0;
+        let mode = if is_aided { self.vertical } else { VerticalMode::Free };
+        let (nodes, axes) = self.stretch.lines();
+        let model = Model { passage: self, nodes, axes, mode, channel: root.channel };
+        let (transition, channel) = model.transition();
+        let mut columns = Columns { all: work, used: 0 };
+        root.factor.iter().for_each(|column| columns.take(transition * column));
+        self.add_processes(root, &mut columns, &model, &transition, parameters);
+        self.add_noise(&mut columns, &model, parameters);
+        triangularize(&mut columns.all[..columns.used]);
+        root.factor.copy_from_slice(&columns.all[..ROWS]);
         root.channel = channel.with_states([0.0; 2]);
         if !is_aided {
             root.channel.skip();
         }
         root.columns_mut().for_each(keep_within);
+    }
+
+    /// The processes: S⁺ = a (Φ S + γ) + s δ, and what the errors no longer share with them.
+    fn add_processes(
+        &self,
+        root: &mut Root,
+        columns: &mut Columns<'_>,
+        model: &Model<'_>,
+        transition: &Transition,
+        parameters: &Parameters<'_>,
+    ) {
+        let mut by_axes = [None; AXES];
+        for place in 0..COUNT {
+            let source = Source::at(place, parameters);
+            let sensitivity = &mut root.sensitivities[place];
+            let mut still = 0.0;
+            let walk = match (source.input, source.kind) {
+                (Input::Axis(axis), Kind::Walk(_)) => &mut root.walks[axis],
+                _ => &mut still,
+            };
+            let step = source.advance(self.stretch.length_s, self.stretch.ground_m, walk);
+            if source.sigma == 0.0 && *sensitivity == Column::zeros() {
+                continue;
+            }
+            let led = transition * *sensitivity;
+            let by_one = match source.input {
+                Input::Axis(axis) => *by_axes[axis].get_or_insert_with(|| model.by(source.input)),
+                input => model.by(input),
+            };
+            if source.input == Input::Altimeter {
+                *sensitivity = led * step.decay + by_one * source.sigma;
+                columns.take(led * step.diffusion);
+                continue;
+            }
+            let [of_start, of_draw, of_own] = step.mean;
+            let (from_start, from_draw) = (led + by_one * of_start, by_one * of_draw);
+            *sensitivity = from_start * step.decay + from_draw * step.diffusion;
+            if step.diffusion != 0.0 {
+                columns.take(from_start * step.diffusion - from_draw * step.decay);
+                columns.take(by_one * of_own);
+            }
+        }
+    }
+
+    /// What is new in every stretch: of white noise its mean, of variance N²/T, and its slope, of 12 N²/T; quantization; the
+    /// altimeter's noise.
+    fn add_noise(&self, columns: &mut Columns<'_>, model: &Model<'_>, parameters: &Parameters<'_>) {
+        for axis in 0..AXES {
+            let triad = parameters.of_axis(axis);
+            let (density, pulse) = (triad.random_walk[axis % 3], triad.quantization[axis % 3]);
+            if density != 0.0 {
+                let root = density / self.stretch.length_s.sqrt();
+                columns.take(model.by_axis(axis, [root; 3]));
+                let slope = 12.0f64.sqrt() * root;
+                columns.take(model.by_axis(axis, [-0.5 * slope, 0.0, 0.5 * slope]));
+            }
+            if pulse != 0.0 {
+                columns.take(self.quantization(axis, pulse, &model.nodes[1].f_e, &model.axes[1]));
+            }
+        }
+        let noise_m = parameters.altimeter.noise_m;
+        if model.mode == VerticalMode::Damped && noise_m != 0.0 {
+            columns.take(model.by(Input::Altimeter) * (noise_m / (self.stretch.aided as f64).sqrt()));
+        }
     }
 
     /// What comes of the rest e that quantization carries, of variance q²/12 and new with each increment: ψ has -C e and δv C e

@@ -7,7 +7,7 @@ use super::factor::{ROWS, triangularize};
 use super::figures::NavigationCovariance;
 use super::passage::Passage;
 use super::read::covariance_of;
-use super::sources::{AXES, COUNT, FIELDS, Input, Parameters, Source};
+use super::sources::{AXES, COUNT, Input, Parameters, Source};
 use super::stretch::{Piece, Stretch};
 use crate::earth::{Earth, Vertical};
 use crate::error::Error;
@@ -20,9 +20,9 @@ use crate::signal::{Increment, IntervalMotion};
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
-/// Columns that a stretch makes at the most: the root, what the processes lose, mean and slope of the noise of the axes, their
-/// quantization, what gravity's fields have of their own, the altimeter's noise.
-const WORK: usize = ROWS + COUNT + 3 * AXES + FIELDS + 1;
+/// Columns that a stretch makes at the most: the root, what the processes lose and have of their own, mean and slope of the noise
+/// of the axes, their quantization, the altimeter's noise.
+const WORK: usize = ROWS + 2 * COUNT + 3 * AXES + 1;
 
 /// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
 /// Of the covariance of x and β this is a square root, so that no rounding makes it negative.

@@ -56,7 +56,7 @@ pub(super) fn covariance_of(
     }
     // What quantization carries now: while it lasts.
     for axis in 0..AXES {
-        let triad = if axis < 3 { parameters.gyro } else { parameters.accel };
+        let triad = parameters.of_axis(axis);
         let pulse = triad.quantization[axis % 3];
         if pulse != 0.0 {
             let rest_n = at.in_local_axes(&axes_e.column(axis % 3).into_owned()) * (pulse / 12.0f64.sqrt());

@@ -16,6 +16,11 @@ pub(crate) struct Parameters<'a> {
 }
 
 impl Parameters<'_> {
+    /// The triad that an axis is of.
+    pub fn of_axis(&self, axis: usize) -> &TriadParameters {
+        if axis < 3 { self.gyro } else { self.accel }
+    }
+
     /// Whether scale factors or misalignments are random.
     pub fn have_elements(&self) -> bool {
         [self.gyro, self.accel].iter().any(|triad| {
@@ -84,7 +89,7 @@ pub struct Advance {
 impl Source {
     /// The process at `place` of [`COUNT`]; those that nothing calls for have a sigma of 0.
     pub fn at(place: usize, parameters: &Parameters<'_>) -> Self {
-        let triad = |axis: usize| if axis < 3 { parameters.gyro } else { parameters.accel };
+        let triad = |axis: usize| parameters.of_axis(axis);
         let constant = |input, sigma| Self { input, kind: Kind::Constant, sigma };
         let mut place = place;
         if place < AXES {
@@ -134,10 +139,11 @@ impl Source {
         let still = Advance { decay: 1.0, diffusion: 0.0, mean: [self.sigma, 0.0, 0.0] };
         match self.kind {
             Kind::Constant => still,
-            _ if self.sigma == 0.0 => {
+            Kind::Walk(_) if self.sigma == 0.0 => {
                 *walk = 0.0;
                 still
             }
+            _ if self.sigma == 0.0 => still,
             Kind::MarkovOverGround(_) if ground_m == 0.0 => still,
             Kind::Markov(time_s) => self.markov(t, time_s),
             Kind::MarkovOverGround(distance_m) => self.markov(ground_m, distance_m),
@@ -147,6 +153,9 @@ impl Source {
                 let step = density * t.sqrt();
                 *walk += step * step;
                 let (start, end) = (before.sqrt(), walk.sqrt());
+                if end == 0.0 {
+                    return still;
+                }
                 Advance {
                     decay: start / end,
                     diffusion: step / end,

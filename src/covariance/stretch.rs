@@ -167,6 +167,11 @@ impl Stretch {
         )
     }
 
+    /// Its length and the mean length of its intervals [s].
+    pub fn times(&self) -> (f64, f64) {
+        (self.length_s, self.length_s / self.intervals as f64)
+    }
+
     /// Mean angular rate, sensor axes [rad/s].
     pub fn mean_rate(&self) -> Vector3<f64> {
         self.angle / self.length_s

@@ -219,6 +219,7 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->imu);
     SINS_INIT(found->accuracy);
     SINS_INIT(found->summary);
+    SINS_INIT(found->covariance);
     SINS_INIT(found->options);
     SINS_INIT(found->recommended);
     SINS_INIT(found->cost);
