@@ -1,6 +1,7 @@
 //! What a run of an ensemble takes in a step, against the single chain through `sins_run`: the errors of simulation 2, error data 2.
 //! `ensemble [RUNS...]`: ratios of times that are measured in turn, undisturbed ones of many rounds.
 
+#[expect(dead_code, reason = "another program reads navigation and errors, too")]
 mod c_scene;
 mod scene;
 

@@ -5,11 +5,17 @@
 //! such a loop, as wide as the function it is inlined into may use ([`crate::instruction_set`]); the bits are those of the single
 //! navigator, as neither it nor the loop is allowed to fuse or to reorder operations.
 //!
-//! Tried, on the update in Earth-fixed axes (Cascade Lake, ns a run; the single navigator 125): this 66 with SSE2, 39 with AVX2, 28
-//! with AVX-512. Lane types of `[f64; N]` under nalgebra's generic vectors compute each lane by itself, as the compiler looks for
-//! pairs of scalars no deeper than twelve operations; lane types of intrinsics call each addition through memory wherever a function
-//! of nalgebra in between is not inlined, as it may only be inlined as `#[inline]` asks. And with either each formula would be
-//! generic, that of the single run too.
+//! Tried, on the update in Earth-fixed axes without its rare branches (Cascade Lake, ns a run with SSE2, AVX2 and AVX-512; the single
+//! navigator 125): such a loop 66, 39 and 28; lane types of `[f64; N]` under nalgebra's generic vectors 68, 39 and 27. The times are
+//! the same. With lane types each formula has to be generic over its scalar, that of the single run too, and each constant in it
+//! be spread; in a loop it is left as it reads, and any function that is inlined will do. Lane types of intrinsics were not tried:
+//! an intrinsic is called through memory wherever a function of nalgebra in between is not inlined.
+//!
+//! What a loop needs: no call and no branch that is not a choice of two values; what it reads besides its rows by value; the rows it
+//! reads and those it writes in allocations of their own, or behind references of a function. Where one of these is missed it is
+//! computed run by run, to the same bits: `benches/src/ensemble.rs` shows it.
+
+#![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
 
 use nalgebra::Vector3;
 

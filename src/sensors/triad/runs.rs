@@ -1,5 +1,7 @@
 //! The triads of many runs: one has the parameters of all and what they share, rows have what each keeps.
 
+#![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
+
 use nalgebra::Vector3;
 
 use super::super::bias::Bias;

@@ -311,7 +311,9 @@ impl Work for Navigating<'_> {
         let (lanes, navigators, measured) = (block.lanes, &mut block.navigators, &measured[..count]);
         let aid = match aid {
             VerticalAid::None => AidOfEach::None,
-            VerticalAid::Truth { height_m, velocity_up_m_s } => AidOfEach::Truth { height_m, velocity_up_m_s },
+            VerticalAid::Truth { height_m, velocity_up_m_s } => {
+                AidOfEach::Truth { height_m, velocity_up_m_s }
+            }
             VerticalAid::Barometer { .. } => AidOfEach::Barometer { heights_m },
         };
         navigators.navigate((earth, options.scheme), options.subsamples, measured, t, lanes, scratch);

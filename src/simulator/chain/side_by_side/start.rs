@@ -123,7 +123,7 @@ impl SideBySide {
             simulator.intake = intake.clone();
             simulator.sensors = self.sensors_of(place);
             if let Some(mut chain) = self.chain_of(place) {
-                chain.signals = core::mem::replace(&mut simulator.signals, Signals::default());
+                chain.signals = core::mem::take(&mut simulator.signals);
                 simulator.mode = Mode::Flying(chain);
             }
         }
