@@ -8,6 +8,7 @@ mod snapshot;
 
 use crate::error::{Error, Rule, check_integer};
 use crate::instruction_set::InstructionSet;
+use crate::memory::OnHeap;
 use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{Options, SideBySide, Simulator, Step};
 use crate::truth::{FlightSample, Intake, Pushed};
@@ -33,10 +34,9 @@ pub struct Ensemble {
 
 /// The runs.
 #[derive(Debug)]
-#[expect(clippy::large_enum_variant, reason = "one in an ensemble")]
 enum Runs {
     /// Side by side, which is many times as fast, where what differs from run to run allows it.
-    SideBySide(SideBySide),
+    SideBySide(OnHeap<SideBySide>),
     /// One after the other.
     OneByOne(OneByOne),
 }

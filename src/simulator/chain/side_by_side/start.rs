@@ -4,7 +4,7 @@ use super::block::{Block, Workspace};
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
-use crate::memory::room;
+use crate::memory::{OnHeap, room};
 use crate::sensors::SharedInput;
 use crate::signal::RUNS;
 use crate::simulator::signals::Signals;
@@ -17,12 +17,13 @@ use crate::truth::{Intake, Recent, TruthPoint};
 
 impl SideBySide {
     /// Runs from `first_run` on with the settings of `template`, for which [`Self::is_for`] holds.
+    #[inline(never)]
     pub fn new(
         template: &Simulator,
         first_run: u64,
         runs: usize,
         set: InstructionSet,
-    ) -> Result<Self, Error> {
+    ) -> Result<OnHeap<Self>, Error> {
         let options = template.options().of_run();
         let mut sensors = template.sensors.of_run(&options);
         let workspace = Workspace::new(&mut sensors)?;
@@ -30,18 +31,20 @@ impl SideBySide {
         for first in (0..runs).step_by(RUNS) {
             blocks.push(Block::new(&mut sensors, RUNS.min(runs - first))?);
         }
-        let mut runs = Self {
+        let (signals, shared) = (Signals::new()?, [SharedInput::new()?, SharedInput::new()?]);
+        let earth = options.earth();
+        let mut runs = OnHeap::new(|| Self {
             set,
             options,
-            earth: options.earth(),
+            earth,
             first_run,
             sensors,
-            signals: Signals::new()?,
-            shared: [SharedInput::new()?, SharedInput::new()?],
+            signals,
+            shared,
             chain: None,
             blocks,
             workspace,
-        };
+        })?;
         runs.restart_sensors();
         Ok(runs)
     }
