@@ -24,7 +24,7 @@ fn a_terminal_sees_how_far_how_fast_and_how_long_still() {
     for (arguments, words) in [
         ("fly simulation2 --set flight.hours=24 --set output.every_s=60", "flying: "),
         ("budget simulation2 --hours 0.3", "flying each effect alone: "),
-        ("ensemble simulation2 --set flight.hours=0.2 --runs 128", "flying 128 runs: "),
+        ("ensemble simulation2 --set flight.hours=0.2 --runs 256 --threads 1", "flying 256 runs: "),
     ] {
         let said = on_a_terminal(&folder, arguments);
         let line = said.split(words).find(|line| line.contains(" left"));
