@@ -43,7 +43,7 @@ static int is_held(sins_sim *sim)
     CHECK(status == SINS_ERROR_BAD_STATE);
     every_call(sim, every_answer_is, (void *)&bad_state);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_ERROR_BAD_STATE);
-    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "sim: is inside") == text);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "sim: is in use") == text);
     CHECK(sins_destroy(sim) == SINS_ERROR_BAD_STATE);
     return 1;
 }
