@@ -63,7 +63,7 @@ impl Ensemble {
             return Err(Error::invalid("first_run", first_run, Rule::Between(0.0, last_first as f64)));
         }
         let options = *template.options();
-        let runs = if SideBySide::is_for(template) {
+        let runs = if SideBySide::is_for(template, runs) {
             Runs::SideBySide(SideBySide::new(template, first_run, runs, set)?)
         } else {
             Runs::OneByOne(OneByOne::new(template, first_run, runs)?)
