@@ -1,7 +1,5 @@
 //! Memory that may be missing: an error instead of the end of the process.
 
-use core::ops::{Deref, DerefMut};
-
 use crate::error::{Error, ErrorKind, Rule};
 
 /// Room for `count` elements.
@@ -22,33 +20,6 @@ pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
 pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
     // Used, or the optimizer takes the allocation away.
     room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))
-}
-
-/// One value on the heap: a slice of one, which unlike a `Box` can be allocated without aborting.
-#[derive(Debug)]
-pub(crate) struct OnHeap<T>(Box<[T]>);
-
-impl<T> OnHeap<T> {
-    /// Makes the value where it will stay.
-    pub fn new(make: impl FnOnce() -> T) -> Result<Self, Error> {
-        let mut memory = room(1)?;
-        memory.push(make());
-        Ok(Self(memory.into_boxed_slice()))
-    }
-}
-
-impl<T> Deref for OnHeap<T> {
-    type Target = T;
-
-    fn deref(&self) -> &T {
-        &self.0[0]
-    }
-}
-
-impl<T> DerefMut for OnHeap<T> {
-    fn deref_mut(&mut self) -> &mut T {
-        &mut self.0[0]
-    }
 }
 
 fn missing(count: usize) -> Error {

@@ -8,7 +8,6 @@ mod snapshot;
 
 use crate::error::{Error, Rule, check_integer};
 use crate::instruction_set::InstructionSet;
-use crate::memory::OnHeap;
 use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{Options, SideBySide, Simulator, Step};
 use crate::truth::{FlightSample, Intake, Pushed};
@@ -34,9 +33,10 @@ pub struct Ensemble {
 
 /// The runs.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "one in an ensemble")]
 enum Runs {
     /// Side by side, which is many times as fast, where what differs from run to run allows it.
-    SideBySide(OnHeap<SideBySide>),
+    SideBySide(SideBySide),
     /// One after the other.
     OneByOne(OneByOne),
 }
@@ -63,7 +63,7 @@ impl Ensemble {
             return Err(Error::invalid("first_run", first_run, Rule::Between(0.0, last_first as f64)));
         }
         let options = *template.options();
-        let runs = if SideBySide::is_for(template) {
+        let runs = if SideBySide::is_for(template, runs) {
             Runs::SideBySide(SideBySide::new(template, first_run, runs, set)?)
         } else {
             Runs::OneByOne(OneByOne::new(template, first_run, runs)?)

@@ -97,12 +97,12 @@ impl Ensemble {
 
 /// The runs side by side, if they can be.
 fn side_by_side(mut runs: OneByOne, first_run: u64) -> Result<Runs, Error> {
-    if !runs.simulators.iter().all(SideBySide::is_for) {
+    let count = runs.simulators.len();
+    if !runs.simulators.iter().all(|simulator| SideBySide::is_for(simulator, count)) {
         return Ok(Runs::OneByOne(runs));
     }
     let Some(first) = runs.first() else { return Ok(Runs::OneByOne(runs)) };
-    let mut made =
-        SideBySide::new(first, first_run, runs.simulators.len(), InstructionSet::up_to(usize::MAX))?;
+    let mut made = SideBySide::new(first, first_run, count, InstructionSet::up_to(usize::MAX))?;
     for (place, (simulator, diverged)) in runs.simulators.iter_mut().zip(runs.diverged).enumerate() {
         made.put_simulator(place, simulator, diverged);
     }

@@ -3,6 +3,7 @@
 use super::{ImuFlags, Options};
 use crate::covariance::Parameters;
 use crate::error::{Error, ErrorKind, Rule};
+use crate::memory::room;
 use crate::mounting::MountingParameters;
 use crate::sensors::{
     Altimeter, AltimeterParameters, Failure, GravityDisturbance, GravityDisturbanceParameters,
@@ -136,24 +137,39 @@ impl SensorSuite {
     /// The same parameters, all processes and streams back at their start, no failures.
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
-        fresh.initial = self.initial;
-        fresh.set_mounting(self.mounting);
-        fresh.gravity.set(self.gravity.parameters());
-        fresh.set_gyro(&self.gyro_parameters);
-        fresh.set_accel(&self.accel_parameters);
-        fresh.set_altimeter(&self.altimeter_parameters);
+        fresh.set_as(self);
         fresh
     }
 
-    /// The sensors of another run: what the host set of these, failures too, and all processes and streams at their start.
-    pub fn of_run(&self, options: &Options) -> Self {
-        let mut other = self.restarted(options);
+    /// Sensors on the heap: they are much of a stack.
+    #[inline(never)]
+    pub fn on_heap(options: &Options) -> Result<Box<[Self]>, Error> {
+        let mut memory = room(1)?;
+        memory.push(Self::new(options));
+        Ok(memory.into_boxed_slice())
+    }
+
+    /// Becomes the sensors of another run than `other`: what the host set of those, failures too, and all processes and streams at
+    /// their start.
+    #[inline(never)]
+    pub fn become_run(&mut self, other: &Self, options: &Options) {
+        *self = Self::new(options);
+        self.set_as(other);
         for output in SensorOutput::ALL {
-            if let Some(failure) = self.failure(output) {
-                other.set_failure(output, Some(failure), None);
+            if let Some(failure) = other.failure(output) {
+                self.set_failure(output, Some(failure), None);
             }
         }
-        other
+    }
+
+    /// Takes what the host set of `other`, but for failures.
+    fn set_as(&mut self, other: &Self) {
+        self.initial = other.initial;
+        self.set_mounting(other.mounting);
+        self.gravity.set(other.gravity.parameters());
+        self.set_gyro(&other.gyro_parameters);
+        self.set_accel(&other.accel_parameters);
+        self.set_altimeter(&other.altimeter_parameters);
     }
 
     /// What follows the signals is as in `other`, whose sensors got the same.

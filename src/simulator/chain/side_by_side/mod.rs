@@ -4,6 +4,8 @@
 mod block;
 mod start;
 
+use core::cell::RefCell;
+
 use super::Chain;
 use super::beside::conditions;
 use crate::earth::Earth;
@@ -30,7 +32,9 @@ pub(crate) struct SideBySide {
     earth: Earth,
     first_run: u64,
     /// What the host set, and what follows the signals.
-    sensors: SensorSuite,
+    sensors: Box<[SensorSuite]>,
+    /// Those of one run while they are needed.
+    of_one: RefCell<Box<[SensorSuite]>>,
     signals: Signals,
     shared: [SharedInput; 2],
     /// In flight: the chain without the navigators.
@@ -40,11 +44,12 @@ pub(crate) struct SideBySide {
 }
 
 impl SideBySide {
-    /// Whether the runs of `template` can go side by side. Others have more that differs from run to run, and go one after the
-    /// other.
-    pub fn is_for(template: &Simulator) -> bool {
+    /// Whether so many runs of `template` can and should go side by side. Others have more that differs from run to run, and go one
+    /// after the other; a run alone is faster so.
+    pub fn is_for(template: &Simulator, runs: usize) -> bool {
         let (options, sensors) = (template.options(), &template.sensors);
-        is_for_lanes(options.frame, options.gravity)
+        runs > 1
+            && is_for_lanes(options.frame, options.gravity)
             && options.closed_loop_time_s.is_none()
             && !options.error_model
             && sensors.mounting().is_none()
@@ -61,7 +66,9 @@ impl SideBySide {
             self.start(recent)?;
         }
         let Self { set, options, earth, sensors, signals, shared, chain, blocks, workspace, .. } = self;
-        let (Some(chain), [workspace]) = (chain, &mut **workspace) else { return Ok(()) };
+        let (Some(chain), [workspace], [sensors]) = (chain, &mut **workspace, &mut **sensors) else {
+            return Ok(());
+        };
         let (next, t) = (recent.next, recent.next.interval_s);
         let motion = chain.generator.advance(recent);
         let ideal = &mut signals.ideal[..options.subsamples * options.updates_over(recent)];
@@ -101,7 +108,7 @@ impl SideBySide {
 
     /// Refuses a sample without the temperature that a sensor effect needs.
     pub fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
-        self.sensors.check_temperature(sample.temperature_c)
+        self.sensors[0].check_temperature(sample.temperature_c)
     }
 
     /// How many runs.

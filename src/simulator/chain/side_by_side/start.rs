@@ -1,10 +1,12 @@
 //! The runs of an ensemble from one by one to side by side, and back.
 
+use core::cell::RefCell;
+
 use super::block::{Block, Workspace};
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
-use crate::memory::{OnHeap, room};
+use crate::memory::room;
 use crate::sensors::SharedInput;
 use crate::signal::RUNS;
 use crate::simulator::signals::Signals;
@@ -17,34 +19,33 @@ use crate::truth::{Intake, Recent, TruthPoint};
 
 impl SideBySide {
     /// Runs from `first_run` on with the settings of `template`, for which [`Self::is_for`] holds.
-    #[inline(never)]
     pub fn new(
         template: &Simulator,
         first_run: u64,
         runs: usize,
         set: InstructionSet,
-    ) -> Result<OnHeap<Self>, Error> {
+    ) -> Result<Self, Error> {
         let options = template.options().of_run();
-        let mut sensors = template.sensors.of_run(&options);
-        let workspace = Workspace::new(&mut sensors)?;
+        let mut sensors = SensorSuite::on_heap(&options)?;
+        sensors[0].become_run(&template.sensors, &options);
+        let workspace = Workspace::new(&mut sensors[0])?;
         let mut blocks = room(runs.div_ceil(RUNS))?;
         for first in (0..runs).step_by(RUNS) {
-            blocks.push(Block::new(&mut sensors, RUNS.min(runs - first))?);
+            blocks.push(Block::new(&mut sensors[0], RUNS.min(runs - first))?);
         }
-        let (signals, shared) = (Signals::new()?, [SharedInput::new()?, SharedInput::new()?]);
-        let earth = options.earth();
-        let mut runs = OnHeap::new(|| Self {
+        let mut runs = Self {
             set,
             options,
-            earth,
+            earth: options.earth(),
             first_run,
             sensors,
-            signals,
-            shared,
+            of_one: RefCell::new(SensorSuite::on_heap(&options)?),
+            signals: Signals::new()?,
+            shared: [SharedInput::new()?, SharedInput::new()?],
             chain: None,
             blocks,
             workspace,
-        })?;
+        };
         runs.restart_sensors();
         Ok(runs)
     }
@@ -52,14 +53,16 @@ impl SideBySide {
     /// All processes and streams are back at their start.
     fn restart_sensors(&mut self) {
         for place in 0..self.runs() {
-            let mut sensors = self.sensors.of_run(&self.options_of(place));
-            self.blocks[place / RUNS].put_sensors(place % RUNS, &mut sensors);
+            let options = self.options_of(place);
+            let sensors = &mut self.of_one.get_mut()[0];
+            sensors.become_run(&self.sensors[0], &options);
+            self.blocks[place / RUNS].put_sensors(place % RUNS, sensors);
         }
     }
 
     /// Back to before the first sample.
     pub fn reset(&mut self) {
-        self.sensors = self.sensors.restarted(&self.options);
+        self.sensors[0] = self.sensors[0].restarted(&self.options);
         self.reposition();
         self.restart_sensors();
     }
@@ -71,12 +74,13 @@ impl SideBySide {
         options
     }
 
-    /// The sensors of a run by itself.
-    fn sensors_of(&self, place: usize) -> SensorSuite {
-        let mut sensors = self.sensors.of_run(&self.options_of(place));
-        sensors.follow_as(&self.sensors);
-        self.blocks[place / RUNS].take_sensors(place % RUNS, &mut sensors);
-        sensors
+    /// What `act` makes of the sensors of a run by itself.
+    fn with_sensors_of<T>(&self, place: usize, act: impl FnOnce(&SensorSuite) -> T) -> T {
+        let sensors = &mut self.of_one.borrow_mut()[0];
+        sensors.become_run(&self.sensors[0], &self.options_of(place));
+        sensors.follow_as(&self.sensors[0]);
+        self.blocks[place / RUNS].take_sensors(place % RUNS, sensors);
+        act(sensors)
     }
 
     /// The chain with which a run starts at the sample `first`.
@@ -86,7 +90,9 @@ impl SideBySide {
         first: &TruthPoint,
         interval: Option<&Recent<'_>>,
     ) -> Result<Chain, Error> {
-        Chain::start(&self.options_of(place), self.earth, first, interval, &self.sensors_of(place))
+        self.with_sensors_of(place, |sensors| {
+            Chain::start(&self.options_of(place), self.earth, first, interval, sensors)
+        })
     }
 
     /// All runs start at the interval `first`. An error is one of the truth, and then nothing has changed.
@@ -108,9 +114,9 @@ impl SideBySide {
         self.chain = Some(match shared {
             Some(chain) => chain,
             // All have diverged: the truth goes on.
-            None => Chain::to_load(&self.options, self.earth, first.current, &self.sensors),
+            None => Chain::to_load(&self.options, self.earth, first.current, &self.sensors[0]),
         });
-        self.sensors.reposition(height_m);
+        self.sensors[0].reposition(height_m);
         Ok(())
     }
 
@@ -124,7 +130,7 @@ impl SideBySide {
         push_simulator(memory, &self.options_of(place))?;
         if let Some(simulator) = memory.last_mut() {
             simulator.intake = intake.clone();
-            simulator.sensors = self.sensors_of(place);
+            self.with_sensors_of(place, |sensors| simulator.sensors.clone_from(sensors));
             if let Some(mut chain) = self.chain_of(place) {
                 chain.signals = core::mem::take(&mut simulator.signals);
                 simulator.mode = Mode::Flying(chain);
@@ -136,7 +142,9 @@ impl SideBySide {
     /// Writes a run as the simulator that it is, with the samples of `intake`.
     pub fn save_run(&self, place: usize, intake: &Intake, to: &mut Writer<'_>) {
         let chain = self.chain_of(place);
-        save_flight(&self.options_of(place), &self.sensors_of(place), intake, chain.as_ref(), to);
+        self.with_sensors_of(place, |sensors| {
+            save_flight(&self.options_of(place), sensors, intake, chain.as_ref(), to);
+        });
     }
 
     /// Takes a run in that `simulator` has been so far.
@@ -158,7 +166,7 @@ impl SideBySide {
             };
             block.put_diverged(lane, time_s);
         } else {
-            self.sensors.follow_as(&simulator.sensors);
+            self.sensors[0].follow_as(&simulator.sensors);
         }
     }
 }
