@@ -75,7 +75,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             let trace = |pen, values: &[f64]| Trace::new(pen, over_time(run, &time, values, unit));
             let mut traces: Vec<Trace> =
                 model.iter().map(|model| trace(Pen::Reference, &model[axis])).collect();
-            for sigma in sigma {
+            if let Some(sigma) = sigma {
                 let below: Vec<f64> = sigma[axis].iter().map(|sigma| -sigma).collect();
                 traces.extend([&sigma[axis], &below].map(|values| trace(Pen::Sigma, values)));
             }
