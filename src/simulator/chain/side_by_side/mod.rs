@@ -185,7 +185,7 @@ impl SideBySide {
     pub fn take_first_velocity(&mut self, point: &TruthPoint) {
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
-                chain.take_first_velocity(point, &self.sensors);
+                chain.take_first_velocity(point, &self.sensors[0]);
                 self.blocks[place / RUNS].put_navigator(place % RUNS, &chain.mechanization);
             }
         }
