@@ -97,7 +97,8 @@ fn the_true_motion_is_summed_up() {
 fn standard_deviations_are_recorded_and_drawn() {
     let folder = folder("sigmas");
     let fly = |settings: &[&str]| {
-        let fixed = ["fly", "rest", "-q", "--preset", "navigation", "--set", "flight.hours=0.05", "--name", "run"];
+        let fixed =
+            ["fly", "rest", "-q", "--preset", "navigation", "--set", "flight.hours=0.05", "--name", "run"];
         done(&folder, &[&fixed, settings].concat());
         numbers(&folder.join("sins_out/run.csv"))
     };
