@@ -11,7 +11,7 @@ mod support;
 use any_use::{Draws, Host};
 use moments::{Call, Run, every_effect, everything_at_once, flown, runs, samples, setting, unusual_options};
 use nalgebra::Vector3;
-use sins::earth::Geodetic;
+use sins::earth::{Geodetic, GravityModel};
 use sins::ensemble::Ensemble;
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
@@ -163,55 +163,65 @@ fn half(triad: TriadParameters, draws: &mut Draws) -> TriadParameters {
     halved
 }
 
-/// Every frame, scheme, vertical channel and signal, each with another half of the effects, and every other one with failures.
+/// Every frame, scheme, vertical channel and signal, with and without the error model, each with another half of the effects, and
+/// every other one with failures. More runs than any block or vector has.
 #[test]
 fn in_every_scheme_frame_channel_and_signal_with_half_of_all_effects() {
-    let mut draws = Draws::new(3);
-    let samples: Vec<FlightSample> = samples(120, 0.01).collect();
-    let mut combinations = 0;
+    let mut modes = Vec::new();
     for frame in [Frame::EarthFixed, Frame::Geographic] {
         for scheme in [Scheme::Exact, Scheme::Paper, Scheme::Polynomial] {
             for vertical in [VerticalMode::Damped, VerticalMode::FollowTruth, VerticalMode::Free] {
                 for closed_loop_time_s in [None, Some(30.0)] {
-                    let options = Options {
-                        frame,
-                        scheme,
-                        vertical,
-                        closed_loop_time_s,
-                        error_model: true,
-                        subsamples: 1 + draws.below(5),
-                        updates_per_sample: 1 + draws.below(2),
-                        key: StreamKey { seed: 17, run: combinations },
-                        ..Options::default()
-                    };
-                    let (gyro, accel) = every_effect();
-                    let mut calls = setting();
-                    calls.extend([Call::Gyro(half(gyro, &mut draws)), Call::Accel(half(accel, &mut draws))]);
-                    let before = calls.len();
-                    calls.extend(flown(samples.iter().copied()));
-                    if draws.one_in(2) {
-                        let axis = draws.of(&[Axis::X, Axis::Y, Axis::Z]);
-                        let noise = Failure::Noise { density: 1e-5 };
-                        let kind =
-                            draws.of(&[Failure::Stuck, noise, Failure::RandomDropOuts { probability: 0.3 }]);
-                        let gyro = SensorOutput::Gyro(axis);
-                        calls.insert(before + 60, Call::Failure(gyro, Some(kind)));
-                        calls.insert(before + 150, Call::Failure(gyro, None));
-                        calls.insert(before + 100, Call::Failure(SensorOutput::Altimeter, Some(noise)));
+                    for error_model in [false, true] {
+                        let mode = Options {
+                            frame,
+                            scheme,
+                            vertical,
+                            closed_loop_time_s,
+                            error_model,
+                            ..Default::default()
+                        };
+                        modes.push(mode);
                     }
-                    let who = format!("{options:?}");
-                    let pair = fly(&options, &calls, 40, 5, &who);
-                    assert!(pair.ensemble.intervals() == 119 && pair.ensemble.diverged().next().is_none());
-                    combinations += 1;
                 }
             }
         }
     }
-    assert_eq!(combinations, 36);
+    assert_eq!(modes.len(), 72);
+    let mut draws = Draws::new(3);
+    let samples: Vec<FlightSample> = samples(120, 0.01).collect();
+    for (number, mode) in modes.into_iter().enumerate() {
+        let options = Options {
+            subsamples: 1 + draws.below(5),
+            updates_per_sample: 1 + draws.below(2),
+            gravity: draws.of(&[GravityModel::default(), GravityModel::Somigliana]),
+            key: StreamKey { seed: 17, run: number as u64 },
+            ..mode
+        };
+        let (gyro, accel) = every_effect();
+        let mut calls = setting();
+        calls.extend([Call::Gyro(half(gyro, &mut draws)), Call::Accel(half(accel, &mut draws))]);
+        let before = calls.len();
+        calls.extend(flown(samples.iter().copied()));
+        if draws.one_in(2) {
+            let gyro = SensorOutput::Gyro(draws.of(&[Axis::X, Axis::Y, Axis::Z]));
+            let noise = Failure::Noise { density: 1e-5 };
+            let failure = draws.of(&[Failure::Stuck, noise, Failure::RandomDropOuts { probability: 0.3 }]);
+            calls.insert(before + 60, Call::Failure(gyro, Some(failure)));
+            calls.insert(before + 150, Call::Failure(gyro, None));
+            calls.insert(before + 100, Call::Failure(SensorOutput::Altimeter, Some(noise)));
+        }
+        let pair = fly(&options, &calls, 40, 19, &format!("{options:?}"));
+        assert!(pair.ensemble.intervals() == 119 && pair.ensemble.diverged().next().is_none());
+    }
 }
 
 fn template() -> Simulator {
-    let mut template = Simulator::new(&Options { error_model: true, ..Options::default() }).unwrap();
+    template_with(true)
+}
+
+fn template_with(error_model: bool) -> Simulator {
+    let mut template = Simulator::new(&Options { error_model, ..Options::default() }).unwrap();
     for call in setting() {
         assert!(call.make(&mut template).starts_with("Ok"));
     }
@@ -365,18 +375,22 @@ fn saved(ensemble: &Ensemble) -> Vec<u8> {
     bytes
 }
 
+/// Forty samples with every effect of the sensors.
+fn with_every_effect() -> Vec<Call> {
+    let mut calls = setting();
+    calls.extend(flown(samples(40, 0.01)));
+    calls
+}
+
 /// At every moment: into an ensemble of another kind, which then goes on to the same bits.
 #[test]
 fn a_saved_ensemble_goes_on_to_the_same_bits() {
     for (options, calls) in [
         (unusual_options(), everything_at_once().calls),
-        (Options { error_model: true, ..Options::default() }, {
-            let mut calls = setting();
-            calls.extend(flown(samples(40, 0.01)));
-            calls
-        }),
+        (Options { error_model: true, ..Options::default() }, with_every_effect()),
+        (Options::default(), with_every_effect()),
     ] {
-        let mut pair = fly(&options, &calls[..12], 1, 3, "to be saved");
+        let mut pair = fly(&options, &calls[..12], 1, 11, "to be saved");
         let mut other = Ensemble::new(&Simulator::new(&Options::default()).unwrap(), 9, 1).unwrap();
         for (k, call) in calls.iter().enumerate().skip(12) {
             let bytes = saved(&pair.ensemble);
@@ -413,8 +427,14 @@ fn a_saved_ensemble_goes_on_to_the_same_bits() {
 
 #[test]
 fn a_damaged_snapshot_is_refused_and_changes_nothing() {
+    for error_model in [false, true] {
+        damage(error_model);
+    }
+}
+
+fn damage(error_model: bool) {
     let flying = |runs| {
-        let mut ensemble = Ensemble::new(&template(), 3, runs).unwrap();
+        let mut ensemble = Ensemble::new(&template_with(error_model), 3, runs).unwrap();
         for sample in samples(5, 0.01) {
             ensemble.push_sample(&sample).unwrap();
             ensemble.step().unwrap();

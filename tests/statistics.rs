@@ -324,8 +324,8 @@ fn no_damage_does_harm() {
     println!("{passed} of 20000 were still sums of some runs");
 }
 
-fn template() -> Simulator {
-    let options = Options { error_model: true, vertical: VerticalMode::Damped, ..Default::default() };
+fn template(error_model: bool) -> Simulator {
+    let options = Options { error_model, vertical: VerticalMode::Damped, ..Default::default() };
     let mut simulator = Simulator::new(&options).unwrap();
     let (gyro, accel) = paper_simulation2();
     let sigma =
@@ -337,26 +337,35 @@ fn template() -> Simulator {
     simulator
 }
 
-/// The statistics of both error data, before the first step and after 50.
-fn statistics_of(first_run: u64, runs: usize) -> [Statistics; 4] {
-    let mut ensemble = Ensemble::new(&template(), first_run, runs).unwrap();
+/// The statistics of the error data that there are, before the first step and after 50.
+fn statistics_of(error_model: bool, first_run: u64, runs: usize) -> Vec<Statistics> {
+    let mut ensemble = Ensemble::new(&template(error_model), first_run, runs).unwrap();
     ensemble.push_sample(&resting_sample(0.0)).unwrap();
-    let both = |ensemble: &Ensemble| {
-        [ErrorSource::Navigation, ErrorSource::Model].map(|source| ensemble.statistics(source).unwrap())
+    let sources = [ErrorSource::Navigation, ErrorSource::Model];
+    let read = |ensemble: &Ensemble| {
+        let there_are = sources.iter().take(if error_model { 2 } else { 1 });
+        there_are.map(|&source| ensemble.statistics(source).unwrap()).collect::<Vec<_>>()
     };
-    let [navigation_before, model_before] = both(&ensemble);
+    let mut statistics = read(&ensemble);
     for k in 1..=50 {
         ensemble.push_sample(&resting_sample(f64::from(k) * 0.1)).unwrap();
         ensemble.step().unwrap();
     }
-    let [navigation, model] = both(&ensemble);
-    [navigation_before, model_before, navigation, model]
+    statistics.extend(read(&ensemble));
+    statistics
 }
 
 #[test]
 fn an_ensemble_has_the_bits_of_its_parts() {
-    let whole = statistics_of(7, 12);
-    let parts = [(7, 1), (8, 5), (13, 6)].map(|(first_run, runs)| statistics_of(first_run, runs));
+    for error_model in [false, true] {
+        compare_with_parts(error_model);
+    }
+}
+
+fn compare_with_parts(error_model: bool) {
+    let whole = statistics_of(error_model, 7, 40);
+    let parts =
+        [(7, 1), (8, 22), (30, 17)].map(|(first_run, runs)| statistics_of(error_model, first_run, runs));
     for order in [[0, 1, 2], [2, 0, 1], [1, 2, 0]] {
         for (k, whole) in whole.iter().enumerate() {
             let mut merged = Statistics::default();
@@ -364,15 +373,16 @@ fn an_ensemble_has_the_bits_of_its_parts() {
             assert_eq!(&merged, whole);
         }
     }
-    let figures = whole[2].figures().unwrap();
-    assert_eq!((figures.runs, figures.diverged, figures.outside_validity), (12, 0, 0));
+    let figures = whole[whole.len() / 2].figures().unwrap();
+    assert_eq!((figures.runs, figures.diverged, figures.outside_validity), (40, 0, 0));
+    // 5 m were drawn: chi-square of 39 degrees of freedom, all but 1e-6 on either side.
     let sigma_m = figures.covariance[(0, 0)].sqrt();
-    assert!(sigma_m > 2.0 && sigma_m < 10.0, "5 m were drawn: {sigma_m}");
+    assert!(sigma_m > 5.0 * 0.53 && sigma_m < 5.0 * 1.58, "{sigma_m}");
 }
 
 #[test]
 fn statistics_need_a_sample_and_the_model_its_option() {
-    let ensemble = Ensemble::new(&template(), 0, 2).unwrap();
+    let ensemble = Ensemble::new(&template(true), 0, 2).unwrap();
     let error = ensemble.statistics(ErrorSource::Navigation).unwrap_err();
     assert_eq!((error.kind, error.to_string().as_str()), (ErrorKind::BadState, "no sample yet"));
 

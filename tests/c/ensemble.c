@@ -9,11 +9,12 @@
 enum { COUNT = 257, RUNS = 6, FIRST_RUN = 40 };
 
 static sins_flight_sample samples[SCENE_COUNT];
+static int32_t model = SINS_ERROR_MODEL_RK4; /* or without it */
 
 static sins_sim *simulator(uint64_t run)
 {
     sins_options options = {.struct_size = sizeof options};
-    options.error_model = SINS_ERROR_MODEL_RK4;
+    options.error_model = model;
     options.seed = 11;
     options.run = run;
     return scene_simulator(&options, 0);
@@ -44,8 +45,9 @@ static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
     CHECK(memcmp(&imu_of_run, &imu_of_sim, sizeof imu_of_run) == 0);
     for (i = 0; i < 2; i++) {
         sins_errors errors_of_run = {.struct_size = sizeof errors_of_run}, errors_of_sim = errors_of_run;
-        CHECK(sins_ensemble_get_errors(ensemble, run, sources[i], &errors_of_run) == SINS_OK);
-        CHECK(sins_get_errors(sim, sources[i], &errors_of_sim) == SINS_OK);
+        sins_status status = sins_ensemble_get_errors(ensemble, run, sources[i], &errors_of_run);
+        CHECK(status == sins_get_errors(sim, sources[i], &errors_of_sim));
+        CHECK(status == (i == 1 && model == SINS_ERROR_MODEL_OFF ? SINS_ERROR_BAD_STATE : SINS_OK));
         CHECK(memcmp(&errors_of_run, &errors_of_sim, sizeof errors_of_run) == 0);
     }
 }
@@ -208,6 +210,10 @@ int main(void)
 {
     scene_samples(samples);
     runs_are_simulators();
+    model = SINS_ERROR_MODEL_OFF;
+    runs_are_simulators();
+    goes_on_from_a_snapshot();
+    model = SINS_ERROR_MODEL_RK4;
     any_split_is_the_same();
     goes_on_from_a_snapshot();
     refusals();
