@@ -6,15 +6,12 @@
 mod any_use;
 #[path = "support/moments.rs"]
 mod moments;
-#[path = "support/patrol.rs"]
-mod patrol;
 mod support;
 
 use any_use::Draws;
 use moments::{altimeter, every_effect, initial};
 use nalgebra::Vector3;
 use sins::ensemble::Ensemble;
-use sins::flight::FlightStart;
 use sins::mechanization::{Scheme, VerticalMode};
 use sins::sensors::{StreamKey, TriadParameters};
 use sins::truth::FlightSample;
@@ -93,14 +90,7 @@ fn some_effects(draw: &mut Draws, all: &TriadParameters) -> TriadParameters {
 
 /// Samples a little off even times, with gaps.
 fn samples(draw: &mut Draws, count: usize) -> Vec<FlightSample> {
-    let start = FlightStart {
-        latitude_rad: 0.7,
-        longitude_rad: 2.0,
-        height_m: 8000.0,
-        speed_m_s: 200.0,
-        ..Default::default()
-    };
-    let flight = patrol::patrol_from(&start, 2000.0).unwrap();
+    let flight = support::patrol(2000.0);
     let mut time_s = 700.0;
     (0..count)
         .map(|k| {

@@ -37,8 +37,8 @@ pub(crate) struct SideBySide {
     of_one: RefCell<Box<[SensorSuite]>>,
     signals: Signals,
     shared: [SharedInput; 2],
-    /// In flight: the chain without the navigators.
-    chain: Option<Chain>,
+    /// One; in flight the chain without the navigators. On the heap, as it is much of a stack.
+    chain: Box<[Option<Chain>]>,
     blocks: Vec<Block>,
     workspace: Box<[Workspace]>,
 }
@@ -62,11 +62,11 @@ impl SideBySide {
     /// Flies the interval that `recent` ends. An error is one of the truth, and then nothing has changed.
     pub fn step(&mut self, recent: &Recent<'_>) -> Result<(), Error> {
         self.options.check_truth(recent.next)?;
-        if self.chain.is_none() {
+        if self.chain[0].is_none() {
             self.start(recent)?;
         }
         let Self { set, options, earth, sensors, signals, shared, chain, blocks, workspace, .. } = self;
-        let (Some(chain), [workspace], [sensors]) = (chain, &mut **workspace, &mut **sensors) else {
+        let ([Some(chain)], [workspace], [sensors]) = (&mut **chain, &mut **workspace, &mut **sensors) else {
             return Ok(());
         };
         let (next, t) = (recent.next, recent.next.interval_s);
@@ -161,7 +161,7 @@ impl SideBySide {
 
     /// The chain of a run in flight, without its increments.
     fn chain_of(&self, place: usize) -> Option<Chain> {
-        let shared = self.chain.as_ref()?;
+        let shared = self.chain[0].as_ref()?;
         let (block, lane) = (&self.blocks[place / RUNS], place % RUNS);
         let mut chain = shared.clone();
         chain.mechanization = block.navigator(lane, &self.earth, self.options.scheme);
@@ -176,7 +176,7 @@ impl SideBySide {
 
     /// The truth in flight, which is at `truth`.
     pub fn truth(&self, truth: &TruthPoint) -> Option<Solution> {
-        self.chain.as_ref().map(|chain| Moment { chain, point: truth }.truth())
+        self.chain[0].as_ref().map(|chain| Moment { chain, point: truth }.truth())
     }
 
     /// The velocity of the truth at `point`, 0 so far, is known.
@@ -189,14 +189,14 @@ impl SideBySide {
                 self.blocks[place / RUNS].put_navigator(place % RUNS, &chain.mechanization);
             }
         }
-        if let Some(chain) = &mut self.chain {
+        if let Some(chain) = &mut self.chain[0] {
             chain.views = Views::default();
         }
     }
 
     /// The truth jumps: before the first step.
     pub fn reposition(&mut self) {
-        self.chain = None;
+        self.chain[0] = None;
         self.blocks.iter_mut().for_each(Block::revive);
     }
 }

@@ -28,6 +28,8 @@ impl SideBySide {
         let options = template.options().of_run();
         let mut sensors = SensorSuite::on_heap(&options)?;
         sensors[0].become_run(&template.sensors, &options);
+        let mut chain = room(1)?;
+        chain.push(None);
         let workspace = Workspace::new(&mut sensors[0])?;
         let mut blocks = room(runs.div_ceil(RUNS))?;
         for first in (0..runs).step_by(RUNS) {
@@ -42,7 +44,7 @@ impl SideBySide {
             of_one: RefCell::new(SensorSuite::on_heap(&options)?),
             signals: Signals::new()?,
             shared: [SharedInput::new()?, SharedInput::new()?],
-            chain: None,
+            chain: chain.into_boxed_slice(),
             blocks,
             workspace,
         };
@@ -111,7 +113,7 @@ impl SideBySide {
             self.blocks[place / RUNS].start(place % RUNS, height_m, start, time_s);
             shared = shared.or(chain.ok());
         }
-        self.chain = Some(match shared {
+        self.chain[0] = Some(match shared {
             Some(chain) => chain,
             // All have diverged: the truth goes on.
             None => Chain::to_load(&self.options, self.earth, first.current, &self.sensors[0]),
@@ -153,9 +155,9 @@ impl SideBySide {
         block.put_sensors(lane, &mut simulator.sensors);
         if let Mode::Flying(chain) = &simulator.mode {
             block.put_run(lane, chain);
-            if self.chain.is_none() || !has_diverged {
+            if self.chain[0].is_none() || !has_diverged {
                 let signals = Signals::default();
-                self.chain = Some(Chain { signals, views: Views::default(), ..chain.clone() });
+                self.chain[0] = Some(Chain { signals, views: Views::default(), ..chain.clone() });
             }
         }
         if has_diverged {
