@@ -1,6 +1,6 @@
 //! Arc tangent, of several points at once: the very bits of the `libm` crate's (FreeBSD msun, e_atan2.c and s_atan.c).
 
-use core::f64::consts::PI;
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// π less its double.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
@@ -22,9 +22,9 @@ struct Reduction {
 const REDUCTIONS: [Reduction; 5] = [
     Reduction { c: 1.0, d: 0.0, high: 0.0, rest: 0.0 },
     Reduction { c: 2.0, d: 1.0, high: 4.636_476_090_008_061e-1, rest: 2.269_877_745_296_168_7e-17 },
-    Reduction { c: 1.0, d: 1.0, high: 7.853_981_633_974_483e-1, rest: 3.061_616_997_868_383e-17 },
+    Reduction { c: 1.0, d: 1.0, high: FRAC_PI_4, rest: 3.061_616_997_868_383e-17 },
     Reduction { c: 1.0, d: 1.5, high: 9.827_937_232_473_29e-1, rest: 1.390_331_103_123_099_8e-17 },
-    Reduction { c: 0.0, d: 1.0, high: 1.570_796_326_794_896_6, rest: 6.123_233_995_736_766e-17 },
+    Reduction { c: 0.0, d: 1.0, high: FRAC_PI_2, rest: 6.123_233_995_736_766e-17 },
 ];
 
 /// They begin at t = 0, 7/16, 11/16, 19/16, 39/16. So the nearest integer to 8 t tells which: where t is a bound, the even one of
