@@ -348,5 +348,7 @@ fn every_field_of_every_struct() {
     if cfg!(not(feature = "scenes")) {
         expected.retain(|name| !["sins_scene_setup", "sins_planned_failure"].contains(&name.as_str()));
     }
+    // Integers alone: c/ensemble.c and statistics.rs damage it.
+    assert!(expected.remove("sins_statistics"));
     assert_eq!(tried.structs, expected);
 }
