@@ -58,8 +58,8 @@
  *   ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
  *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The same holds for
- *   ensembles and statistics. The library prints nothing, and reads no environment variable and no file. It leaves the host's
- *   floating-point control state and x87 registers as it found them.
+ *   ensembles and statistics, except for the first failure of an ensemble. The library prints nothing, and reads no environment
+ *   variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. The time of a run is that of the time stamps of its samples; no clock enters it. (Two exceptions that change no
  *   navigation: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the clock.)
  *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
