@@ -24,6 +24,6 @@ pub use rotation::{
     rotated_z, rotation_increment, rotation_increment_by, rotation_matrix, rotation_quaternion,
     rotation_vector,
 };
-pub use sine::sin_cos_each;
+pub use sine::{nearest_integer, sin_cos_each};
 pub use stencil::end_derivative_weights;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, ln, sin_cos, tan, tanh, wrap_angle};

@@ -9,6 +9,13 @@ const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2
 /// Added and taken away again, it leaves the nearest integer, which stands in the last bits meanwhile.
 const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 
+/// The nearest integer to `x`, of two the even one, for sizes up to 2^51. Not `f64::round_ties_even`, which calls the platform's
+/// `rint`: that of mingw rounds with the x87 unit, as the host has set it.
+#[inline]
+pub fn nearest_integer(x: f64) -> f64 {
+    (x + ROUND) - ROUND
+}
+
 /// Angles beyond which the reduction is no longer exact [rad].
 const MAX_ANGLE: f64 = 1e5;
 

@@ -13,6 +13,7 @@ pub use radial::RADIAL_ERROR;
 
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
+use crate::math::nearest_integer;
 use radial::bucket_of;
 use wide::{add, at};
 
@@ -153,12 +154,12 @@ fn quantized(errors: &NavigationErrors) -> Option<([i64; STATES], u64)> {
     for (state, (value, bits)) in
         states.iter_mut().zip(values.iter().flat_map(|part| part.iter()).zip(FRACTION_BITS))
     {
-        let scaled = (value * (1_u64 << bits) as f64).round_ties_even();
+        let scaled = value * (1_u64 << bits) as f64;
         let most = (1_u64 << STATE_BITS) as f64;
-        if !(-most..=most).contains(&scaled) {
+        if !(-most - 0.5..=most + 0.5).contains(&scaled) {
             return None;
         }
-        *state = scaled as i64;
+        *state = nearest_integer(scaled) as i64;
     }
     let square = |x: i64| u128::from(x.unsigned_abs()).pow(2);
     let radial = (square(states[0]) + square(states[1])).isqrt() as u64;
