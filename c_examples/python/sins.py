@@ -1456,16 +1456,18 @@ class truth_summary(_Struct):
 
 
 class covariance(_Struct):
-    """Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of
-    sins.errors in the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+    """Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error
+    ellipse. The errors are those of sins.errors: east, north, up of position [m], velocity [m/s] and misalignment
+    [rad], in this order.
 
-    It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both
-    frames, which agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in
-    it: the drawn initial errors; what an alignment makes of the sensors; turn-on biases, scale factors and
-    misalignments; Gauss-Markov, flicker, rate random walk and white noise; gravity's random fields; the altimeter's
-    Gauss-Markov error and noise; quantization, as white noise of its variance. Given values, failures, and what is
-    not linear (dead zone, range) are not in it: they move the mean. One second of flight is one step of the
-    propagation; a parameter that is set in flight counts from the start of the step it is set in.
+    The covariance is propagated along the truth with the linear error equations (error data 1). Both frames use the
+    equations in Earth-fixed axes; the result is the same. It is the covariance about the mean error of all runs. The
+    random numbers of this run do not enter it. It contains: random initial errors; the misalignment that an alignment
+    makes of sensor errors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk
+    and white noise; the random fields of gravity; the altimeter's Gauss-Markov error and noise; quantization, as
+    white noise of the same variance. It does not contain: given errors and failures, which change the mean; dead
+    zones and ranges, which are not linear. One step of the propagation is one second of flight. A parameter that is
+    set in flight counts from the start of its second.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE; sins.ERRORS_OUTSIDE_VALIDITY where a
         standard deviation is.
@@ -2422,11 +2424,12 @@ def get_truth_summary(sim, summary):
 
 @_function(status, sim, POINTER(covariance))
 def get_covariance(sim, covariance):
-    """Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at
-    the start. It changes no other output.
+    """Reads the covariance of the navigation errors at the last sample that was flown to; before the first step, at the
+    start. The call changes no other output.
 
-    sins.NEED_SAMPLE: no sample yet. sins.ERROR_BAD_STATE: sins.options.covariance is off, or navigating on
-    increments. sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: no INS can start at the first sample.
+    sins.NEED_SAMPLE: no sample yet.
+    sins.ERROR_BAD_STATE: sins.options.covariance is off, or navigating on increments.
+    sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: no INS can start at the first sample.
     """
 
 

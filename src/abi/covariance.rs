@@ -6,15 +6,17 @@ use super::simulator::{sins_sim, with_simulator};
 use super::solution::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY, write_or_need};
 use crate::covariance::NavigationCovariance;
 
-/// Covariance of the navigation errors over all runs of the flight, and what follows of it. The errors are those of sins_errors in
-/// the order east, north, up of position [m], velocity [m/s], misalignment [rad].
+/// Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
+/// are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
 ///
-/// It is propagated along the truth with the linear error equations (error data 1; those in Earth-fixed axes for both frames, which
-/// agree in these terms). It is about the mean, and the draws of the run are not in it. Random, and in it: the drawn initial errors;
-/// what an alignment makes of the sensors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk
-/// and white noise; gravity's random fields; the altimeter's Gauss-Markov error and noise; quantization, as white noise of its
-/// variance. Given values, failures, and what is not linear (dead zone, range) are not in it: they move the mean. One second
-/// of flight is one step of the propagation; a parameter that is set in flight counts from the start of the step it is set in.
+/// The covariance is propagated along the truth with the linear error equations (error data 1). Both frames use the equations in
+/// Earth-fixed axes; the result is the same. It is the covariance about the mean error of all runs. The random numbers of this run do
+/// not enter it.
+/// It contains: random initial errors; the misalignment that an alignment makes of sensor errors; turn-on biases, scale factors and
+/// misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's
+/// Gauss-Markov error and noise; quantization, as white noise of the same variance.
+/// It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
+/// One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_covariance {
@@ -71,10 +73,11 @@ impl sins_covariance {
     }
 }
 
-/// Reads the covariance of the navigation errors at the last sample that was flown to; before the first step that at the start. It
+/// Reads the covariance of the navigation errors at the last sample that was flown to; before the first step, at the start. The call
 /// changes no other output.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_covariance(
