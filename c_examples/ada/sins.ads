@@ -1983,10 +1983,10 @@ package Sins is
    function sins_snapshot_load (sim : sins_sim; snapshot : System.Address; size : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_snapshot_load";
 
-   --  Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that was set up (options,
-   --  sensors, initial errors, mounting, gravity, failures) and has taken no sample; it is copied and stays as it is. Run k is, bit
-   --  for bit, the simulator that was set up likewise with sins_options.run = first_run + k. sins_options.run and truth_summary of
-   --  configured have no effect.
+   --  Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options, sensors,
+   --  initial errors, mounting, gravity and failures, which has taken no sample. The call copies it, and does not change it. The
+   --  run with number k gives the same bits as a simulator with the same settings and sins_options.run = k. sins_options.run,
+   --  truth_summary and covariance of configured have no effect.
    --
    --  What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
    --  and machines, and their statistics merged. The library starts no thread.
@@ -1995,9 +1995,11 @@ package Sins is
    --  axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
    --  is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
    --
-   --  On an error *ensemble is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_BAD_STATE: configured
-   --  has taken a sample since it was created or reset, or navigates on increments. SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to
-   --  4294967295, or first_run + runs - 1 beyond 2^64 - 1. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles live.
+   --  After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+   --
+   --  SINS_ERROR_BAD_STATE: configured has taken a sample since it was created or reset, or navigates on increments.
+   --  SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles exist.
    function sins_ensemble_create (configured : sins_sim; first_run : Unsigned_64; runs : size_t;
        ensemble : in out sins_ensemble) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_create";
@@ -2104,12 +2106,12 @@ package Sins is
        statistics : in out sins_statistics) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_get_statistics";
 
-   --  Adds the runs of other to those of into; no run may be in both. Exactly associative and commutative: any order and any
-   --  grouping gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may
-   --  be all zero but for struct_size: no run.
+   --  Adds the runs of other to those of into. No run may be in both. The sums are exact: any order and any grouping of merges
+   --  gives the same bits, so the work can be split over threads, processes, machines and restarts in any way. If into is all zero
+   --  except for struct_size, it has no run.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs;
-   --  into is as it was.
+   --  SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs.
+   --  into is unchanged.
    function sins_statistics_merge (into : in out sins_statistics; other : sins_statistics) return sins_status
      with Import, Convention => C, External_Name => "sins_statistics_merge";
 
@@ -2131,9 +2133,9 @@ package Sins is
        written : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_snapshot_save";
 
-   --  Makes the ensemble the one that was saved, whatever it was before: its runs and options too, so that one of any simulator and
-   --  one run will do. From there it goes on to the same bits as the saved one did. size is what sins_ensemble_snapshot_save()
-   --  wrote. Not for a real-time frame: it allocates.
+   --  Replaces the ensemble by the saved one, with its runs and options. It does not matter what the ensemble was before: one of
+   --  any simulator with one run is enough. It continues to the same bits as the saved one. size is what
+   --  sins_ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
    --
    --  SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed,
    --  and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.

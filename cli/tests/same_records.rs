@@ -25,7 +25,7 @@ fn link(name: &str, source: &str) -> PathBuf {
         .arg("-L")
         .arg(&folder)
         .args(["-lsins", "-lm", "-lpthread"])
-        .arg(format!("-Wl,-rpath,{}", folder.display()))
+        .arg(format!("-Wl,--disable-new-dtags,-rpath,{}", folder.display()))
         .status();
     assert!(status.unwrap().success());
     program

@@ -28,10 +28,10 @@ pub(super) fn with_ensemble(
     })
 }
 
-/// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that was set up (options, sensors,
-/// initial errors, mounting, gravity, failures) and has taken no sample; it is copied and stays as it is. Run k is, bit for bit, the
-/// simulator that was set up likewise with sins_options.run = first_run + k. sins_options.run and truth_summary of configured have
-/// no effect.
+/// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options, sensors, initial
+/// errors, mounting, gravity and failures, which has taken no sample. The call copies it, and does not change it. The run with number
+/// k gives the same bits as a simulator with the same settings and sins_options.run = k. sins_options.run, truth_summary and
+/// covariance of configured have no effect.
 ///
 /// What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
 /// and machines, and their statistics merged. The library starts no thread.
@@ -40,9 +40,11 @@ pub(super) fn with_ensemble(
 /// axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
 /// is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
 ///
-/// On an error *ensemble is untouched, and sins_last_error(NULL, ...) on this thread tells why. SINS_ERROR_BAD_STATE: configured has
-/// taken a sample since it was created or reset, or navigates on increments. SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to
-/// 4294967295, or first_run + runs - 1 beyond 2^64 - 1. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles live.
+/// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
+///
+/// SINS_ERROR_BAD_STATE: configured has taken a sample since it was created or reset, or navigates on increments.
+/// SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_create(
     configured: *const sins_sim,

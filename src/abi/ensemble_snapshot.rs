@@ -48,9 +48,9 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_save(
     })
 }
 
-/// Makes the ensemble the one that was saved, whatever it was before: its runs and options too, so that one of any simulator and one
-/// run will do. From there it goes on to the same bits as the saved one did. size is what sins_ensemble_snapshot_save() wrote. Not for
-/// a real-time frame: it allocates.
+/// Replaces the ensemble by the saved one, with its runs and options. It does not matter what the ensemble was before: one of any
+/// simulator with one run is enough. It continues to the same bits as the saved one. size is what sins_ensemble_snapshot_save()
+/// wrote. Not for a real-time frame: it allocates.
 ///
 /// SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed, and
 /// sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.

@@ -118,12 +118,12 @@ pub unsafe extern "C" fn sins_ensemble_get_statistics(
     })
 }
 
-/// Adds the runs of other to those of into; no run may be in both. Exactly associative and commutative: any order and any grouping
-/// gives the same bits, so that work may be split over threads, processes, machines and restarts in any way. into may be all zero
-/// but for struct_size: no run.
+/// Adds the runs of other to those of into. No run may be in both. The sums are exact: any order and any grouping of merges gives the
+/// same bits, so the work can be split over threads, processes, machines and restarts in any way. If into is all zero except for
+/// struct_size, it has no run.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs; into
-/// is as it was.
+/// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs. into
+/// is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_statistics_merge(
     into: *mut sins_statistics,

@@ -2,11 +2,11 @@
 
 use super::one_by_one::OneByOne;
 use super::{Ensemble, Runs};
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, ErrorKind};
 use crate::instruction_set::InstructionSet;
 use crate::memory::room_for_one_more;
 use crate::simulator::{Options, SideBySide, Simulator};
-use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer};
+use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::truth::Intake;
 
 impl Ensemble {
@@ -18,12 +18,7 @@ impl Ensemble {
     /// Writes a snapshot into `buffer` and gives its length; it can be saved at any moment. No allocation.
     pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
         let capacity = buffer.len();
-        let length = self.write_snapshot(buffer);
-        if length <= capacity {
-            return Ok(length);
-        }
-        let rule = Rule::AtLeast("is too small for the snapshot; needed:", length as f64);
-        Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
+        fitting(self.write_snapshot(buffer), capacity)
     }
 
     /// Becomes the ensemble of a snapshot, whatever this one was: the runs go on to the same bits. Allocates.

@@ -8,7 +8,7 @@ use super::navigator::Navigator;
 use super::{Mode, Options, SensorSuite, Simulator};
 use crate::earth::Geodetic;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::snapshot::{Reader, SnapshotOf, Stored, Writer};
+use crate::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::state::Navigation;
 use crate::truth::Intake;
 
@@ -46,12 +46,7 @@ impl Simulator {
     /// Writes a snapshot into `buffer` and gives its length; it can be saved at any moment. No allocation.
     pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
         let capacity = buffer.len();
-        let length = self.write_snapshot(buffer);
-        if length <= capacity {
-            return Ok(length);
-        }
-        let rule = Rule::AtLeast("is too small for the snapshot; needed:", length as f64);
-        Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
+        fitting(self.write_snapshot(buffer), capacity)
     }
 
     /// Becomes the simulator of a snapshot, options included, whatever this one was: the run goes on to the same bits. Only

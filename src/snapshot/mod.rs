@@ -28,4 +28,4 @@ pub use envelope::{FORMAT_VERSION, SnapshotOf, seal};
 pub(crate) use numbers::{ANY, CLOCK_S, COUNT, NO_SQUARE, Numbers, SIGNALS, moved_clock};
 pub(crate) use reader::Reader;
 pub(crate) use stored::{Stored, codes, stored, variants};
-pub(crate) use writer::Writer;
+pub(crate) use writer::{Writer, fitting};

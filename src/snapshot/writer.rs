@@ -1,6 +1,7 @@
 //! Words to bytes.
 
 use super::envelope::{HEADER_BYTES, SnapshotOf, seal};
+use crate::error::{Error, ErrorKind, Rule};
 
 /// Words between their sizes and the next sizes.
 pub(super) const GROUP: usize = 8;
@@ -13,6 +14,15 @@ const SIZES_BYTES: usize = size_of::<u16>();
 const WORD_BYTES: usize = size_of::<u64>();
 /// Bytes of a group at the most.
 const GROUP_BYTES: usize = SIZES_BYTES + GROUP * WORD_BYTES;
+
+/// The length of a snapshot, if it fits a buffer of `capacity` bytes.
+pub(crate) fn fitting(length: usize, capacity: usize) -> Result<usize, Error> {
+    if length <= capacity {
+        return Ok(length);
+    }
+    let rule = Rule::AtLeast("is too small for the snapshot; needed:", length as f64);
+    Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
+}
 
 /// Writes a snapshot; what does not fit is counted.
 pub(crate) struct Writer<'a> {

@@ -63,7 +63,8 @@ pub fn link(
         compiler.arg(project_file(source));
     }
     compiler.arg("-o").arg(&path).arg("-L").arg(folder).args(["-lsins", "-lm", "-lpthread", "-ldl"]);
-    compiler.arg(format!("-Wl,-rpath,{}", folder.display()));
+    // An RPATH comes before LD_LIBRARY_PATH, in which cargo has target/debug, with what `cargo build` left there some day.
+    compiler.arg(format!("-Wl,--disable-new-dtags,-rpath,{}", folder.display()));
     succeed(&mut compiler);
     path
 }

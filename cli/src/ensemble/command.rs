@@ -8,17 +8,17 @@ use crate::given::Settings;
 /// How a log is flown that comes without a scene: the recommended simulator with sensors of navigation grade.
 pub const FOR_LOGS: &str = crate::budget::FOR_LOGS;
 
-/// Flies a scene many times, each run with its own random errors, and tells how large the errors get and how often
+/// Flies a scene many times, each run with its own random errors, and reports how large the errors get and how often
 ///
 /// Writes into DIR: NAME_ensemble.csv, statistics of the runs over time; NAME_ensemble_runs.csv, the errors of each run at the end;
 /// NAME_ensemble.html, their pictures. Run k has the errors that `sins fly` gives with options.run=k. The files are the same to the
-/// byte for any number of threads. Ctrl-C leaves NAME_ensemble.checkpoint: the same order goes on from there.
+/// byte for any number of threads. Ctrl-C leaves NAME_ensemble.checkpoint: the same command continues from there.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// A built-in scene, a file SCENE.toml, or a flight log LOG.csv, which is flown with sensors of navigation grade
     #[arg(value_name = "SCENE")]
     pub scene: Option<OsString>,
-    /// Flies this flight log in the place of the scene's own flight
+    /// Flies this flight log instead of the scene's own flight
     #[arg(long, value_name = "LOG.csv")]
     pub log: Option<PathBuf>,
     #[command(flatten)]
