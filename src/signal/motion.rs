@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::Increment;
-use super::generator::Derivatives;
+use super::derivatives::Derivatives;
 use crate::math::{
     GAUSS_2, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian, right_jacobian,
     rotation_matrix, rotation_quaternion,
