@@ -10,7 +10,6 @@ use super::arc_tangent::atan2_each;
 use super::pair::Pair;
 use super::sine::sin_cos_each;
 use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
-use crate::snapshot::{ANY, stored};
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
 /// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
@@ -263,8 +262,6 @@ pub struct Euler {
     /// Clockwise from true north, 0..2π.
     pub heading: f64,
 }
-
-stored!(Euler { roll: ANY, pitch: ANY, heading: ANY });
 
 /// `q_nb` of the aerospace sequence heading, pitch, roll: C = Rz(-heading) Rx(pitch) Ry(roll).
 pub fn attitude_from_euler(euler: &Euler) -> Quaternion<f64> {
