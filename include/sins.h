@@ -1910,9 +1910,6 @@ SINS_API const char *SINS_CALL sins_version_string(void);
  */
 SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 
-/* Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
-SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
-
 /*
  * Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
  *
@@ -1929,6 +1926,9 @@ SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, s
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
+
+/* Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
+SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
 
 /*
  * Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.

@@ -1622,10 +1622,6 @@ package Sins is
    function sins_status_string (status : sins_status) return chars_ptr
      with Import, Convention => C, External_Name => "sins_status_string";
 
-   --  Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
-   function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
-     with Import, Convention => C, External_Name => "sins_get_options";
-
    --  Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
    --
    --  On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
@@ -1640,6 +1636,10 @@ package Sins is
    --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
    function sins_destroy (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_destroy";
+
+   --  Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
+   function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_options";
 
    --  Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
    --

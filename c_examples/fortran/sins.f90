@@ -1572,14 +1572,6 @@ module sins
       type(c_ptr) :: sins_status_string
     end function sins_status_string
 
-    !> Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
-    function sins_get_options(sim, options) bind(C, name="sins_get_options")
-      import
-      type(c_ptr), value :: sim
-      type(sins_options), intent(inout) :: options
-      integer(sins_status) :: sins_get_options
-    end function sins_get_options
-
     !> Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
     !>
     !> On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
@@ -1601,6 +1593,14 @@ module sins
       type(c_ptr), value :: sim
       integer(sins_status) :: sins_destroy
     end function sins_destroy
+
+    !> Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
+    function sins_get_options(sim, options) bind(C, name="sins_get_options")
+      import
+      type(c_ptr), value :: sim
+      type(sins_options), intent(inout) :: options
+      integer(sins_status) :: sins_get_options
+    end function sins_get_options
 
     !> Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
     !>

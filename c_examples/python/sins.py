@@ -2077,13 +2077,6 @@ def status_string(status):
     """
 
 
-@_function(status, sim, POINTER(options))
-def get_options(sim, options):
-    """Reads the options in effect: those of sins.create() or of the snapshot that was loaded, with the defaults in place
-    of 0.
-    """
-
-
 @_function(status, POINTER(options), _New(sim))
 def create(options, sim):
     """Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
@@ -2100,6 +2093,13 @@ def destroy(sim):
     """Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    """
+
+
+@_function(status, sim, POINTER(options))
+def get_options(sim, options):
+    """Reads the options in effect: those of sins.create() or of the snapshot that was loaded, with the defaults in place
+    of 0.
     """
 
 

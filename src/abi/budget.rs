@@ -2,9 +2,9 @@
 
 use super::boundary::enter_without_simulator;
 use super::budget_answer::{sins_budget, sins_budget_row};
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put, read};
-use super::options::check_reserved;
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
 use crate::budget::{

@@ -1,5 +1,6 @@
 //! `sins_covariance`.
 
+use super::choice::flag;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
@@ -54,7 +55,6 @@ impl sins_covariance {
         let NavigationCovariance { matrix, ellipse, outside_validity } = covariance;
         let sigma = covariance.sigma();
         let [pe, pn, pu, ve, vn, vu, me, mn, mu] = sigma;
-        let flag = |is_set: bool, flag: i32| if is_set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)

@@ -1,10 +1,12 @@
 //! What is read of an ensemble.
 
+use super::choice::Choice;
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, put};
-use super::solution::{sins_errors, sins_imu, sins_navigation, source_of, write_or_need};
+use super::solution::{sins_errors, sins_imu, sins_navigation, write_or_need};
 use crate::error::{Error, Rule};
+use crate::simulator::ErrorSource;
 
 /// Reads the numbers of the first run and of the runs; either may be NULL.
 #[unsafe(no_mangle)]
@@ -73,7 +75,7 @@ pub unsafe extern "C" fn sins_ensemble_get_errors(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };
-        let found = ensemble.errors_and_pole(run, source_of(source)?)?;
+        let found = ensemble.errors_and_pole(run, ErrorSource::of("source", source)?)?;
         let found = found.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole));
         Ok(write_or_need(&output, found))
     })

@@ -1,5 +1,5 @@
 //! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory`, the handles in
-//! `registry`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
+//! `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header, and those of `src/sensors/table.rs` for
 //! `sins_gyro_params` and `sins_accel_params`.
@@ -19,6 +19,7 @@ mod altimeter;
 mod boundary;
 mod budget;
 mod budget_answer;
+mod choice;
 mod covariance;
 mod ensemble;
 mod ensemble_read;
@@ -32,6 +33,7 @@ mod flight;
 mod fpu;
 mod gravity;
 mod gyro;
+mod handle;
 mod initial;
 mod key;
 mod last_error;
@@ -67,7 +69,9 @@ mod simulator;
 mod snapshot;
 mod solution;
 mod statistics;
+mod tables;
 mod thread;
+mod thread_locals;
 mod truth_summary;
 mod version;
 

@@ -2,9 +2,9 @@
 
 use nalgebra::{Quaternion, Vector3};
 
+use super::choice::check_reserved;
 use super::failure::{SINS_OK, sins_status};
 use super::memory::{interface_struct, read};
-use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
 use crate::earth::Geodetic;

@@ -1,8 +1,8 @@
 //! The failures that a scene plans.
 
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, put, read};
-use super::options::check_reserved;
 use super::scene::{sins_scene, with_scene};
 use super::sensor_failure::{output, sins_failure};
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};

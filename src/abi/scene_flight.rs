@@ -2,11 +2,11 @@
 
 use core::ffi::c_char;
 
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, put_text, read, text_of};
-use super::options::check_reserved;
 use super::scene::{sins_scene, with_scene};
 use crate::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightPath, FlightSource, Scene, Temperature};

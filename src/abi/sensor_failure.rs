@@ -1,8 +1,8 @@
 //! `sins_failure`.
 
+use super::choice::{check_reserved, one_of};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
-use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
 use crate::sensors::{self, Axis, SensorOutput};

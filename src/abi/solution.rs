@@ -1,8 +1,8 @@
 //! `sins_navigation`, `sins_errors`, `sins_imu`: what is read after a step.
 
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::choice::{Choice, choices, flag};
+use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
-use super::options::one_of;
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
 use crate::simulator::{ErrorSource, ImuInterval, Moment, Solution};
@@ -165,7 +165,6 @@ impl sins_navigation {
     #[inline(always)]
     pub(super) fn from_solution(solution: &Solution) -> Self {
         let navigation = &solution.navigation;
-        let flag = |set: bool, flag: i32| if set { flag } else { 0 };
         let q = &navigation.q_nb;
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -204,7 +203,6 @@ impl sins_errors {
 
     #[inline(always)]
     pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
-        let flag = |set: bool, flag: i32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -248,7 +246,6 @@ impl sins_errors {
 impl From<&ImuInterval> for sins_imu {
     fn from(imu: &ImuInterval) -> Self {
         let t = imu.interval_s;
-        let flag = |set: bool, flag: u32| if set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: flag(imu.flags.gyro_saturated, SINS_IMU_GYRO_SATURATED)
@@ -269,15 +266,7 @@ impl From<&ImuInterval> for sins_imu {
     }
 }
 
-/// The source that a host names.
-pub(super) fn source_of(source: i32) -> Result<ErrorSource, Failure> {
-    one_of(
-        "source",
-        source,
-        &[(SINS_ERRORS_NAVIGATION, ErrorSource::Navigation), (SINS_ERRORS_MODEL, ErrorSource::Model)],
-        "sins_errors_source",
-    )
-}
+choices!(sins_errors_source: ErrorSource { Navigation = SINS_ERRORS_NAVIGATION, Model = SINS_ERRORS_MODEL });
 
 /// Writes `value`, or answers that there is none yet.
 pub(super) fn write_or_need<T: super::memory::Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
@@ -355,7 +344,7 @@ pub unsafe extern "C" fn sins_get_errors(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };
-        let source = source_of(source)?;
+        let source = ErrorSource::of("source", source)?;
         simulator.refuse_without(source)?;
         let written = match source {
             ErrorSource::Navigation => {
