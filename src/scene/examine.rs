@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use super::fault::{Fault, excerpt, nearest};
 use super::key::{Key, Section, Target};
-use super::read::{Item, Reader};
+use super::reader::{Item, Reader};
 use super::table::KEYS;
 use super::{BUILTIN_SCENES, Scene};
 use crate::error::{Error, Rule};
