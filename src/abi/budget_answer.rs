@@ -3,7 +3,8 @@
 use core::ffi::c_char;
 
 use super::choice::flag;
-use super::memory::{chars, interface_struct};
+use super::memory::interface_struct;
+use super::text::chars;
 use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
 use crate::recommend::SolutionError;
 

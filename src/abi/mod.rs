@@ -1,4 +1,4 @@
-//! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory`, the handles in
+//! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory` and `text`, the handles in
 //! `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header, and those of `src/sensors/table.rs` for
@@ -70,6 +70,7 @@ mod snapshot;
 mod solution;
 mod statistics;
 mod tables;
+mod text;
 mod thread;
 mod thread_locals;
 mod truth_summary;

@@ -6,8 +6,9 @@ use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
-use super::memory::{Array, Output, interface_struct, put, put_text, read, text_of};
+use super::memory::{Array, Output, interface_struct, put, read};
 use super::scene::{sins_scene, with_scene};
+use super::text::{put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightPath, FlightSource, Scene, Temperature};
 
