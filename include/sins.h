@@ -422,6 +422,18 @@ enum sins_navigation_flags {
     SINS_NAVIGATION_NORTH_UNKNOWN = 8
 };
 
+/* Flags of a sins_imu. */
+enum sins_imu_flags {
+    /* The mean rate of a sub-increment was beyond the range of a gyro. */
+    SINS_IMU_GYRO_SATURATED = 1,
+    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
+    SINS_IMU_ACCEL_SATURATED = 2,
+    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
+    SINS_IMU_GYRO_INVALID = 4,
+    /* An accelerometer had no signal in the interval: dead, or dropped out. */
+    SINS_IMU_ACCEL_INVALID = 8
+};
+
 /* The two sources of errors. */
 enum sins_errors_source {
     /* Navigation minus truth: the paper's error data 2. */
@@ -444,18 +456,6 @@ enum sins_errors_flags {
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
     /* In a sins_record: not computed, all zero. */
     SINS_ERRORS_NOT_COMPUTED = 4
-};
-
-/* Flags of a sins_imu. */
-enum sins_imu_flags {
-    /* The mean rate of a sub-increment was beyond the range of a gyro. */
-    SINS_IMU_GYRO_SATURATED = 1,
-    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
-    SINS_IMU_ACCEL_SATURATED = 2,
-    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
-    SINS_IMU_GYRO_INVALID = 4,
-    /* An accelerometer had no signal in the interval: dead, or dropped out. */
-    SINS_IMU_ACCEL_INVALID = 8
 };
 
 /* Grades of sensors. */
@@ -1081,52 +1081,55 @@ typedef struct sins_gravity_params {
 
 /* A solution within a sins_record; never grows. Fields as in sins_navigation. */
 typedef struct sins_record_solution {
-    /* Geodetic latitude [rad]. */
+    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
     double latitude_rad;
-    /* Longitude, east positive [rad]. */
+    /* Longitude, east positive, -pi to pi [rad]. */
     double longitude_rad;
     /* Height above the ellipsoid [m]. */
     double height_m;
     /* Velocity against the Earth, east-north-up [m/s]. */
     double velocity_enu_m_s[3];
-    /* Roll, right wing down positive [rad]. */
+    /* Roll, right wing down positive, -pi to pi [rad]. */
     double roll_rad;
-    /* Pitch, nose up positive [rad]. */
+    /* Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
     double pitch_rad;
-    /* Heading, clockwise from true north [rad]. */
+    /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
     double heading_rad;
     /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
     double quaternion_nb[4];
     /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
     /* 0 */
-    uint32_t reserved;
+    uint32_t reserved2;
 } sins_record_solution;
 
 /* Errors within a sins_record; never grows. Fields as in sins_errors. */
 typedef struct sins_record_errors {
-    /* Displacement from truth along true east and north, and error of height [m]. */
+    /* Position error: displacement from truth along true east and north, and difference of heights [m]. */
     double position_enu_m[3];
     /* Error of latitude [rad]. */
     double latitude_rad;
-    /* Error of longitude [rad]. */
+    /* Error of longitude, wrapped to -pi to pi [rad]. */
     double longitude_rad;
     /* Error of height [m]. */
     double height_m;
-    /* Error of velocity, east-north-up [m/s]. */
+    /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
-    /* Misalignment phi, east-north-up [rad]. */
+    /*
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+     * error model it is of first order: computed C = (I - [phi x]) C.
+     */
     double misalignment_enu_rad[3];
-    /* Error of roll [rad]. */
+    /* Error of roll, wrapped to -pi to pi [rad]. */
     double roll_rad;
     /* Error of pitch [rad]. */
     double pitch_rad;
-    /* Error of heading [rad]. */
+    /* Error of heading, wrapped to -pi to pi [rad]. */
     double heading_rad;
     /* Flags of enum sins_errors_flags, or'ed. */
     int32_t flags;
     /* 0 */
-    uint32_t reserved;
+    uint32_t reserved2;
 } sins_record_errors;
 
 /* Truth, navigation and both errors at one instant. */

@@ -267,6 +267,17 @@ package Sins is
    --  the INS starts again.
    SINS_NAVIGATION_NORTH_UNKNOWN : constant sins_navigation_flags := 8;
 
+   --  Flags of a sins_imu.
+   subtype sins_imu_flags is Unsigned_32;
+   --  The mean rate of a sub-increment was beyond the range of a gyro.
+   SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
+   --  The mean force of a sub-increment was beyond the range of an accelerometer.
+   SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
+   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
+   SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
+   --  An accelerometer had no signal in the interval: dead, or dropped out.
+   SINS_IMU_ACCEL_INVALID : constant sins_imu_flags := 8;
+
    --  The two sources of errors.
    subtype sins_errors_source is Integer_32;
    --  Navigation minus truth: the paper's error data 2.
@@ -284,17 +295,6 @@ package Sins is
    SINS_ERRORS_OUTSIDE_VALIDITY : constant sins_errors_flags := 2;
    --  In a sins_record: not computed, all zero.
    SINS_ERRORS_NOT_COMPUTED : constant sins_errors_flags := 4;
-
-   --  Flags of a sins_imu.
-   subtype sins_imu_flags is Unsigned_32;
-   --  The mean rate of a sub-increment was beyond the range of a gyro.
-   SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
-   --  The mean force of a sub-increment was beyond the range of an accelerometer.
-   SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
-   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
-   SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
-   --  An accelerometer had no signal in the interval: dead, or dropped out.
-   SINS_IMU_ACCEL_INVALID : constant sins_imu_flags := 8;
 
    --  Grades of sensors.
    subtype sins_grade is Integer_32;
@@ -871,53 +871,54 @@ package Sins is
 
    --  A solution within a sins_record; never grows. Fields as in sins_navigation.
    type sins_record_solution is record
-      --  Geodetic latitude [rad].
+      --  Geodetic latitude, -pi/2 to pi/2 [rad].
       latitude_rad : double := 0.0;
-      --  Longitude, east positive [rad].
+      --  Longitude, east positive, -pi to pi [rad].
       longitude_rad : double := 0.0;
       --  Height above the ellipsoid [m].
       height_m : double := 0.0;
       --  Velocity against the Earth, east-north-up [m/s].
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Roll, right wing down positive [rad].
+      --  Roll, right wing down positive, -pi to pi [rad].
       roll_rad : double := 0.0;
-      --  Pitch, nose up positive [rad].
+      --  Pitch, nose up positive, -pi/2 to pi/2 [rad].
       pitch_rad : double := 0.0;
-      --  Heading, clockwise from true north [rad].
+      --  Heading, clockwise from true north, 0 to 2 pi [rad].
       heading_rad : double := 0.0;
       --  Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
       quaternion_nb : sins_double_4 := (others => 0.0);
       --  Flags of enum sins_navigation_flags, or'ed.
       flags : Integer_32 := 0;
       --  0
-      reserved : Unsigned_32 := 0;
+      reserved2 : Unsigned_32 := 0;
    end record with Convention => C;
    type sins_record_solution_array is array (size_t range <>) of aliased sins_record_solution with Convention => C;
 
    --  Errors within a sins_record; never grows. Fields as in sins_errors.
    type sins_record_errors is record
-      --  Displacement from truth along true east and north, and error of height [m].
+      --  Position error: displacement from truth along true east and north, and difference of heights [m].
       position_enu_m : sins_double_3 := (others => 0.0);
       --  Error of latitude [rad].
       latitude_rad : double := 0.0;
-      --  Error of longitude [rad].
+      --  Error of longitude, wrapped to -pi to pi [rad].
       longitude_rad : double := 0.0;
       --  Error of height [m].
       height_m : double := 0.0;
-      --  Error of velocity, east-north-up [m/s].
+      --  Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Misalignment phi, east-north-up [rad].
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+      --  error model it is of first order: computed C = (I - [phi x]) C.
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
-      --  Error of roll [rad].
+      --  Error of roll, wrapped to -pi to pi [rad].
       roll_rad : double := 0.0;
       --  Error of pitch [rad].
       pitch_rad : double := 0.0;
-      --  Error of heading [rad].
+      --  Error of heading, wrapped to -pi to pi [rad].
       heading_rad : double := 0.0;
       --  Flags of enum sins_errors_flags, or'ed.
       flags : Integer_32 := 0;
       --  0
-      reserved : Unsigned_32 := 0;
+      reserved2 : Unsigned_32 := 0;
    end record with Convention => C;
    type sins_record_errors_array is array (size_t range <>) of aliased sins_record_errors with Convention => C;
 

@@ -1,10 +1,11 @@
 //! `sins_covariance`.
 
+use super::answer::write_or_need;
 use super::choice::flag;
+use super::errors::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY};
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY, write_or_need};
 use crate::covariance::NavigationCovariance;
 
 /// Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors

@@ -16,6 +16,7 @@
 mod accel;
 mod accuracy;
 mod altimeter;
+mod answer;
 mod boundary;
 mod budget;
 mod budget_answer;
@@ -24,6 +25,7 @@ mod covariance;
 mod ensemble;
 mod ensemble_read;
 mod ensemble_snapshot;
+mod errors;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
@@ -34,6 +36,7 @@ mod fpu;
 mod gravity;
 mod gyro;
 mod handle;
+mod imu;
 mod initial;
 mod key;
 mod last_error;
@@ -86,6 +89,7 @@ pub use covariance::{sins_covariance, sins_get_covariance};
 pub use ensemble::*;
 pub use ensemble_read::*;
 pub use ensemble_snapshot::*;
+pub use errors::*;
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
@@ -94,6 +98,7 @@ pub use fault_report::sins_fault;
 pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;
+pub use imu::*;
 pub use initial::*;
 pub use last_error::*;
 #[cfg(feature = "scenes")]
