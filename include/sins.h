@@ -1662,7 +1662,7 @@ typedef struct sins_scene_setup {
     double every_s;
 } sins_scene_setup;
 
-/* A failure that a scene plans. */
+/* A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE. */
 typedef struct sins_planned_failure {
     /* sizeof(sins_planned_failure) */
     uint32_t struct_size;
@@ -1676,19 +1676,19 @@ typedef struct sins_planned_failure {
     double from_s;
     /* End of the failure, likewise; 0: the end of the flight [s]. */
     double until_s;
-    /* Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE. */
+    /* Kind of the failure, of enum sins_failure_kind. */
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
-    /* Size, as in sins_failure. */
+    /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
     double size;
-    /* Density, as in sins_failure. */
+    /* Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)]. */
     double density;
-    /* Interval, as in sins_failure [s]. */
+    /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
     double interval_s;
-    /* Duration, as in sins_failure [s]. */
+    /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
     double duration_s;
-    /* Probability, as in sins_failure. */
+    /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
     double probability;
 } sins_planned_failure;
 

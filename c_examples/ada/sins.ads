@@ -1419,7 +1419,7 @@ package Sins is
    end record with Convention => C;
    type sins_scene_setup_array is array (size_t range <>) of aliased sins_scene_setup with Convention => C;
 
-   --  A failure that a scene plans.
+   --  A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
    type sins_planned_failure is record
       --  sizeof(sins_planned_failure)
       struct_size : Unsigned_32 := SINS_SIZEOF_PLANNED_FAILURE;
@@ -1433,19 +1433,19 @@ package Sins is
       from_s : double := 0.0;
       --  End of the failure, likewise; 0: the end of the flight [s].
       until_s : double := 0.0;
-      --  Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+      --  Kind of the failure, of enum sins_failure_kind.
       kind : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  Size, as in sins_failure.
+      --  Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
       size : double := 0.0;
-      --  Density, as in sins_failure.
+      --  Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
       density : double := 0.0;
-      --  Interval, as in sins_failure [s].
+      --  Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
       interval_s : double := 0.0;
-      --  Duration, as in sins_failure [s].
+      --  Spikes: length of one spike, 1e-9 s to interval_s [s].
       duration_s : double := 0.0;
-      --  Probability, as in sins_failure.
+      --  Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
       probability : double := 0.0;
    end record with Convention => C;
    type sins_planned_failure_array is array (size_t range <>) of aliased sins_planned_failure with Convention => C;

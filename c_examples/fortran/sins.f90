@@ -1367,7 +1367,7 @@ module sins
     real(c_double) :: every_s = 0.0_c_double
   end type sins_scene_setup
 
-  !> A failure that a scene plans.
+  !> A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
   type, bind(C) :: sins_planned_failure
     !> sizeof(sins_planned_failure)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_PLANNED_FAILURE
@@ -1381,19 +1381,19 @@ module sins
     real(c_double) :: from_s = 0.0_c_double
     !> End of the failure, likewise; 0: the end of the flight [s].
     real(c_double) :: until_s = 0.0_c_double
-    !> Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+    !> Kind of the failure, of enum sins_failure_kind.
     integer(c_int32_t) :: kind = 0_c_int32_t
     !> Must be 0.
     integer(c_int32_t) :: reserved2 = 0_c_int32_t
-    !> Size, as in sins_failure.
+    !> Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
     real(c_double) :: size = 0.0_c_double
-    !> Density, as in sins_failure.
+    !> Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
     real(c_double) :: density = 0.0_c_double
-    !> Interval, as in sins_failure [s].
+    !> Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
     real(c_double) :: interval_s = 0.0_c_double
-    !> Duration, as in sins_failure [s].
+    !> Spikes: length of one spike, 1e-9 s to interval_s [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Probability, as in sins_failure.
+    !> Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     real(c_double) :: probability = 0.0_c_double
   end type sins_planned_failure
 

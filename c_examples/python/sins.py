@@ -1747,18 +1747,18 @@ class scene_setup(_Struct):
 
 
 class planned_failure(_Struct):
-    """A failure that a scene plans.
+    """A failure that a scene plans. Its fields from kind on are those of sins.failure; kind is not sins.FAILURE_NONE.
 
     sensor: Sensor that fails, of enum sins.sensor.
     axis: Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter.
     from_s: Start of the failure, 0 to 1e9 since the start of the flight [s].
     until_s: End of the failure, likewise; 0: the end of the flight [s].
-    kind: Kind, of enum sins.failure_kind, but not sins.FAILURE_NONE.
-    size: Size, as in sins.failure.
-    density: Density, as in sins.failure.
-    interval_s: Interval, as in sins.failure [s].
-    duration_s: Duration, as in sins.failure [s].
-    probability: Probability, as in sins.failure.
+    kind: Kind of the failure, of enum sins.failure_kind.
+    size: Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+    density: Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
+    probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     """
 
     __slots__ = ()
