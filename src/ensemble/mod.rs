@@ -143,11 +143,11 @@ impl Ensemble {
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
         failure.map_or(Ok(()), |failure| failure.validate(output))?;
-        if let (Runs::SideBySide(runs), Some(_)) = (&self.runs, failure) {
-            self.runs = Runs::OneByOne(OneByOne::of(runs, &self.intake)?);
-        }
         match &mut self.runs {
-            Runs::SideBySide(_) => Ok(()),
+            Runs::SideBySide(runs) => {
+                runs.set_failure(output, failure);
+                Ok(())
+            }
             Runs::OneByOne(runs) => runs.set_failure(output, failure),
         }
     }

@@ -3,8 +3,8 @@
 use crate::error::Error;
 use crate::memory::room;
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{SideBySide, Simulator, is_of_truth, push_simulator};
-use crate::truth::{FlightSample, Intake};
+use crate::simulator::{Simulator, is_of_truth, push_simulator};
+use crate::truth::FlightSample;
 
 /// Simulators, and whether each has diverged.
 #[derive(Debug, Default)]
@@ -24,16 +24,6 @@ impl OneByOne {
             if let Some(simulator) = made.simulators.last_mut() {
                 set_up(simulator, template)?;
             }
-        }
-        Ok(made)
-    }
-
-    /// Runs that went side by side so far.
-    pub fn of(runs: &SideBySide, intake: &Intake) -> Result<Self, Error> {
-        let mut made = Self::with_room(runs.runs())?;
-        for place in 0..runs.runs() {
-            runs.push_simulator(place, intake, &mut made.simulators)?;
-            made.diverged[place] = runs.diverged_s(place).is_some();
         }
         Ok(made)
     }

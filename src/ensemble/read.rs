@@ -99,7 +99,7 @@ impl Ensemble {
     /// The failure of an output, which all runs share; `None`: it is sound.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
         match &self.runs {
-            Runs::SideBySide(_) => None,
+            Runs::SideBySide(runs) => runs.failure(output),
             Runs::OneByOne(runs) => runs.first().and_then(|run| run.failure(output)),
         }
     }

@@ -6,7 +6,7 @@ use crate::error::{Error, ErrorKind, Rule};
 use crate::memory::room;
 use crate::mounting::MountingParameters;
 use crate::sensors::{
-    Altimeter, AltimeterParameters, Failure, GravityDisturbance, GravityDisturbanceParameters,
+    Altimeter, AltimeterParameters, FailingTriad, Failure, GravityDisturbance, GravityDisturbanceParameters,
     InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
 use crate::signal::{Increment, Turning};
@@ -224,6 +224,13 @@ impl SensorSuite {
             }
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
+        self.decide();
+    }
+
+    /// The failures of gyros and accelerometers are those of another run, which has the same.
+    pub fn take_failures(&mut self, gyro: &FailingTriad, accel: &FailingTriad) {
+        self.gyro.take_failures(gyro);
+        self.accel.take_failures(accel);
         self.decide();
     }
 

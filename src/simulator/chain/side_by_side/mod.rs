@@ -10,10 +10,10 @@ use super::Chain;
 use super::beside::conditions;
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::NavigationErrors;
+use crate::errors::{ModelInterval, NavigationErrors};
 use crate::instruction_set::InstructionSet;
-use crate::mechanization::{VerticalMode, is_for_lanes};
-use crate::sensors::SharedInput;
+use crate::mechanization::VerticalMode;
+use crate::sensors::{Failure, SensorOutput, SharedInput};
 use crate::signal::{Increment, RUNS};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
@@ -22,7 +22,7 @@ use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
 use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Simulator, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
-use block::{Block, Interval, Workspace};
+use block::{Block, Interval, LastGood, Workspace};
 
 /// Runs over one truth, and what they share.
 #[derive(Debug)]
@@ -33,6 +33,8 @@ pub(crate) struct SideBySide {
     first_run: u64,
     /// What the host set, and what follows the signals.
     sensors: Box<[SensorSuite]>,
+    /// Whether the altimeters of the runs are behind that one, which has no errors.
+    heights_are_shared: bool,
     /// Those of one run while they are needed.
     of_one: RefCell<Box<[SensorSuite]>>,
     signals: Signals,
@@ -49,14 +51,9 @@ impl SideBySide {
     pub fn is_for(template: &Simulator, runs: usize) -> bool {
         let (options, sensors) = (template.options(), &template.sensors);
         runs > 1
-            && is_for_lanes(options.frame, options.gravity)
             && options.closed_loop_time_s.is_none()
-            && !options.error_model
             && sensors.mounting().is_none()
             && !sensors.gravity.is_on()
-            && sensors.gyro.goes_side_by_side()
-            && sensors.accel.goes_side_by_side()
-            && !sensors.altimeter.has_failed()
     }
 
     /// Flies the interval that `recent` ends. An error is one of the truth, and then nothing has changed.
@@ -65,7 +62,19 @@ impl SideBySide {
         if self.chain[0].is_none() {
             self.start(recent)?;
         }
-        let Self { set, options, earth, sensors, signals, shared, chain, blocks, workspace, .. } = self;
+        let Self {
+            set,
+            options,
+            earth,
+            sensors,
+            heights_are_shared,
+            signals,
+            shared,
+            chain,
+            blocks,
+            workspace,
+            ..
+        } = self;
         let ([Some(chain)], [workspace], [sensors]) = (&mut **chain, &mut **workspace, &mut **sensors) else {
             return Ok(());
         };
@@ -78,13 +87,30 @@ impl SideBySide {
         sensors.gyro.share(ideal, dt, &mut shared[0]);
         sensors.accel.share(ideal, dt, &mut shared[1]);
 
-        let is_altimeter_ideal = sensors.altimeter.is_ideal();
+        let has_altimeters = options.vertical == VerticalMode::Damped && !sensors.altimeter.is_ideal();
+        *heights_are_shared = !has_altimeters;
         let aid = vertical_aid(options.vertical, next, |height_m| {
-            // Where it is not, each run has its own.
-            if is_altimeter_ideal { sensors.altimeter.sense(height_m, t) } else { Some(height_m) }
+            if has_altimeters { Some(height_m) } else { sensors.altimeter.sense(height_m, t) }
         });
-        let start_s = recent.current.time_s;
-        let interval = Interval { earth, options, sensors, shared, start_s, t, dt, count: ideal.len(), aid };
+        let last_good = LastGood {
+            time_s: recent.current.time_s,
+            interval_s: chain.imu().map_or(0.0, |imu| imu.interval_s),
+        };
+        let model = options.error_model.then(|| ModelInterval::new(earth, &motion, next, ideal));
+        let count = ideal.len();
+        let interval = Interval {
+            earth,
+            options,
+            sensors,
+            shared,
+            last_good,
+            t,
+            dt,
+            count,
+            aid,
+            has_altimeters,
+            model,
+        };
         blocks.iter_mut().for_each(|block| block.fly(*set, &interval, workspace));
 
         chain.views = Views::default();
@@ -109,6 +135,25 @@ impl SideBySide {
     /// Refuses a sample without the temperature that a sensor effect needs.
     pub fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
         self.sensors[0].check_temperature(sample.temperature_c)
+    }
+
+    /// Lets an output of every run fail from the next interval on; `None` clears it.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
+        let Self { sensors, heights_are_shared, chain, blocks, .. } = self;
+        let interval_s = chain[0].as_ref().and_then(|chain| chain.imu()).map(|imu| imu.interval_s);
+        for block in blocks {
+            if *heights_are_shared {
+                block.follow(&sensors[0].altimeter);
+            }
+            block.set_failure(output, failure, interval_s);
+        }
+        *heights_are_shared = false;
+        sensors[0].set_failure(output, failure, None);
+    }
+
+    /// The failure of an output, which all runs share.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        self.sensors[0].failure(output)
     }
 
     /// How many runs.
@@ -164,10 +209,12 @@ impl SideBySide {
         let shared = self.chain[0].as_ref()?;
         let (block, lane) = (&self.blocks[place / RUNS], place % RUNS);
         let mut chain = shared.clone();
-        chain.mechanization = block.navigator(lane, &self.earth, self.options.scheme);
+        chain.mechanization = block.navigator(lane, &self.earth, &self.options);
+        chain.error_model = block.error_model(lane, &self.earth);
         chain.north_unknown = block.north_unknown(lane);
-        if let LastInterval::Loaded { imu, .. } = &mut chain.last {
+        if let LastInterval::Loaded { imu, vertical_unaided } = &mut chain.last {
             (imu.measured, imu.flags) = block.measured(lane);
+            *vertical_unaided = block.is_unaided(lane);
             imu.time_s = block.diverged_s(lane).unwrap_or(imu.time_s);
         }
         chain.views = Views { truth: shared.views.truth.clone(), ..Views::default() };
@@ -186,7 +233,7 @@ impl SideBySide {
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
                 chain.take_first_velocity(point, &self.sensors[0]);
-                self.blocks[place / RUNS].put_navigator(place % RUNS, &chain.mechanization);
+                self.blocks[place / RUNS].put_solution(place % RUNS, &chain);
             }
         }
         if let Some(chain) = &mut self.chain[0] {
