@@ -1,6 +1,6 @@
 //! Runs side by side are the single simulators with the instructions of each width: every frame, gravity, scheme, vertical channel
-//! and number of subsamples, with and without the error model, 60 random choices of all effects, irregular intervals, rotations beyond the short series, a start without velocity,
-//! a run that diverges among good ones, and numbers of runs that are no multiple of a block.
+//! and number of subsamples, with and without the error model, a mounting, a gravity disturbance and a closed loop, 60 random choices of all effects, irregular intervals, rotations beyond the short series, failures that come and go,
+//! a start without velocity, a run that diverges among good ones, and numbers of runs that are no multiple of a block.
 
 #[path = "support/any_use.rs"]
 mod any_use;
@@ -13,8 +13,12 @@ use moments::{altimeter, every_effect, initial};
 use nalgebra::Vector3;
 use sins::earth::GravityModel;
 use sins::ensemble::Ensemble;
+use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::sensors::{Failure, SensorOutput, StreamKey, TriadParameters};
+use sins::mounting::MountingParameters;
+use sins::sensors::{
+    Failure, GravityDisturbanceParameters, GravityField, SensorOutput, StreamKey, TriadParameters,
+};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
@@ -32,6 +36,8 @@ struct Setting {
     triads: (TriadParameters, TriadParameters),
     with_altimeter: bool,
     with_initial_errors: bool,
+    mounting: Option<MountingParameters>,
+    gravity: Option<GravityDisturbanceParameters>,
     /// With the number of the sample before which it is set.
     failures: Vec<(usize, SensorOutput, Option<Failure>)>,
 }
@@ -48,8 +54,28 @@ impl Setting {
         if self.with_initial_errors {
             simulator.set_initial_errors(&initial()).unwrap();
         }
+        if let Some(mounting) = &self.mounting {
+            simulator.set_mounting(mounting).unwrap();
+        }
+        if let Some(gravity) = &self.gravity {
+            simulator.set_gravity_disturbance(gravity).unwrap();
+        }
         simulator
     }
+}
+
+fn mounting() -> MountingParameters {
+    MountingParameters {
+        lever_arm_m: Vector3::new(1.0, -4.0, 0.7),
+        lever_arm_error_m: Vector3::new(0.1, 0.05, -0.2),
+        boresight: Euler { roll: 0.1, pitch: -0.2, heading: 3.0 },
+        boresight_error: Euler { roll: 1e-3, pitch: -2e-3, heading: 1e-3 },
+    }
+}
+
+fn gravity() -> GravityDisturbanceParameters {
+    let field = GravityField { mean: 2e-5, sigma: 5e-5, distance_m: 300.0 };
+    GravityDisturbanceParameters { deflection_north: field, deflection_east: field, anomaly: field }
 }
 
 /// Each effect or none.
@@ -113,7 +139,6 @@ fn compare(setting: &Setting, samples: &[FlightSample], who: &str) -> usize {
     let template = setting.simulator(0);
     let mut ensembles =
         WIDTHS.map(|width| Ensemble::of_width(&template, FIRST_RUN, RUNS as usize, width).unwrap());
-    assert!(ensembles[0].bytes_of_run().is_some(), "{who}: one by one");
     let mut singles: Vec<_> =
         (FIRST_RUN..FIRST_RUN + RUNS).map(|run| (setting.simulator(run), false)).collect();
     for (k, sample) in samples.iter().enumerate() {
@@ -177,6 +202,7 @@ fn setting(draw: &mut Draws) -> Setting {
         vertical: draw.of(&[VerticalMode::Damped, VerticalMode::FollowTruth, VerticalMode::Free]),
         error_model: draw.one_in(2),
         frame: draw.of(&[Frame::EarthFixed, Frame::EarthFixed, Frame::EarthFixed, Frame::Geographic]),
+        closed_loop_time_s: draw.of(&[None, None, Some(30.0)]),
         gravity: draw.of(&[GravityModel::Normal, GravityModel::Normal, GravityModel::Somigliana]),
         ..Options::default()
     };
@@ -185,6 +211,8 @@ fn setting(draw: &mut Draws) -> Setting {
         triads: (some_effects(draw, &gyro), some_effects(draw, &accel)),
         with_altimeter: draw.one_in(2),
         with_initial_errors: draw.one_in(2),
+        mounting: draw.one_in(4).then(mounting),
+        gravity: draw.one_in(4).then(gravity),
         failures: Vec::new(),
     }
 }
@@ -237,6 +265,8 @@ fn so_they_are_where_a_branch_is_rare() {
                 triads,
                 with_altimeter: false,
                 with_initial_errors: false,
+                mounting: None,
+                gravity: None,
                 failures: Vec::new(),
             };
             compare(&setting, &samples, &format!("{scheme:?}, {density} rad/√s"));
@@ -254,7 +284,15 @@ fn a_run_that_diverges_leaves_the_others_alone() {
         let options = Options { vertical: VerticalMode::Damped, error_model, ..Options::default() };
         let triads = (every_effect().0, TriadParameters { range: Vector3::zeros(), ..accel });
         let failures = if with_altimeter { failures(&mut draw) } else { Vec::new() };
-        let setting = Setting { options, triads, with_altimeter, with_initial_errors: false, failures };
+        let setting = Setting {
+            options,
+            triads,
+            with_altimeter,
+            with_initial_errors: false,
+            mounting: with_altimeter.then(mounting),
+            gravity: None,
+            failures,
+        };
         let diverged = compare(&setting, &samples, "divergence");
         assert!((1..RUNS as usize).contains(&diverged), "{diverged} of {RUNS}");
     }

@@ -25,8 +25,8 @@ use super::branches::{Any, Usual};
 use super::earth_fixed::EarthFixed;
 use super::geographic::Geographic;
 use super::{
-    Axes, BodyMotion, Frame, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid, VerticalCorrection,
-    VerticalRows, WELL_WITHIN_M,
+    Axes, BodyMotion, Frame, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
+    VerticalCorrection, VerticalRows, WELL_WITHIN_M,
 };
 use crate::earth::{Earth, GravityModel};
 use crate::math::RotationSeries;

@@ -14,7 +14,7 @@ mod rows;
 pub(crate) use generator::DERIVATIVES;
 pub use generator::SignalGenerator;
 pub use motion::{IntervalMotion, MotionNode, TurnToEarth, Turning};
-pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of};
+pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment};
 
 use nalgebra::Vector3;
 

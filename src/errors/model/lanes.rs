@@ -48,6 +48,15 @@ impl<'a> ModelInterval<'a> {
     }
 }
 
+impl ModelInterval<'_> {
+    /// The sensor errors of the run at `lane`.
+    pub fn errors(&self, measured: &[IncrementRows], lane: usize) -> SensorErrors {
+        let pairs = self.ideal.iter().zip(measured);
+        let errors = pairs.map(|(ideal, measured)| increment_of(measured, lane).minus(ideal));
+        SensorErrors::of_increments(errors, self.motion.interval_s)
+    }
+}
+
 impl ModelBlock {
     /// A block of models that nothing is known of yet.
     pub fn new(frame: Frame) -> Self {
@@ -106,6 +115,10 @@ impl ModelBlock {
         aid: &AidOfEach<'_>,
         count: usize,
     ) {
+        if self.frame == Frame::Geographic {
+            return self
+                .advance_one_by_one(interval, aid, count, |lane| (interval.errors(measured, lane), None));
+        }
         let &ModelInterval { motion, ideal, coefficients, turn, .. } = interval;
         let mut sums = SumRows([[0.0; RUNS]; 12]);
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
@@ -117,9 +130,6 @@ impl ModelBlock {
             }
         }
         let t = motion.interval_s;
-        if self.frame == Frame::Geographic {
-            return self.advance_one_by_one(interval, aid, count, |lane| (sums.at(lane).errors(t), None));
-        }
         for lane in 0..count.min(RUNS) {
             let mut form = self.form(lane);
             form.advance_by(&coefficients, &turn.of(&sums.at(lane).errors(t).nodes()));
@@ -244,7 +254,9 @@ impl SumRows {
     #[inline(always)]
     fn put(&mut self, lane: usize, sums: &ErrorSums) {
         let ErrorSums { sum, moment } = sums;
-        for (first, vector) in [(0, &sum.angle), (3, &sum.velocity), (6, &moment.angle), (9, &moment.velocity)] {
+        for (first, vector) in
+            [(0, &sum.angle), (3, &sum.velocity), (6, &moment.angle), (9, &moment.velocity)]
+        {
             for i in 0..3 {
                 self.0[first + i][lane] = vector[i];
             }

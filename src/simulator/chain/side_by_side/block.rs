@@ -2,18 +2,22 @@
 
 use core::ops::Range;
 
+use nalgebra::Vector3;
+
+use super::disturbed::{Disturbed, DisturbedWorkspace};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::instruction_set::{InstructionSet, Work};
 use crate::errors::{ErrorModel, ModelBlock, ModelInterval};
-use crate::mechanization::{
-    AidOfEach, Mechanization, NavigatorBlock, Scratch, VerticalAid, VerticalMode,
-};
+use crate::mechanization::{Mechanization, NavigatorBlock, Scratch, VerticalAid, VerticalMode};
 use crate::memory::room;
+use crate::mounting;
 use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, SharedInput, StateRows, Triad};
-use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row, increment_of};
+use crate::signal::{
+    Increment, IncrementRows, IntervalMotion, MAX_INCREMENTS, RUNS, Row, increment_of, put_increment,
+};
 use crate::simulator::chain::Chain;
 use crate::simulator::{ImuFlags, ImuInterval, Options, SensorSuite};
+use crate::truth::Recent;
 
 /// What an interval brings to all blocks.
 pub(super) struct Interval<'a> {
@@ -34,6 +38,31 @@ pub(super) struct Interval<'a> {
     pub has_altimeters: bool,
     /// Where the error model is on.
     pub model: Option<ModelInterval<'a>>,
+    pub recent: &'a Recent<'a>,
+    pub motion: &'a IntervalMotion<'a>,
+    /// Error-free increments, but for gravity beyond the normal field.
+    pub ideal: &'a [Increment],
+    /// Where there is a mounting, and by how much it shifts the navigators [m/s], Earth-fixed axes.
+    pub mounting: Option<&'a mounting::Block>,
+    pub shift_e: Option<Vector3<f64>>,
+    /// Whether what all runs share is within its limits.
+    pub is_shared_good: bool,
+}
+
+impl Interval<'_> {
+    /// Whether a gyro and whether an accelerometer has failed.
+    pub fn have_failed(&self) -> [bool; 2] {
+        [self.sensors.gyro.has_failed(), self.sensors.accel.has_failed()]
+    }
+
+    /// The mounting of a run, as its sensors see it that gave `measured` in the whole interval.
+    pub fn mounting_of(&self, measured: &Increment) -> Option<mounting::Block> {
+        self.mounting.map(|block| {
+            let mut block = *block;
+            block.observe(&Increment::sum(self.ideal), measured, self.t);
+            block
+        })
+    }
 }
 
 /// The last good solution of a run that has diverged.
@@ -47,10 +76,10 @@ pub(super) struct LastGood {
 
 /// What is told of the last interval of a run beside its signals.
 #[derive(Debug, Clone, Copy, Default)]
-struct Report {
-    flags: ImuFlags,
+pub(super) struct Report {
+    pub flags: ImuFlags,
     /// Nothing aided the vertical channel.
-    is_unaided: bool,
+    pub is_unaided: bool,
 }
 
 /// Numbers in the longest vector of any instruction set.
@@ -59,43 +88,46 @@ const LANES: usize = 8;
 /// Up to [`RUNS`] runs.
 #[derive(Debug)]
 pub(super) struct Block {
-    count: usize,
+    pub(super) count: usize,
     /// Lanes that are computed: whole vectors. Those beyond the runs are copies of the last one.
-    lanes: usize,
-    gyro: StateRows,
-    accel: StateRows,
-    navigators: NavigatorBlock,
+    pub(super) lanes: usize,
+    pub(super) gyro: StateRows,
+    pub(super) accel: StateRows,
+    pub(super) navigators: NavigatorBlock,
     /// None or one.
-    models: Box<[ModelBlock]>,
+    pub(super) models: Box<[ModelBlock]>,
     /// Sum of the measured increments of the last interval.
-    measured: IncrementRows,
-    reports: [Report; RUNS],
-    north_unknown: [bool; RUNS],
+    pub(super) measured: IncrementRows,
+    pub(super) reports: [Report; RUNS],
+    pub(super) north_unknown: [bool; RUNS],
     /// Of runs that have diverged.
-    diverged: [Option<LastGood>; RUNS],
+    pub(super) diverged: [Option<LastGood>; RUNS],
     /// Failures of gyros and accelerometers.
-    failures: [Box<[FailingTriad]>; 2],
+    pub(super) failures: [Box<[FailingTriad]>; 2],
     /// Where they damp the vertical channel; up to date where they have errors.
-    altimeters: Box<[Altimeter]>,
+    pub(super) altimeters: Box<[Altimeter]>,
+    /// Where gravity is other than normal, all sensors of each run, in place of what is above.
+    pub(super) disturbed: Box<[Disturbed]>,
 }
 
 /// What a step needs beside a block, and the block as it was before.
 #[derive(Debug)]
 pub(super) struct Workspace {
     /// Of the longest interval. By itself, or the compiler fears that it lies over the rest.
-    measured: Box<[IncrementRows]>,
-    scratch: Scratch,
-    heights_m: Row,
-    is_unaided: [bool; RUNS],
-    saturated: [[u64; RUNS]; 2],
-    is_good: [u64; RUNS],
-    gyro: StateRows,
-    accel: StateRows,
-    navigators: NavigatorBlock,
-    models: Box<[ModelBlock]>,
-    failures: [Box<[FailingTriad]>; 2],
-    reports: [Report; RUNS],
-    sums: IncrementRows,
+    pub(super) measured: Box<[IncrementRows]>,
+    pub(super) scratch: Scratch,
+    pub(super) heights_m: Row,
+    pub(super) is_unaided: [bool; RUNS],
+    pub(super) saturated: [[u64; RUNS]; 2],
+    pub(super) is_good: [u64; RUNS],
+    pub(super) gyro: StateRows,
+    pub(super) accel: StateRows,
+    pub(super) navigators: NavigatorBlock,
+    pub(super) models: Box<[ModelBlock]>,
+    pub(super) failures: [Box<[FailingTriad]>; 2],
+    pub(super) reports: [Report; RUNS],
+    pub(super) sums: IncrementRows,
+    pub(super) disturbed: DisturbedWorkspace,
 }
 
 /// Room for the failures of so many runs.
@@ -135,8 +167,15 @@ impl Workspace {
             failures: failures(sensors, RUNS)?,
             reports: [Report::default(); RUNS],
             sums: [[0.0; RUNS]; 6],
+            disturbed: DisturbedWorkspace::new(sensors)?,
         });
         Ok(memory.into_boxed_slice())
+    }
+
+    /// An altimeter shows `indicated_m` at the true height `height_m` [m], or nothing.
+    pub fn put_height(&mut self, lane: usize, height_m: f64, indicated_m: Option<f64>) {
+        self.heights_m[lane] = indicated_m.unwrap_or(height_m);
+        self.is_unaided[lane] = indicated_m.is_none();
     }
 }
 
@@ -144,7 +183,7 @@ impl Block {
     /// Room for `count` runs.
     pub fn new(options: &Options, sensors: &mut SensorSuite, count: usize) -> Result<Self, Error> {
         let mut altimeters = Vec::new();
-        if options.vertical == VerticalMode::Damped {
+        if options.vertical == VerticalMode::Damped && !sensors.gravity.is_on() {
             altimeters = room(count)?;
             altimeters.resize(count, sensors.altimeter.clone());
         }
@@ -161,6 +200,7 @@ impl Block {
             diverged: [None; RUNS],
             failures: failures(sensors, count)?,
             altimeters: altimeters.into_boxed_slice(),
+            disturbed: Disturbed::room(sensors, count)?,
         })
     }
 
@@ -174,6 +214,7 @@ impl Block {
             + self.accel.bytes_of_run()
             + size_of_val(&*self.altimeters) / self.count
             + 2 * size_of::<FailingTriad>()
+            + size_of_val(&*self.disturbed) / self.count
             + size_of_val(&*self.models) / RUNS
     }
 
@@ -188,6 +229,9 @@ impl Block {
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.clone_from(&sensors.altimeter);
         }
+        if let Some(disturbed) = self.disturbed.get_mut(lane) {
+            disturbed.put(sensors);
+        }
     }
 
     /// Lets an output of all runs fail, whose last interval, if there was one, had the length `interval_s` [s].
@@ -198,8 +242,11 @@ impl Block {
                 None => interval_s,
             };
             let sum = increment_of(&self.measured, lane);
-            let last = interval_s
-                .map(|t| Increment { angle: sum.angle / t, velocity: sum.velocity / t });
+            let last = interval_s.map(|t| Increment { angle: sum.angle / t, velocity: sum.velocity / t });
+            if let Some(disturbed) = self.disturbed.get_mut(lane) {
+                disturbed.set_failure(output, failure, last.as_ref());
+                continue;
+            }
             match output {
                 SensorOutput::Gyro(axis) => {
                     let last = last.map(|mean| mean.angle[axis as usize]);
@@ -225,6 +272,9 @@ impl Block {
 
     /// Takes what a run keeps out, over `sensors` of the same parameters and key.
     pub fn take_sensors(&self, lane: usize, sensors: &mut SensorSuite) {
+        if let Some(disturbed) = self.disturbed.get(lane) {
+            return disturbed.take(sensors);
+        }
         sensors.gyro.take_from(&self.gyro, lane);
         sensors.accel.take_from(&self.accel, lane);
         sensors.take_failures(&self.failures[0][lane], &self.failures[1][lane]);
@@ -237,6 +287,9 @@ impl Block {
     pub fn start(&mut self, lane: usize, height_m: f64, start: Option<&Chain>, time_s: f64) {
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.reposition(height_m);
+        }
+        if let Some(disturbed) = self.disturbed.get_mut(lane) {
+            disturbed.reposition(height_m);
         }
         match start {
             Some(chain) => self.put_run(lane, chain),
@@ -281,12 +334,12 @@ impl Block {
     /// Takes a run in that has flown as `chain` so far.
     pub fn put_run(&mut self, lane: usize, chain: &Chain) {
         self.put_solution(lane, chain);
+        if let Some(disturbed) = self.disturbed.get_mut(lane) {
+            disturbed.put_run(chain);
+        }
         self.north_unknown[lane] = chain.north_unknown;
-        if let Some(ImuInterval { measured: Increment { angle, velocity }, flags, .. }) = chain.imu() {
-            for axis in 0..3 {
-                self.measured[axis][lane] = angle[axis];
-                self.measured[3 + axis][lane] = velocity[axis];
-            }
+        if let Some(ImuInterval { measured, flags, .. }) = chain.imu() {
+            put_increment(&mut self.measured, lane, &measured);
             let is_unaided = chain.last.vertical_unaided().unwrap_or_default();
             self.reports[lane] = Report { flags, is_unaided };
         }
@@ -311,151 +364,8 @@ impl Block {
         self.reports[lane].is_unaided
     }
 
-    /// Flies an interval.
-    pub fn fly(&mut self, set: InstructionSet, interval: &Interval<'_>, workspace: &mut Workspace) {
-        workspace.gyro.copy_from(&self.gyro);
-        workspace.accel.copy_from(&self.accel);
-        workspace.navigators.clone_from(&self.navigators);
-        workspace.models.clone_from(&self.models);
-        (workspace.sums, workspace.reports) = (self.measured, self.reports);
-        self.begin_failures(interval, workspace);
-        workspace.is_unaided = [interval.aid == VerticalAid::None; RUNS];
-        if let (VerticalAid::Barometer { height_m }, true) = (interval.aid, interval.has_altimeters) {
-            for lane in (0..self.count).filter(|lane| self.diverged[*lane].is_none()) {
-                let indicated_m = self.altimeters[lane].sense(height_m, interval.t);
-                workspace.heights_m[lane] = indicated_m.unwrap_or(height_m);
-                workspace.is_unaided[lane] = indicated_m.is_none();
-            }
-        }
-        set.for_tables().run(Sensing { block: self, interval, workspace });
-        set.run(Navigating { block: self, interval, workspace });
-        for lane in 0..self.count {
-            if self.diverged[lane].is_some() || workspace.is_good[lane] == 0 {
-                self.look_closely(lane, interval, workspace);
-            }
-        }
-    }
-
-    /// The interval begins for the failures, if there are any.
-    #[inline]
-    fn begin_failures(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
-        let have_failed = [interval.sensors.gyro.has_failed(), interval.sensors.accel.has_failed()];
-        let of_triads = self.failures.iter_mut().zip(&mut workspace.failures);
-        for ((failures, before), _) in of_triads.zip(have_failed).filter(|(_, has_failed)| *has_failed) {
-            for (failure, before) in failures.iter_mut().zip(&mut **before) {
-                before.clone_from(failure);
-                failure.begin_interval(interval.t);
-            }
-        }
-    }
-
-    /// At the run at `lane`: it is still good, or it goes back and stays there.
-    #[cold]
-    #[inline(never)]
-    fn look_closely(
-        &mut self,
-        lane: usize,
-        interval: &Interval<'_>,
-        workspace: &Workspace,
-    ) {
-        if self.diverged[lane].is_none() {
-            let options = interval.options;
-            if self.navigator(lane, interval.earth, options).check().is_ok() {
-                return;
-            }
-            self.diverged[lane] = Some(interval.last_good);
-            if interval.has_altimeters {
-                self.altimeters[lane].undo();
-            }
-        }
-        self.navigators.go_back(lane, &workspace.navigators);
-        for (models, before) in self.models.iter_mut().zip(&workspace.models) {
-            models.go_back(lane, before);
-        }
-        self.gyro.go_back(lane, &workspace.gyro);
-        self.accel.go_back(lane, &workspace.accel);
-        self.measured.iter_mut().zip(&workspace.sums).for_each(|(row, before)| row[lane] = before[lane]);
-        self.reports[lane] = workspace.reports[lane];
-        let sensors = interval.sensors;
-        let have_failed = [sensors.gyro.has_failed(), sensors.accel.has_failed()];
-        for (triad, _) in have_failed.iter().enumerate().filter(|(_, has_failed)| **has_failed) {
-            self.failures[triad][lane].clone_from(&workspace.failures[triad][lane]);
-        }
-    }
-}
-
-/// The sensors of a block in an interval.
-struct Sensing<'a> {
-    block: &'a mut Block,
-    interval: &'a Interval<'a>,
-    workspace: &'a mut Workspace,
-}
-
-impl Work for Sensing<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { block, interval, workspace } = self;
-        let Block { lanes, gyro, accel, measured: sums, reports, failures, .. } = block;
-        let [gyro_failures, accel_failures] = failures;
-        let Workspace { measured, saturated: marks, is_unaided, .. } = workspace;
-        let &Interval { sensors, shared, dt, count, .. } = interval;
-        let (lanes, measured) = (*lanes, &mut measured[..count]);
-
-        *marks = [[0; RUNS]; 2];
-        sensors.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0], lanes);
-        sensors.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1], lanes);
-        for (lane, report) in reports.iter_mut().enumerate() {
-            let is_silent = |failures: &[FailingTriad]| {
-                failures.get(lane).is_some_and(FailingTriad::are_silent)
-            };
-            *report = Report {
-                flags: ImuFlags {
-                    gyro_saturated: marks[0][lane] != 0,
-                    accel_saturated: marks[1][lane] != 0,
-                    gyro_invalid: sensors.gyro.has_failed() && is_silent(gyro_failures),
-                    accel_invalid: sensors.accel.has_failed() && is_silent(accel_failures),
-                },
-                is_unaided: is_unaided[lane],
-            };
-        }
-        for (i, sum) in sums.iter_mut().enumerate() {
-            *sum = [0.0; RUNS];
-            for rows in measured.iter() {
-                for lane in 0..RUNS {
-                    sum[lane] += rows[i][lane];
-                }
-            }
-        }
-    }
-}
-
-/// Its navigators.
-struct Navigating<'a> {
-    block: &'a mut Block,
-    interval: &'a Interval<'a>,
-    workspace: &'a mut Workspace,
-}
-
-impl Work for Navigating<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { block, interval, workspace } = self;
-        let Workspace { measured, scratch, heights_m, is_unaided, is_good, .. } = workspace;
-        let &Interval { earth, options, t, count, aid, has_altimeters, .. } = interval;
-        let Block { lanes, navigators, models, .. } = block;
-        let (lanes, measured) = (*lanes, &measured[..count]);
-        let aid = match has_altimeters {
-            false => AidOfEach::Same(aid),
-            true if is_unaided[..lanes].contains(&true) => {
-                AidOfEach::Some { heights_m, is_none: is_unaided }
-            }
-            true => AidOfEach::Barometer { heights_m },
-        };
-        let kind = (earth, options.scheme);
-        navigators.navigate(kind, options.subsamples, measured, t, lanes, scratch);
-        navigators.aid_vertical(kind, &aid, t, lanes, is_good);
-        for (models, interval) in models.iter_mut().zip(&interval.model) {
-            models.advance(interval, measured, &aid, lanes);
-        }
+    /// Where gravity is other than normal.
+    pub fn disturbed(&self, lane: usize) -> Option<&Disturbed> {
+        self.disturbed.get(lane)
     }
 }

@@ -2,6 +2,8 @@
 //! [`RUNS`](crate::signal::RUNS).
 
 mod block;
+mod disturbed;
+mod fly;
 mod start;
 
 use core::cell::RefCell;
@@ -20,7 +22,7 @@ use crate::simulator::interval::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
-use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Simulator, Solution};
+use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
 use block::{Block, Interval, LastGood, Workspace};
 
@@ -46,16 +48,6 @@ pub(crate) struct SideBySide {
 }
 
 impl SideBySide {
-    /// Whether so many runs of `template` can and should go side by side. Others have more that differs from run to run, and go one
-    /// after the other; a run alone is faster so.
-    pub fn is_for(template: &Simulator, runs: usize) -> bool {
-        let (options, sensors) = (template.options(), &template.sensors);
-        runs > 1
-            && options.closed_loop_time_s.is_none()
-            && sensors.mounting().is_none()
-            && !sensors.gravity.is_on()
-    }
-
     /// Flies the interval that `recent` ends. An error is one of the truth, and then nothing has changed.
     pub fn step(&mut self, recent: &Recent<'_>) -> Result<(), Error> {
         self.options.check_truth(recent.next)?;
@@ -82,12 +74,19 @@ impl SideBySide {
         let motion = chain.generator.advance(recent);
         let ideal = &mut signals.ideal[..options.subsamples * options.updates_over(recent)];
         motion.integrate(ideal);
+        let before = chain.closed_loop.clone().map(|closed_loop| (closed_loop, chain.mechanization));
+        let shift_e = chain.mount_and_trim(&motion, recent, !sensors.all_are_ideal(), ideal);
+        let is_shared_good = chain.close_shared_loop(next, ideal, before);
         let dt = t / ideal.len() as f64;
-        sensors.begin_interval(t, || conditions(recent, &motion, None));
-        sensors.gyro.share(ideal, dt, &mut shared[0]);
-        sensors.accel.share(ideal, dt, &mut shared[1]);
+        let is_disturbed = sensors.gravity.is_on();
+        if !is_disturbed {
+            sensors.begin_interval(t, || conditions(recent, &motion, chain.block.as_ref()));
+            sensors.gyro.share(ideal, dt, &mut shared[0]);
+            sensors.accel.share(ideal, dt, &mut shared[1]);
+        }
 
-        let has_altimeters = options.vertical == VerticalMode::Damped && !sensors.altimeter.is_ideal();
+        let has_altimeters =
+            options.vertical == VerticalMode::Damped && (is_disturbed || !sensors.altimeter.is_ideal());
         *heights_are_shared = !has_altimeters;
         let aid = vertical_aid(options.vertical, next, |height_m| {
             if has_altimeters { Some(height_m) } else { sensors.altimeter.sense(height_m, t) }
@@ -110,8 +109,19 @@ impl SideBySide {
             aid,
             has_altimeters,
             model,
+            recent,
+            motion: &motion,
+            ideal,
+            mounting: chain.block.as_ref(),
+            shift_e,
+            is_shared_good,
         };
-        blocks.iter_mut().for_each(|block| block.fly(*set, &interval, workspace));
+        let mut rest = &mut **blocks;
+        while let [block, to_come @ ..] = rest {
+            to_come.first().into_iter().for_each(Block::prefetch);
+            block.fly(*set, &interval, workspace);
+            rest = to_come;
+        }
 
         chain.views = Views::default();
         chain.last = LastInterval::Loaded {
@@ -216,6 +226,12 @@ impl SideBySide {
             (imu.measured, imu.flags) = block.measured(lane);
             *vertical_unaided = block.is_unaided(lane);
             imu.time_s = block.diverged_s(lane).unwrap_or(imu.time_s);
+            if let Some(mounting) = &mut chain.block {
+                mounting.observe(&imu.ideal, &imu.measured, imu.interval_s);
+            }
+        }
+        if let Some(disturbed) = block.disturbed(lane) {
+            disturbed.give(&mut chain);
         }
         chain.views = Views { truth: shared.views.truth.clone(), ..Views::default() };
         Some(chain)
@@ -230,14 +246,19 @@ impl SideBySide {
     #[cold]
     #[inline(never)]
     pub fn take_first_velocity(&mut self, point: &TruthPoint) {
+        let mut shared = None;
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
                 chain.take_first_velocity(point, &self.sensors[0]);
                 self.blocks[place / RUNS].put_solution(place % RUNS, &chain);
+                shared = Some((chain.closed_loop, chain.mechanization));
             }
         }
         if let Some(chain) = &mut self.chain[0] {
             chain.views = Views::default();
+            if let Some(shared) = shared {
+                (chain.closed_loop, chain.mechanization) = shared;
+            }
         }
     }
 

@@ -18,7 +18,7 @@ use crate::snapshot::Writer;
 use crate::truth::{Intake, Recent, TruthPoint};
 
 impl SideBySide {
-    /// Runs from `first_run` on with the settings of `template`, for which [`Self::is_for`] holds.
+    /// Runs from `first_run` on with the settings of `template`.
     pub fn new(
         template: &Simulator,
         first_run: u64,
@@ -131,6 +131,11 @@ impl SideBySide {
         self.with_sensors_of(place, |sensors| {
             save_flight(&self.options_of(place), sensors, intake, chain.as_ref(), to);
         });
+    }
+
+    /// Whether a simulator has the sensors of these runs, so that its state is one of theirs.
+    pub fn has_sensors_of(&self, simulator: &Simulator) -> bool {
+        self.sensors[0].is_set_as(&simulator.sensors)
     }
 
     /// Takes a run in that `simulator` has been so far.
