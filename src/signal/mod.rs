@@ -14,8 +14,8 @@ mod rows;
 
 pub(crate) use derivatives::DERIVATIVES;
 pub use generator::SignalGenerator;
-pub use motion::{IntervalMotion, MotionNode, Turning};
-pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of};
+pub use motion::{IntervalMotion, MotionNode, TurnToEarth, Turning};
+pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment};
 
 use nalgebra::Vector3;
 
@@ -38,6 +38,12 @@ stored!(Increment { angle: SIGNALS, velocity: SIGNALS });
 impl Increment {
     /// No motion, no force.
     pub const ZERO: Self = Self { angle: Vector3::new(0.0, 0.0, 0.0), velocity: Vector3::new(0.0, 0.0, 0.0) };
+
+    /// This less `other`.
+    #[inline(always)]
+    pub fn minus(&self, other: &Self) -> Self {
+        Self { angle: self.angle - other.angle, velocity: self.velocity - other.velocity }
+    }
 
     /// Sum of increments: the integrals over all of their time.
     #[inline]

@@ -201,27 +201,59 @@ impl<'a> IntervalMotion<'a> {
 
     /// Pairs of vectors in sensor axes at the start, in the middle and at the end, turned to Earth-fixed axes.
     #[inline(always)]
-    pub fn to_earth_axes(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
+    pub fn to_earth_axes(&self, pairs: &[VectorPair; 3]) -> [VectorPair; 3] {
+        self.turn_to_earth().of(pairs)
+    }
+
+    /// How [`Self::to_earth_axes`] turns.
+    #[inline(always)]
+    pub fn turn_to_earth(&self) -> TurnToEarth {
         let [c1, c2, c3] = &self.rotation;
         let phi = 0.5 * c1 + 0.25 * c2 + 0.125 * c3;
         let n2 = phi.norm_squared();
         let series = RotationSeries::new(n2);
-        let phi = VectorPair::both(&phi);
-        let cross = phi.cross(middle);
+        TurnToEarth {
+            phi: VectorPair::both(&phi),
+            linear: 1.0 - n2 * series.cubic,
+            square: series.square,
+            start: self.start.to_earth,
+            end: self.end.to_earth,
+            earth_angle: 0.5 * self.earth_rate * self.interval_s,
+        }
+    }
+}
+
+/// Turns vectors from sensor axes at the start, in the middle and at the end of an interval to Earth-fixed axes.
+#[derive(Debug, Clone, Copy)]
+pub struct TurnToEarth {
+    /// Rotation vector from the start to the middle [rad], and its coefficients.
+    phi: VectorPair,
+    linear: f64,
+    square: f64,
+    start: Matrix3<f64>,
+    end: Matrix3<f64>,
+    /// By which the Earth has turned on in half the interval [rad].
+    earth_angle: f64,
+}
+
+impl TurnToEarth {
+    /// Two vectors at each instant.
+    #[inline(always)]
+    pub fn of(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
+        let cross = self.phi.cross(middle);
         let turned = *middle
-            + cross.times(Pair::both(1.0 - n2 * series.cubic))
-            + phi.cross(&cross).times(Pair::both(series.square));
-        let middle = VectorPair::of_matrix(&self.start.to_earth, &turned);
-        // The Earth has turned on by half the interval: 2e-3 rad at the most, to its second order.
-        let angle = Pair::both(0.5 * self.earth_rate * self.interval_s);
+            + cross.times(Pair::both(self.linear))
+            + self.phi.cross(&cross).times(Pair::both(self.square));
+        let middle = VectorPair::of_matrix(&self.start, &turned);
+        // 2e-3 rad at the most, to its second order.
+        let angle = Pair::both(self.earth_angle);
         let half_square = angle * angle * 0.5;
         let middle = VectorPair {
             x: middle.x + middle.y * angle - middle.x * half_square,
             y: middle.y - middle.x * angle - middle.y * half_square,
             z: middle.z,
         };
-        let at = |point: &TruthPoint, pair| VectorPair::of_matrix(&point.to_earth, pair);
-        [at(self.start, start), middle, at(self.end, end)]
+        [VectorPair::of_matrix(&self.start, start), middle, VectorPair::of_matrix(&self.end, end)]
     }
 }
 
