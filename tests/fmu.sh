@@ -19,9 +19,10 @@ need python3-venv /usr/share/doc/python3-venv
 cargo build --quiet --release -p sins-cli
 if [ -z "${FMU:-}" ]; then
     FMU=$folder/sins.fmu
-    cargo build --quiet --release -p sins-fmu
+    cargo build --quiet --release -p sins-fmu --lib
+    cargo build --quiet --profile unoptimised -p sins-fmu --bin pack-fmu
     for unit in "$FMU" "$folder/again.fmu"; do
-        target/release/pack-fmu "$unit" binaries/linux64/sins_fmu.so=target/release/libsins_fmu.so
+        target/unoptimised/pack-fmu "$unit" binaries/linux64/sins_fmu.so=target/release/libsins_fmu.so
     done
     cmp "$FMU" "$folder/again.fmu"
 fi
