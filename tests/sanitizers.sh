@@ -87,8 +87,8 @@ thread_sanitizer() {
 }
 
 memcheck() {
-    cargo build --quiet
-    cp target/debug/libsins.so "$folder/libsins.so"
+    cargo rustc --quiet --release --lib --crate-type cdylib # as c_examples/build.sh
+    cp target/release/libsins.so "$folder/libsins.so"
     local valgrind=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect)
     for name in planted $checked; do
         compile "$name" -L "$folder" -lsins -Wl,-rpath,"$folder"
