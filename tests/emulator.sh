@@ -5,23 +5,21 @@
 #     tests/emulator.sh          both word sizes
 #     tests/emulator.sh 64       64 bits; in the other word size it starts, rejects files and exports
 #
-# SINS_DLL_DIR: a folder with 64/sins.dll and 32/sins.dll, and SINS_PROGRAM: a program sins, to take instead of building them. A
-# SINS_Emulator.exe beside a sins.dll is taken too.
+# SINS_DLL_DIR: a folder with 64/sins.dll and 32/sins.dll to take instead of building them; a SINS_Emulator.exe beside a sins.dll is
+# taken too. SINS_LIB_DIR: a folder with a program sins to take.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/wine.sh
+. tests/support/built.sh
 
 whole=${1:-64 32}
 font=/usr/share/fonts/truetype/wqy/wqy-microhei.ttc
 need xvfb Xvfb
 need imagemagick import
 need fonts-wqy-microhei "$font"
-sins=${SINS_PROGRAM:-}
-if [ -z "$sins" ]; then
-    cargo build --quiet --release -p sins-cli
-    sins=target/release/sins
-fi
+build_program
+sins=$built/sins
 
 # screen SIZE: all that follows is on a screen of this size.
 display_file=$(mktemp)

@@ -48,7 +48,7 @@ for example in minimal cpp_host; do
 done
 
 echo "== installed, and moved" # not optimised, which takes a quarter of the time: tests/packages.sh has the optimised one
-export CARGO_PROFILE_RELEASE_{OPT_LEVEL=0,LTO=off,CODEGEN_UNITS=16}
+export CARGO_PROFILE_RELEASE_{OPT_LEVEL=1,LTO=off,CODEGEN_UNITS=16}
 rm -rf "$first" "$moved" "$hosts"
 cmake -S . -B "$out/build"
 cmake --build "$out/build"
