@@ -7,6 +7,7 @@ mod compensated;
 mod gauss;
 mod mix;
 mod pair;
+mod quantile;
 mod rotation;
 mod sine;
 mod stencil;
@@ -18,6 +19,7 @@ pub use compensated::{Compensated, two_product, two_sum};
 pub use gauss::GAUSS_2;
 pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
+pub use quantile::{chi_square_quantile, normal_quantile, wilson_hilferty};
 pub use rotation::{
     AxisTurn, Euler, RotationSeries, attitude_from_euler, attitude_from_half_angles, euler_from_attitude,
     inverse_right_jacobian, quarter_square, relative_rotation, right_jacobian, rotate, rotate_inverse,
