@@ -10,13 +10,11 @@ mod support;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::SMatrix;
-use scenes::{Scene, Setting, built_in, scenes};
-use sins::ErrorSource;
+use scenes::{Scene, built_in, everything, scenes};
 use sins::ensemble::Ensemble;
-use sins::sensors::{
-    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, TriadParameters,
-};
+use sins::sensors::TriadParameters;
 use sins::statistics::Statistics;
+use sins::{ErrorParameters, ErrorSource};
 
 const INSTANTS: usize = 20;
 /// Runs of an ensemble.
@@ -65,7 +63,7 @@ impl Scene {
 
     /// The covariance at each instant.
     fn covariances(&self) -> Vec<Matrix> {
-        let mut simulator = self.believed.simulator(&self.options(true));
+        let mut simulator = self.simulator(&self.believed, true);
         let mut covariances = Vec::new();
         for (k, sample) in self.samples.iter().enumerate() {
             simulator.push_sample(sample).unwrap();
@@ -79,7 +77,7 @@ impl Scene {
 
     /// Statistics of `runs` runs from `first` on, at each instant.
     fn statistics(&self, first: u64, runs: usize) -> Vec<Statistics> {
-        let template = self.setting.simulator(&self.options(false));
+        let template = self.simulator(&self.setting, false);
         let mut ensemble = Ensemble::new(&template, first, runs).unwrap();
         let mut statistics = Vec::new();
         for (k, sample) in self.samples.iter().enumerate() {
@@ -186,13 +184,14 @@ fn the_spread_of_many_runs_is_the_covariance() {
 /// White noise alone, the covariance told of a spectral density that is 10 % larger: the same test fails.
 #[test]
 fn a_density_that_is_wrong_by_a_tenth_is_found() {
-    let mut noise = Setting::of_everything();
-    for triad in [&mut noise.gyro, &mut noise.accel] {
-        *triad = TriadParameters { random_walk: triad.random_walk, ..TriadParameters::default() };
-    }
-    noise.initial = InitialErrorParameters::default();
-    noise.gravity = GravityDisturbanceParameters::default();
-    noise.altimeter = AltimeterParameters::default();
+    let everything = everything();
+    let of_noise =
+        |triad: TriadParameters| TriadParameters { random_walk: triad.random_walk, ..Default::default() };
+    let noise = ErrorParameters {
+        gyro: of_noise(everything.gyro),
+        accel: of_noise(everything.accel),
+        ..Default::default()
+    };
     let mut more = noise;
     for triad in [&mut more.gyro, &mut more.accel] {
         triad.random_walk *= 1.1f64.sqrt();

@@ -7,69 +7,48 @@ use sins::sensors::{
     StreamKey, TriadParameters,
 };
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::{Options, Simulator};
+use sins::{ErrorParameters, Options, Simulator};
 
 use super::support::{self, DEG, DEG_PER_HOUR, G};
 
 const MICRO_G: f64 = 1e-6 * G;
 
-/// What a simulator is set to.
-#[derive(Clone, Copy)]
-pub struct Setting {
-    pub gyro: TriadParameters,
-    pub accel: TriadParameters,
-    pub altimeter: AltimeterParameters,
-    pub initial: InitialErrorParameters,
-    pub gravity: GravityDisturbanceParameters,
-}
-
-impl Setting {
-    pub fn simulator(&self, options: &Options) -> Simulator {
-        let mut simulator = Simulator::new(options).unwrap();
-        simulator.set_gyro(&self.gyro).unwrap();
-        simulator.set_accel(&self.accel).unwrap();
-        simulator.set_altimeter(&self.altimeter).unwrap();
-        simulator.set_initial_errors(&self.initial).unwrap();
-        simulator.set_gravity_disturbance(&self.gravity).unwrap();
-        simulator
-    }
-
-    /// Everything that is random, of navigation grade.
-    pub fn of_everything() -> Self {
-        let off_diagonal = |size| SMatrix::from_fn(|row, column| if row == column { 0.0 } else { size });
-        let triad = |unit: f64, walk: f64| TriadParameters {
-            bias_sigma: Vector3::new(1.0, 0.7, 1.3) * unit,
-            markov_sigma: Vector3::new(0.5, 0.8, 0.3) * unit,
-            markov_time_s: Vector3::new(300.0, 1000.0, 40.0),
-            flicker: Vector3::new(0.6, 0.4, 0.5) * unit,
-            rate_random_walk: Vector3::repeat(0.5 * unit / 60.0),
-            random_walk: Vector3::repeat(walk),
-            scale_factor_sigma: Vector3::new(10e-6, 5e-6, 8e-6),
-            misalignment_sigma: off_diagonal(1e-5),
+/// Everything that is random, of navigation grade.
+pub fn everything() -> ErrorParameters {
+    let off_diagonal = |size| SMatrix::from_fn(|row, column| if row == column { 0.0 } else { size });
+    let triad = |unit: f64, walk: f64| TriadParameters {
+        bias_sigma: Vector3::new(1.0, 0.7, 1.3) * unit,
+        markov_sigma: Vector3::new(0.5, 0.8, 0.3) * unit,
+        markov_time_s: Vector3::new(300.0, 1000.0, 40.0),
+        flicker: Vector3::new(0.6, 0.4, 0.5) * unit,
+        rate_random_walk: Vector3::repeat(0.5 * unit / 60.0),
+        random_walk: Vector3::repeat(walk),
+        scale_factor_sigma: Vector3::new(10e-6, 5e-6, 8e-6),
+        misalignment_sigma: off_diagonal(1e-5),
+        ..Default::default()
+    };
+    let field = |sigma| GravityField { mean: 0.0, sigma, distance_m: 20e3 };
+    ErrorParameters {
+        gyro: triad(0.01 * DEG_PER_HOUR, 0.002 * DEG / 60.0),
+        accel: triad(20.0 * MICRO_G, 10.0 * MICRO_G),
+        altimeter: AltimeterParameters {
+            markov_sigma_m: 10.0,
+            markov_time_s: 600.0,
+            noise_m: 1.0,
             ..Default::default()
-        };
-        let field = |sigma| GravityField { mean: 0.0, sigma, distance_m: 20e3 };
-        Self {
-            gyro: triad(0.01 * DEG_PER_HOUR, 0.002 * DEG / 60.0),
-            accel: triad(20.0 * MICRO_G, 10.0 * MICRO_G),
-            altimeter: AltimeterParameters {
-                markov_sigma_m: 10.0,
-                markov_time_s: 600.0,
-                noise_m: 1.0,
-                ..Default::default()
-            },
-            initial: InitialErrorParameters {
-                position_sigma_n: Vector3::new(5.0, 8.0, 10.0),
-                velocity_sigma_n: Vector3::new(0.02, 0.03, 0.01),
-                misalignment_sigma_n: Vector3::new(2e-5, 3e-5, 2e-4),
-                ..Default::default()
-            },
-            gravity: GravityDisturbanceParameters {
-                deflection_north: field(3e-5),
-                deflection_east: field(2e-5),
-                anomaly: field(3e-4),
-            },
-        }
+        },
+        initial: InitialErrorParameters {
+            position_sigma_n: Vector3::new(5.0, 8.0, 10.0),
+            velocity_sigma_n: Vector3::new(0.02, 0.03, 0.01),
+            misalignment_sigma_n: Vector3::new(2e-5, 3e-5, 2e-4),
+            ..Default::default()
+        },
+        gravity: GravityDisturbanceParameters {
+            deflection_north: field(3e-5),
+            deflection_east: field(2e-5),
+            anomaly: field(3e-4),
+        },
+        ..Default::default()
     }
 }
 
@@ -77,26 +56,30 @@ impl Setting {
 pub struct Scene {
     pub name: &'static str,
     pub samples: Vec<FlightSample>,
-    pub setting: Setting,
+    pub setting: ErrorParameters,
     /// What the covariance is told, which is `setting` unless it is to be wrong.
-    pub believed: Setting,
+    pub believed: ErrorParameters,
 }
 
 impl Scene {
-    pub fn new(name: &'static str, samples: Vec<FlightSample>, setting: Setting) -> Self {
+    pub fn new(name: &'static str, samples: Vec<FlightSample>, setting: ErrorParameters) -> Self {
         Self { name, samples, setting, believed: setting }
     }
 
-    pub fn options(&self, covariance: bool) -> Options {
+    /// A simulator with these errors.
+    pub fn simulator(&self, errors: &ErrorParameters, covariance: bool) -> Simulator {
         let period_s = self.samples[1].time_s - self.samples[0].time_s;
         let is_polar = self.samples.iter().any(|sample| sample.place.latitude_rad > 89.8 * DEG);
-        Options {
+        let options = Options {
             covariance,
             error_model: is_polar,
             intake: IntakeLimits { period_s: Some(period_s), ..IntakeLimits::default() },
             key: StreamKey { seed: 7, run: 0 },
             ..Options::default()
-        }
+        };
+        let mut simulator = Simulator::new(&options).unwrap();
+        errors.set_to(&mut simulator).unwrap();
+        simulator
     }
 }
 
@@ -121,7 +104,7 @@ fn drone() -> Flight {
 
 /// The scenes: patrol, aerobatics, airliner, pole passage, drone.
 pub fn scenes(is_long: bool) -> Vec<Scene> {
-    let everything = Setting::of_everything();
+    let everything = everything();
     let mut aligned = everything;
     aligned.initial.alignment = Alignment::LevelAndGyrocompass;
     aligned.initial.misalignment_sigma_n = Vector3::repeat(1e-6);
@@ -131,7 +114,7 @@ pub fn scenes(is_long: bool) -> Vec<Scene> {
     (small.accel.bias_sigma, small.accel.random_walk) =
         (Vector3::repeat(1000.0 * MICRO_G), Vector3::repeat(50.0 * MICRO_G));
     // Of the terms that grow over days none is gravity's own: it drives the errors as a Markov process of the accelerometers does.
-    let without_gravity = Setting { gravity: GravityDisturbanceParameters::default(), ..everything };
+    let without_gravity = ErrorParameters { gravity: GravityDisturbanceParameters::default(), ..everything };
     let airliner = support::Table::csv("c_examples/flights/airliner_cruise.csv").samples(false);
     let airliner: Vec<_> = airliner.into_iter().step_by(5).collect();
     let (patrol_s, in_field_s) = if is_long { (48.0 * 3600.0, 6.0 * 3600.0) } else { (3600.0, 3600.0) };
