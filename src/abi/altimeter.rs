@@ -6,7 +6,7 @@ use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::AltimeterParameters;
 
-/// Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+/// Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_altimeter_params {

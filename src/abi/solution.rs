@@ -16,8 +16,8 @@ pub const SINS_NAVIGATION_NEAR_POLE: sins_navigation_flags = 1;
 /// Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
 /// every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
-/// Of the truth: the displacement since the previous sample differs from the one that the velocities give by more than the
-/// root sum of squares of 1 % and 1 cm.
+/// A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
+/// the root sum of squares of 1 % and 1 cm.
 pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
 /// The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
 /// force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
@@ -37,10 +37,10 @@ pub const SINS_ERRORS_MODEL: sins_errors_source = 1;
 /// Flags of a sins_errors.
 pub type sins_errors_flags = i32;
 
-/// Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
-/// error have no meaning.
+/// The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up misalignment, and the east and
+/// north components of the velocity error have no meaning.
 pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
-/// Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+/// A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
 /// displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
@@ -49,9 +49,9 @@ pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
 /// Flags of a sins_imu.
 pub type sins_imu_flags = u32;
 
-/// The mean rate of a sub-increment was beyond the range of a gyro.
+/// The mean rate of a subsample was beyond the range of a gyro.
 pub const SINS_IMU_GYRO_SATURATED: sins_imu_flags = 1;
-/// The mean force of a sub-increment was beyond the range of an accelerometer.
+/// The mean force of a subsample was beyond the range of an accelerometer.
 pub const SINS_IMU_ACCEL_SATURATED: sins_imu_flags = 2;
 /// A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
 pub const SINS_IMU_GYRO_INVALID: sins_imu_flags = 4;
@@ -112,8 +112,8 @@ pub struct sins_errors {
     pub height_m: f64,
     /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-    /// error model it is of first order: computed C = (I - [phi x]) C.
+    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+    /// to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
     pub misalignment_enu_rad: [f64; 3],
     /// Error of roll, wrapped to -pi to pi [rad].
     pub roll_rad: f64,
