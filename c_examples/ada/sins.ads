@@ -1366,7 +1366,7 @@ package Sins is
       height_change_m : double := 0.0;
       --  Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
       heading_change_rad : double := 0.0;
-      --  Bank of a turn, 1e-3 to 1.5 [rad].
+      --  Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
       bank_rad : double := 0.0;
       --  Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
       turns : double := 0.0;
@@ -1611,11 +1611,11 @@ package Sins is
       remainder_velocity_m_s : double := 0.0;
       --  Part of the misalignment that the sum of all rows does not explain [rad].
       remainder_attitude_rad : double := 0.0;
-      --  Change of the position error when the marked rows are left out, as flown [m].
+      --  Change of the position error without the marked effects, by flights of all runs without them [m].
       left_out_position_m : double := 0.0;
-      --  Change of the velocity error when the marked rows are left out, as flown [m/s].
+      --  Change of the velocity error without the marked effects, likewise [m/s].
       left_out_velocity_m_s : double := 0.0;
-      --  Change of the misalignment when the marked rows are left out, as flown [rad].
+      --  Change of the misalignment without the marked effects, likewise [rad].
       left_out_attitude_rad : double := 0.0;
       --  Time of a step with all effects, measured in this call on this machine [ns].
       ns_per_step : double := 0.0;
@@ -1957,7 +1957,7 @@ package Sins is
    --  advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
    --  updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
    --
-   --  SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+   --  SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
    --  SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
    --  readable, and sins_reset() and sins_start_navigation() start anew.

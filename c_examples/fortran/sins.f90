@@ -1317,7 +1317,7 @@ module sins
     real(c_double) :: height_change_m = 0.0_c_double
     !> Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
     real(c_double) :: heading_change_rad = 0.0_c_double
-    !> Bank of a turn, 1e-3 to 1.5 [rad].
+    !> Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
     real(c_double) :: bank_rad = 0.0_c_double
     !> Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     real(c_double) :: turns = 0.0_c_double
@@ -1553,11 +1553,11 @@ module sins
     real(c_double) :: remainder_velocity_m_s = 0.0_c_double
     !> Part of the misalignment that the sum of all rows does not explain [rad].
     real(c_double) :: remainder_attitude_rad = 0.0_c_double
-    !> Change of the position error when the marked rows are left out, as flown [m].
+    !> Change of the position error without the marked effects, by flights of all runs without them [m].
     real(c_double) :: left_out_position_m = 0.0_c_double
-    !> Change of the velocity error when the marked rows are left out, as flown [m/s].
+    !> Change of the velocity error without the marked effects, likewise [m/s].
     real(c_double) :: left_out_velocity_m_s = 0.0_c_double
-    !> Change of the misalignment when the marked rows are left out, as flown [rad].
+    !> Change of the misalignment without the marked effects, likewise [rad].
     real(c_double) :: left_out_attitude_rad = 0.0_c_double
     !> Time of a step with all effects, measured in this call on this machine [ns].
     real(c_double) :: ns_per_step = 0.0_c_double
@@ -2053,7 +2053,7 @@ module sins
     !> advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
     !> updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
     !>
-    !> SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+    !> SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
     !> SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
     !> readable, and sins_reset() and sins_start_navigation() start anew.

@@ -1671,7 +1671,7 @@ class manoeuvre(_Struct):
     height_change_m: Change of height; the climb angle must stay below 64 degrees [m].
     heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad
         [rad].
-    bank_rad: Bank of a turn, 1e-3 to 1.5 [rad].
+    bank_rad: Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
     turns: Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     channel[6]: What each sinusoid moves, of enum sins.channel.
     amplitude[6]: Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of
@@ -1941,9 +1941,10 @@ class budget(_Struct):
     remainder_position_m: Part of the position error that the sum of all rows does not explain [m].
     remainder_velocity_m_s: Part of the velocity error that the sum of all rows does not explain [m/s].
     remainder_attitude_rad: Part of the misalignment that the sum of all rows does not explain [rad].
-    left_out_position_m: Change of the position error when the marked rows are left out, as flown [m].
-    left_out_velocity_m_s: Change of the velocity error when the marked rows are left out, as flown [m/s].
-    left_out_attitude_rad: Change of the misalignment when the marked rows are left out, as flown [rad].
+    left_out_position_m: Change of the position error without the marked effects, by flights of all runs without
+        them [m].
+    left_out_velocity_m_s: Change of the velocity error without the marked effects, likewise [m/s].
+    left_out_attitude_rad: Change of the misalignment without the marked effects, likewise [rad].
     ns_per_step: Time of a step with all effects, measured in this call on this machine [ns].
     """
 
@@ -2476,7 +2477,7 @@ def push_imu(sim, increment):
     sins.options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one
     update.
 
-    sins.ERROR_BAD_STATE: sins.start_navigation() first.
+    sins.ERROR_BAD_STATE: sins.start_navigation() was not called.
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
     sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the solution before it stays
     readable, and sins.reset() and sins.start_navigation() start anew.

@@ -1,5 +1,5 @@
-//! What stands between the host and the library: no panic leaves, nothing is printed, the host's floating-point state is
-//! left as it was.
+//! The boundary between host and library: no panic leaves the library, nothing is printed, and the host's floating-point state is
+//! restored.
 
 use core::cell::Cell;
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
@@ -11,12 +11,12 @@ use super::fpu::FloatState;
 use super::process::{is_inside_a_handle, is_prepared};
 use super::refusal;
 
-/// What is kept for a thread. No destructor, so that the library can be unloaded. Calls on a simulator do without: the first
-/// use in a thread may allocate.
+/// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its
+/// first use in a thread may allocate.
 struct Here {
     /// Whether this thread is inside a call that has no handle.
     inside: Cell<bool>,
-    /// The last failure on this thread that no simulator remembers.
+    /// The last failure on this thread that no simulator keeps.
     last_failure: Cell<Option<Failure>>,
 }
 
@@ -24,7 +24,7 @@ thread_local! {
     static HERE: Here = const { Here { inside: Cell::new(false), last_failure: Cell::new(None) } };
 }
 
-/// Takes what the first use of these variables takes.
+/// Uses these variables once, so that they take their memory and TLS indexes now.
 #[cfg_attr(not(windows), allow(dead_code))]
 pub(super) fn touch_thread_locals() {
     HERE.with(|_| ());
@@ -46,7 +46,7 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(SINS_ERROR_INTERNAL)
 }
 
-/// Runs the inside of a function that has no simulator to remember its failure: it is kept for this thread.
+/// Runs the inside of a function without a simulator. Its failure is kept for this thread.
 pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
     if !is_prepared() {
         refusal::forget();
@@ -67,8 +67,8 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
     status
 }
 
-/// Runs `body` as the inside of a C function that another shared library makes of this crate: with the default floating-point
-/// control state, and with the host's put back behind it. `None`: `body` panicked; nothing is printed.
+/// Runs `body` as the inside of a C function of another shared library that contains this crate: with the default floating-point
+/// control state, and afterwards with that of the host. `None`: `body` panicked; nothing is printed.
 pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
     if !is_prepared() {
         return None;
@@ -92,7 +92,7 @@ pub(super) fn remember(failure: Failure) {
     }
 }
 
-/// The last failure on this thread that no simulator remembers.
+/// The last failure on this thread that no simulator keeps.
 pub(super) fn last_failure() -> Option<Failure> {
     if let Some(refused) = refusal::last() {
         return Some(refused);
@@ -103,8 +103,8 @@ pub(super) fn last_failure() -> Option<Failure> {
     HERE.with(|here| here.last_failure.get())
 }
 
-/// Keeps the panic hook from printing while a thread is inside the library; elsewhere the hook before it goes on. In the
-/// shared library that is the library's own copy, and nobody else's.
+/// Keeps the panic hook from printing while a thread is inside the library. In other threads the earlier hook runs. A shared library
+/// has its own copy of the hook, which no other module uses.
 fn silence_panics() {
     // Not locks to wait for: a fork may come while another thread is at it.
     static DONE: AtomicBool = AtomicBool::new(false);

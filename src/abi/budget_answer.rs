@@ -81,11 +81,11 @@ pub struct sins_budget {
     pub remainder_velocity_m_s: f64,
     /// Part of the misalignment that the sum of all rows does not explain [rad].
     pub remainder_attitude_rad: f64,
-    /// Change of the position error when the marked rows are left out, as flown [m].
+    /// Change of the position error without the marked effects, by flights of all runs without them [m].
     pub left_out_position_m: f64,
-    /// Change of the velocity error when the marked rows are left out, as flown [m/s].
+    /// Change of the velocity error without the marked effects, likewise [m/s].
     pub left_out_velocity_m_s: f64,
-    /// Change of the misalignment when the marked rows are left out, as flown [rad].
+    /// Change of the misalignment without the marked effects, likewise [rad].
     pub left_out_attitude_rad: f64,
     /// Time of a step with all effects, measured in this call on this machine [ns].
     pub ns_per_step: f64,

@@ -58,7 +58,7 @@ pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
 pub(super) struct Failure {
     pub status: sins_status,
     pub error: Error,
-    /// Which sample of an array it concerns.
+    /// Index of the sample in an array that it concerns.
     pub sample: Option<usize>,
 }
 
@@ -82,7 +82,7 @@ impl Failure {
         Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of another kind")
     }
 
-    /// A handle, an argument under `name`, was refused with `status`.
+    /// The failure of a handle that is the argument `name` and was rejected with `status`.
     pub fn of_handle(status: sins_status, name: &'static str) -> Self {
         match status {
             SINS_ERROR_BAD_HANDLE => Self::bad_handle(name),
@@ -125,12 +125,12 @@ impl Failure {
         }
     }
 
-    /// The same failure, about element `index` of the array at fault.
+    /// Adds to the failure that element `index` of the array is at fault.
     pub fn of_element(self, index: usize) -> Self {
         Self { error: self.error.at(index), ..self }
     }
 
-    /// The same failure, about sample `index` of an array.
+    /// Adds to the failure that it concerns sample `index` of an array.
     pub fn of_sample(self, index: usize) -> Self {
         Self { sample: Some(index), ..self }
     }

@@ -5,7 +5,7 @@ use core::mem::MaybeUninit;
 use super::failure::{Failure, SINS_OK, sins_status};
 use crate::error::Rule;
 
-/// Larger struct sizes are garbage, not a later release.
+/// Largest struct size that a host may state; larger ones are garbage, not a later release.
 const MAX_STRUCT_SIZE: usize = 1 << 16;
 
 /// A struct of the interface: begins with `struct_size` and a second 32-bit integer.
@@ -53,7 +53,7 @@ unsafe fn stated_size<T: Struct>(pointer: *const T, name: &'static str) -> Resul
     check_size::<T>(unsafe { pointer.cast::<u32>().read_unaligned() } as usize)
 }
 
-/// Reads a struct of the host: a missing tail reads as zero, a longer one must be zero.
+/// Reads a struct of the host. If it is shorter, the missing fields are zero; if it is longer, the rest must be zero.
 ///
 /// # Safety
 /// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
@@ -64,7 +64,7 @@ pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> R
     unsafe { read_sized(pointer, size) }
 }
 
-/// The same into a place of the caller's: a large struct is not moved about on the stack.
+/// As [`read`], but into a place of the caller, so that a large struct is not moved on the stack.
 ///
 /// # Safety
 /// As [`read`].
@@ -89,7 +89,8 @@ unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Fai
     Ok(unsafe { value.assume_init() })
 }
 
-/// Copies what is known of a struct; a missing tail stays, a longer one must be zero.
+/// Copies the known fields of a struct. If the host's struct is shorter, the other fields of `value` stay; if it is longer, the rest
+/// must be zero.
 ///
 /// # Safety
 /// `pointer` points to `size` readable bytes, `value` to a writable `T`.
@@ -134,8 +135,7 @@ impl<T: Struct> Output<T> {
         }
     }
 
-    /// The same of what `fill` makes of a struct whose fields it sets, `struct_size` or not: in the host's place, where that has
-    /// room.
+    /// As [`Self::write`], but `fill` sets the fields: directly in the host's struct, if that has room. It need not set `struct_size`.
     #[inline(always)]
     pub fn fill(&self, fill: impl FnOnce(&mut T)) {
         if self.size < size_of::<T>() || !self.pointer.is_aligned() {
@@ -245,7 +245,7 @@ pub(super) unsafe fn put_bytes(bytes: &[u8], buffer: *mut u8, capacity: usize) -
     Ok(())
 }
 
-/// Bytes of the host to be written.
+/// Bytes of the host that the library writes.
 ///
 /// # Safety
 /// `buffer` has `size` writable bytes, which nobody else uses while the slice lives.
@@ -254,7 +254,7 @@ pub(super) unsafe fn bytes_to_fill<'a>(buffer: *mut u8, size: usize) -> &'a mut 
     unsafe { core::slice::from_raw_parts_mut(buffer, size) }
 }
 
-/// Bytes of the host.
+/// Bytes of the host that the library reads.
 ///
 /// # Safety
 /// `pointer` is null or has `size` readable bytes, which nobody writes while the slice lives.
@@ -288,7 +288,7 @@ pub(super) unsafe fn text_of<'a>(
     Ok(unsafe { core::ffi::CStr::from_ptr(text) }.to_bytes())
 }
 
-/// Text as an array of a struct: terminated, cut at a character where it is longer.
+/// Text as a fixed array of a struct: terminated, and cut between two characters if it is longer.
 pub(super) fn chars<const N: usize>(text: &str) -> [core::ffi::c_char; N] {
     let fits = |end: &usize| *end < N && text.is_char_boundary(*end);
     let length = (0..=text.len().min(N)).rev().find(fits).unwrap_or(0);
@@ -299,7 +299,7 @@ pub(super) fn chars<const N: usize>(text: &str) -> [core::ffi::c_char; N] {
     chars
 }
 
-/// Length of the text that fits into `capacity` bytes, 1 at the least, with a terminator: not within a UTF-8 sequence.
+/// Length of the text that fits into `capacity` bytes (at least 1) with a terminator. It does not end within a UTF-8 sequence.
 fn fitting(text: &[u8], capacity: usize) -> usize {
     if text.len() < capacity {
         return text.len();
@@ -311,7 +311,7 @@ fn fitting(text: &[u8], capacity: usize) -> usize {
     length
 }
 
-/// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
+/// Copies text with a terminating zero. Text that does not fit is cut between two characters; the terminator is always written.
 ///
 /// # Safety
 /// `buffer` is null or has `capacity` writable bytes; `needed` is null or points to a writable `usize`.

@@ -127,7 +127,7 @@ impl sins_failure {
         Ok(failure)
     }
 
-    /// Refuses values that the failure does not use: something else was meant.
+    /// Rejects values that the failure does not use, because the host must have meant something else.
     fn check_unused(&self, failure: Option<&sensors::Failure>) -> Result<(), Failure> {
         use sensors::Failure::{BiasStep, Noise, PeriodicDropOuts, RandomDropOuts, Spikes};
         let is_spikes = matches!(failure, Some(Spikes { .. }));
