@@ -58,14 +58,14 @@ pub(super) fn too_deep(text: &str) -> Option<usize> {
 }
 
 impl Scene {
-    /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
+    /// The scene of a text in TOML (UTF-8), or all faults of the text.
     pub fn parse(text: &[u8]) -> Result<Self, Vec<Fault>> {
         Self::parse_with(text, &[])
     }
 
-    /// The scene of a text that has these keys with these values: `("gyro.bias_deg_h", "0.01")`. Keys and values are those of the
-    /// text, whose own values of the same keys do not count; a text needs no quotes; of a key that is set twice the last counts.
-    /// What stands in double brackets is the text's alone.
+    /// The scene of a text, with these values in the place of those that the text gives the same keys: `("gyro.bias_deg_h",
+    /// "0.01")`. A value is written as in the text, but a string needs no quotes. If a key is set twice, the last value counts. Keys
+    /// of sections in double brackets cannot be set in this way.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
         let whole = |sentence: String| vec![Fault { line: 1, column: 1, sentence }];
         if text.len() > MAX_TEXT {
@@ -171,7 +171,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads the keys of a section in the order of the table, so that a preset comes before what differs from it.
+    /// Reads the keys of a section in the order of the table, so that a preset comes before the keys that change it.
     fn read_keys(&mut self, section: Section, head: Span, section_table: &DeTable<'_>) -> Item {
         let mut item = Item { head, keys: Vec::new() };
         self.check_settings(section);
@@ -180,7 +180,7 @@ impl Reader<'_> {
                 setting.section == section
                     && (setting.name == key.name || Some(setting.name.as_str()) == key.si_name())
             };
-            // The last of them: the same quantity may be set in its unit and in SI.
+            // The last of them, because the same quantity may be set in its unit and in SI.
             if let Some(setting) = self.settings.iter().rfind(is_of_key) {
                 let value = match key.target {
                     Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => {

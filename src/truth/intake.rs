@@ -16,16 +16,16 @@ use crate::state::BodyAxes;
 const MIN_INTERVAL_S: f64 = 5e-5;
 pub(crate) const MAX_GAP_S: f64 = 1e3;
 
-/// What the difference of two time stamps may miss an interval by: four units in their last place.
+/// Largest rounding error of the difference of two time stamps, as a share of a stamp: four units in the last place.
 const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Shortest and longest interval that there can be [s].
+/// Shortest and longest interval, with the rounding of time stamps [s].
 pub(crate) const INTERVALS_S: (f64, f64) = {
     let rounding = STAMP_ROUNDING * LATEST_S;
     (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
 };
 
-/// Earliest time that a sample can be moved to [s]: those before it, at most 18 intervals, have room then.
+/// Earliest time that a sample can be moved to [s]: it leaves room for the samples before it, at most 18 intervals.
 const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
 
 /// Latest time that a sample can be moved to [s], likewise. A sample that came before its place in the stated period has
@@ -35,7 +35,7 @@ const LATEST_MOVED_S: f64 = LATEST_S - 20.0 * MAX_GAP_S;
 /// Largest deviation of a time stamp from the stated period, in periods.
 const OFF_PERIOD: f64 = 0.4;
 
-/// What separates a bad sample from a hard manoeuvre.
+/// Limits beyond which a sample is bad, and not a hard manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntakeLimits {
     /// Longest interval between samples [s].
@@ -57,11 +57,11 @@ stored!(IntakeLimits { max_gap_s: ANY, max_acceleration_m_s2: ANY, period_s: ANY
 /// How an accepted sample follows the ones before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pushed {
-    /// The first, or at the end of an interval like others.
+    /// The sample is the first one, or ends an interval of usual length.
     Regular,
-    /// At the end of a gap: of an interval of more than 2.5 times each of the two before it.
+    /// The sample ends a gap: an interval of more than 2.5 times each of the two before it.
     BehindGap,
-    /// The second: the velocity of the first, which has none itself, follows from both.
+    /// The sample is the second one: the first has no velocity of its own, and now gets one from both positions.
     FirstVelocity,
 }
 
@@ -72,13 +72,13 @@ pub struct Intake {
     axes: BodyAxes,
     limits: IntakeLimits,
     ring: Ring,
-    /// First time stamp [s] and number of periods since, where a period is stated.
+    /// First time stamp [s] and number of periods since, if a period is stated.
     first_time_s: f64,
     ticks: f64,
 }
 
 impl Intake {
-    /// An empty intake. The one allocation of its life.
+    /// An empty intake. An intake allocates only here.
     pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Result<Self, Error> {
         Ok(Self { earth, axes, limits, ring: Ring::new()?, first_time_s: 0.0, ticks: 0.0 })
     }
@@ -97,16 +97,16 @@ impl Intake {
         Ok(())
     }
 
-    /// Forgets all samples: a flight goes on from `point`, a [`Self::first_point`], as if it had been flown to.
+    /// Forgets all samples: the flight continues from `point`, a [`Self::first_point`], as if it had come there.
     pub fn go_on_from(&mut self, point: TruthPoint) {
         self.begin(point);
         self.take();
     }
 
-    /// The point of `sample` were it the first.
+    /// The point of `sample` as if it were the first sample.
     pub fn first_point(&self, sample: &FlightSample) -> Result<TruthPoint, Error> {
         sample.validate()?;
-        // Multiples of a period are added to the time: -0 would be +0 in a snapshot that is loaded.
+        // Adding 0 turns -0 into +0: a loaded snapshot has +0, because it adds multiples of a period to this time.
         let first = FlightSample { time_s: sample.time_s + 0.0, ..*sample };
         Ok(TruthPoint::new(&self.earth, self.axes, &first, first.time_s, 0.0))
     }
@@ -117,8 +117,8 @@ impl Intake {
         self.ring.push(first);
     }
 
-    /// The sample pushed last counts as at `time_s` [s]. The others move with it, intervals and periods stay to the bit. Gives how
-    /// far they moved [s].
+    /// Moves the sample that was pushed last to `time_s` [s], and the others with it. Intervals and periods stay the same to the bit.
+    /// Returns how far the samples moved [s].
     pub fn move_time(&mut self, time_s: f64) -> Result<f64, Error> {
         let Some(newest) = self.ring.pushed(0) else {
             return Err(Error::bad_state("no sample yet; the first sample sets the time"));
@@ -135,7 +135,7 @@ impl Intake {
         let mut moved_s = newest_s;
         self.ring.for_each_kept_mut(|point| {
             match period_s {
-                // As a snapshot makes it of the time stamp.
+                // The same rounding as when a snapshot is loaded.
                 Some(period) => moved_s = newest_s + ticks * period,
                 None => moved_s -= later_s,
             }
@@ -242,8 +242,8 @@ impl Intake {
         }
     }
 
-    /// Checks and puts back a sample that was in the ring, oldest first, `interval_s` [s] after the one before; `v_e` is its
-    /// velocity [m/s] if it has none itself.
+    /// Checks a sample that was in the ring, and puts it back; the oldest comes first. It is `interval_s` [s] after the one before.
+    /// `v_e` is its velocity [m/s] if the sample itself has none.
     fn put_back(
         &mut self,
         sample: &FlightSample,
@@ -257,7 +257,7 @@ impl Intake {
         if let Some(v_e) = v_e {
             point.set_velocity(&self.earth, v_e);
         }
-        // What a sample without velocity was judged by is not kept, or came of a later position.
+        // A sample without velocity was checked against values that are not kept, or that came from a later position.
         let knows_velocity = |point: &TruthPoint| point.sample.v_n.is_some();
         if let Some(last) = self.ring.pushed(0).filter(|last| knows_velocity(last) && knows_velocity(&point))
         {
@@ -275,8 +275,8 @@ impl Intake {
         Ok(())
     }
 
-    /// Refuses a kept sample at `stamp_s`, which is `time_s` on the time base, that no flight has `interval_s` after the last. Where
-    /// time has been moved, stamps are rounded otherwise than when the interval was taken.
+    /// Rejects a kept sample at `stamp_s` (`time_s` on the time base) if no flight can have it `interval_s` after the last one. If time
+    /// was moved, the rounding of the stamps has changed since the interval was taken.
     fn check_kept_time(&self, stamp_s: f64, time_s: f64, interval_s: f64) -> Result<(), Error> {
         let rounding = STAMP_ROUNDING * LATEST_S;
         let refuse = |value, why| {
@@ -332,8 +332,9 @@ impl Intake {
         Ok((time_s, interval_s, ticks))
     }
 
-    /// Derivative at `point` of the polynomial through its position and up to three before it, two behind a gap [m/s]: the
-    /// third makes of position errors ε before a gap T, at intervals t, ε T/t² of the velocity.
+    /// Velocity at `point` [m/s]: the derivative of the polynomial through its position and up to three before it. After a gap only
+    /// two before it are used, because with a third one position errors ε before the gap cause a velocity error ε T/t² (T length of
+    /// the gap, t intervals before it).
     fn velocity_from_positions(&self, point: &TruthPoint) -> Vector3<f64> {
         // Relative to this position, so that the large part of the coordinates does not enter.
         let before = |back: usize| {
@@ -350,7 +351,8 @@ impl Intake {
     }
 }
 
-/// The samples that the ring keeps; their points are made of them again, checked as if the host had pushed them.
+/// Stores the samples that the ring keeps. When they are read, their points are computed again, and checked as if the host had
+/// pushed them.
 impl Stored for Intake {
     fn save(&self, to: &mut Writer<'_>) {
         // The ticks follow from the last sample.
