@@ -15,12 +15,12 @@
  *   }
  *   sins_destroy(sim);
  *
- * Structs. Zero is off. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the
- *   sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So
- *   "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers that warn of
- *   fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new
- *   libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does not know, an
- *   output leaves these fields unchanged, and an input must have 0 in them.
+ * Structs. A field of 0 is off, or has its default. Every struct (except the parts of a sins_record) begins with struct_size,
+ *   which the caller sets to the sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says
+ *   otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers
+ *   that warn of fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old
+ *   hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does
+ *   not know, an output leaves these fields unchanged, and an input must have 0 in them.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -28,15 +28,16 @@
  *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
  *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
  * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
- *   its value.
+ *   its value directly.
  *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
  *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
  *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
  *   elements that is needed.)
- *   SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL can come from every function
- *   that has an argument of that kind. The other errors of a function are listed at the function, or under Threads and Unloading.
- *   A positive status is not an error: SINS_NEED_SAMPLE left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output,
- *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
+ *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, with a handle SINS_ERROR_BAD_HANDLE, and with a
+ *   struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can return SINS_ERROR_INTERNAL. The other errors of a
+ *   function are listed at the function, or under Threads and Unloading. A positive status is not an error: SINS_NEED_SAMPLE
+ *   left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output, SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did
+ *   what was asked. Test for errors by status < 0.
  *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
@@ -46,20 +47,20 @@
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
  *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
- *     holds its handle for ever, and the memory stays in use. Calls of its own thread return SINS_ERROR_BAD_STATE. Calls of other
- *     threads wait for ever; on Windows, if the thread was terminated, they return SINS_ERROR_BAD_STATE, the first of them after
- *     0.1 s. The floating-point state of the host is not restored.
- *   fork(): if another thread of the parent was inside a call, its handle is SINS_ERROR_BAD_STATE in the child. All other handles
- *     work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
+ *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
+ *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The floating-point state of the host is not restored.
+ *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
+ *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
  *   unloaded: FreeLibrary() succeeds, the DLL stays in memory, and LoadLibrary() gives the same module again. The same holds
  *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes that it takes when
- *   it is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
+ *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
  *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
  *   a thread or the process ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The same
- *   functions of ensembles, and the functions of statistics, do so too. (Exception: the first failure that is set on an
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
+ *   for the same functions of ensembles, and for the functions of statistics. (Exception: the first failure that is set on an
  *   ensemble may allocate.) The library prints nothing, and reads no environment variable and no file. It leaves the host's
  *   floating-point control state and x87 registers as it found them.
  * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
@@ -75,8 +76,8 @@
  *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
  *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
  *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period
- *     of 8 s, sampled at 100 Hz, it is 5 cm after 1 s lost and 3 m after 2.5 s lost. Without velocities a gap costs more, up to
- *     5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
+ *     of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up
+ *     to 5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
  *     positions to 1 cm, cost 23 m. If that is too much, set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
@@ -85,8 +86,8 @@
  *     rejected. The size of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of
  *     drop-outs are per sample, whatever the interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
- *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats with the same random numbers. sins_snapshot_load()
- *     returns to a saved moment.
+ *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
+ *     sins_snapshot_load() returns to a saved moment.
  * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
  *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
  *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
@@ -1803,7 +1804,7 @@ typedef struct sins_budget_request {
     /* Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16. */
     uint64_t runs;
     /*
-     * Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+     * Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
      * 0: none.
      */
     double position_m;
@@ -1829,17 +1830,17 @@ typedef struct sins_budget_row {
      * out. Empty in the first row.
      */
     char field[48];
-    /* Length of the contribution to the position error, the largest in the scene [m]. */
+    /* Length of the contribution to the position error, the largest in the flight [m]. */
     double position_m;
-    /* Length of the contribution to the velocity error, the largest in the scene [m/s]. */
+    /* Length of the contribution to the velocity error, the largest in the flight [m/s]. */
     double velocity_m_s;
-    /* Length of the contribution to the misalignment, the largest in the scene [rad]. */
+    /* Length of the contribution to the misalignment, the largest in the flight [rad]. */
     double attitude_rad;
-    /* Length of the contribution to the position error at the end of the scene [m]. */
+    /* Length of the contribution to the position error at the end of the flight [m]. */
     double end_position_m;
-    /* Length of the contribution to the velocity error at the end of the scene [m/s]. */
+    /* Length of the contribution to the velocity error at the end of the flight [m/s]. */
     double end_velocity_m_s;
-    /* Length of the contribution to the misalignment at the end of the scene [rad]. */
+    /* Length of the contribution to the misalignment at the end of the flight [rad]. */
     double end_attitude_rad;
     /* The contribution divided by its limit, the largest of the three; 0 without limits. */
     double share;
@@ -1870,7 +1871,7 @@ typedef struct sins_budget {
     double sigma_low;
     /* Upper end of that interval, divided likewise; 1 if nothing is random. */
     double sigma_high;
-    /* Position error with all effects together, root mean square over the runs, the largest in the scene [m]. */
+    /* Position error with all effects together, root mean square over the runs, the largest in the flight [m]. */
     double position_m;
     /* Velocity error with all effects together, likewise [m/s]. */
     double velocity_m_s;
@@ -2070,8 +2071,8 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
- * of which sins_last_error() gives the sentence.
+ * Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
+ * sins_last_error() gives the sentence.
  */
 SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
 
@@ -2100,8 +2101,8 @@ SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_a
 SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_params *params);
 
 /*
- * Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
- * on.
+ * Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+ * interval on.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
@@ -2117,9 +2118,9 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  *
  * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
  * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
- * Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
- * not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
- * begins anew with working sensors; failures that are set again at the same intervals give the same bits.
+ * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
+ * data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+ * so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
  * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -2151,8 +2152,8 @@ SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const stru
 SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sins_initial_errors *errors);
 
 /*
- * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
- * mounting does not affect a navigator on increments: its solution is that of the block.
+ * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+ * reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: steps have been made.
@@ -2189,10 +2190,10 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * Any error of sins_push_sample() or sins_step() stops the run at the
- * sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
- * not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
- * as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+ * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
+ * names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+ * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
+ * sins_reset() empty the queue.
  */
 SINS_API sins_status SINS_CALL sins_run(
     sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
@@ -2905,7 +2906,7 @@ SINS_API sins_status SINS_CALL sins_recommend(
     const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
 
 /*
- * Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+ * Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
  * can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
  * struct_size of the other samples may be 0, that of the other rows anything.
  *
@@ -2917,8 +2918,8 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
  * not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
  * lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
- * (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the length
- * of this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+ * (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+ * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
  * length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
  * with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
  * flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
@@ -2935,9 +2936,9 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * change (left_out) exceeds a limit, it puts the largest of them back.
  *
  * The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
- * allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. It makes one flight with nothing set, one for
- * each effect, one in each run with all effects together, and, if there are random effects, one in each run with these. With
- * limits it makes another one in each run, and further ones if effects do not add up.
+ * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+ * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+ * these. With limits it flies them once more in each run, and further times if effects do not add up.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
  * (To ask for the number, give NULL for rows and a capacity of 0.)

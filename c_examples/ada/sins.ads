@@ -1539,7 +1539,7 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
       runs : Unsigned_64 := 0;
-      --  Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+      --  Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
       --  0: none.
       position_m : double := 0.0;
       --  Limit of the change of the velocity error, likewise [m/s]; 0: none.
@@ -1561,17 +1561,17 @@ package Sins is
       --  The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
       --  out. Empty in the first row.
       field : sins_char_48 := (others => nul);
-      --  Length of the contribution to the position error, the largest in the scene [m].
+      --  Length of the contribution to the position error, the largest in the flight [m].
       position_m : double := 0.0;
-      --  Length of the contribution to the velocity error, the largest in the scene [m/s].
+      --  Length of the contribution to the velocity error, the largest in the flight [m/s].
       velocity_m_s : double := 0.0;
-      --  Length of the contribution to the misalignment, the largest in the scene [rad].
+      --  Length of the contribution to the misalignment, the largest in the flight [rad].
       attitude_rad : double := 0.0;
-      --  Length of the contribution to the position error at the end of the scene [m].
+      --  Length of the contribution to the position error at the end of the flight [m].
       end_position_m : double := 0.0;
-      --  Length of the contribution to the velocity error at the end of the scene [m/s].
+      --  Length of the contribution to the velocity error at the end of the flight [m/s].
       end_velocity_m_s : double := 0.0;
-      --  Length of the contribution to the misalignment at the end of the scene [rad].
+      --  Length of the contribution to the misalignment at the end of the flight [rad].
       end_attitude_rad : double := 0.0;
       --  The contribution divided by its limit, the largest of the three; 0 without limits.
       share : double := 0.0;
@@ -1599,7 +1599,7 @@ package Sins is
       sigma_low : double := 0.0;
       --  Upper end of that interval, divided likewise; 1 if nothing is random.
       sigma_high : double := 0.0;
-      --  Position error with all effects together, root mean square over the runs, the largest in the scene [m].
+      --  Position error with all effects together, root mean square over the runs, the largest in the flight [m].
       position_m : double := 0.0;
       --  Velocity error with all effects together, likewise [m/s].
       velocity_m_s : double := 0.0;
@@ -1756,8 +1756,8 @@ package Sins is
        needed : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_last_error";
 
-   --  Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
-   --  of which sins_last_error() gives the sentence.
+   --  Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
+   --  sins_last_error() gives the sentence.
    function sins_last_error_info (sim : sins_sim; info : in out sins_error_info) return sins_status
      with Import, Convention => C, External_Name => "sins_last_error_info";
 
@@ -1785,8 +1785,8 @@ package Sins is
    function sins_get_accel (sim : sins_sim; params : in out sins_accel_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_accel";
 
-   --  Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
-   --  on.
+   --  Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+   --  interval on.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    function sins_set_altimeter (sim : sins_sim; params : sins_altimeter_params) return sins_status
@@ -1802,9 +1802,9 @@ package Sins is
    --
    --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
    --  zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-   --  Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
-   --  not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
-   --  begins anew with working sensors; failures that are set again at the same intervals give the same bits.
+   --  Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
+   --  data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+   --  so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
    --  solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -1831,8 +1831,8 @@ package Sins is
    function sins_get_initial_errors (sim : sins_sim; errors : in out sins_initial_errors) return sins_status
      with Import, Convention => C, External_Name => "sins_get_initial_errors";
 
-   --  Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
-   --  mounting does not affect a navigator on increments: its solution is that of the block.
+   --  Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+   --  reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    --  SINS_ERROR_BAD_STATE: steps have been made.
@@ -1869,10 +1869,10 @@ package Sins is
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
    --  SINS_ERROR_BAD_STATE: navigating on increments.
    --
-   --  Any error of sins_push_sample() or sins_step() stops the run at the
-   --  sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
-   --  not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
-   --  as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+   --  Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
+   --  names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+   --  intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
+   --  sins_reset() empty the queue.
    function sins_run (sim : sins_sim; samples : sins_flight_sample_array; count : size_t; every : size_t;
        records : in out sins_record_array; capacity : size_t; written : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_run";
@@ -2514,7 +2514,7 @@ package Sins is
        requirement : sins_requirement; options : in out sins_options; cost : in out sins_cost) return sins_status
      with Import, Convention => C, External_Name => "sins_recommend";
 
-   --  Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+   --  Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
    --  can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
    --  struct_size of the other samples may be 0, that of the other rows anything.
    --
@@ -2526,8 +2526,8 @@ package Sins is
    --  Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
    --  not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
    --  lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
-   --  (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the length
-   --  of this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+   --  (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+   --  this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
    --  length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
    --  with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
    --  flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
@@ -2544,9 +2544,9 @@ package Sins is
    --  change (left_out) exceeds a limit, it puts the largest of them back.
    --
    --  The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
-   --  allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. It makes one flight with nothing set, one for
-   --  each effect, one in each run with all effects together, and, if there are random effects, one in each run with these. With
-   --  limits it makes another one in each run, and further ones if effects do not add up.
+   --  allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+   --  for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+   --  these. With limits it flies them once more in each run, and further times if effects do not add up.
    --
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
    --  (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -1483,7 +1483,7 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
     integer(c_int64_t) :: runs = 0_c_int64_t
-    !> Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+    !> Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
     !> 0: none.
     real(c_double) :: position_m = 0.0_c_double
     !> Limit of the change of the velocity error, likewise [m/s]; 0: none.
@@ -1504,17 +1504,17 @@ module sins
     !> The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
     !> out. Empty in the first row.
     character(kind=c_char) :: field(48) = c_null_char
-    !> Length of the contribution to the position error, the largest in the scene [m].
+    !> Length of the contribution to the position error, the largest in the flight [m].
     real(c_double) :: position_m = 0.0_c_double
-    !> Length of the contribution to the velocity error, the largest in the scene [m/s].
+    !> Length of the contribution to the velocity error, the largest in the flight [m/s].
     real(c_double) :: velocity_m_s = 0.0_c_double
-    !> Length of the contribution to the misalignment, the largest in the scene [rad].
+    !> Length of the contribution to the misalignment, the largest in the flight [rad].
     real(c_double) :: attitude_rad = 0.0_c_double
-    !> Length of the contribution to the position error at the end of the scene [m].
+    !> Length of the contribution to the position error at the end of the flight [m].
     real(c_double) :: end_position_m = 0.0_c_double
-    !> Length of the contribution to the velocity error at the end of the scene [m/s].
+    !> Length of the contribution to the velocity error at the end of the flight [m/s].
     real(c_double) :: end_velocity_m_s = 0.0_c_double
-    !> Length of the contribution to the misalignment at the end of the scene [rad].
+    !> Length of the contribution to the misalignment at the end of the flight [rad].
     real(c_double) :: end_attitude_rad = 0.0_c_double
     !> The contribution divided by its limit, the largest of the three; 0 without limits.
     real(c_double) :: share = 0.0_c_double
@@ -1541,7 +1541,7 @@ module sins
     real(c_double) :: sigma_low = 0.0_c_double
     !> Upper end of that interval, divided likewise; 1 if nothing is random.
     real(c_double) :: sigma_high = 0.0_c_double
-    !> Position error with all effects together, root mean square over the runs, the largest in the scene [m].
+    !> Position error with all effects together, root mean square over the runs, the largest in the flight [m].
     real(c_double) :: position_m = 0.0_c_double
     !> Velocity error with all effects together, likewise [m/s].
     real(c_double) :: velocity_m_s = 0.0_c_double
@@ -1744,8 +1744,8 @@ module sins
       integer(sins_status) :: sins_last_error
     end function sins_last_error
 
-    !> Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
-    !> of which sins_last_error() gives the sentence.
+    !> Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
+    !> sins_last_error() gives the sentence.
     function sins_last_error_info(sim, info) bind(C, name="sins_last_error_info")
       import
       type(c_ptr), value :: sim
@@ -1793,8 +1793,8 @@ module sins
       integer(sins_status) :: sins_get_accel
     end function sins_get_accel
 
-    !> Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
-    !> on.
+    !> Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+    !> interval on.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     function sins_set_altimeter(sim, params) bind(C, name="sins_set_altimeter")
@@ -1818,9 +1818,9 @@ module sins
     !>
     !> sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
     !> zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-    !> Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
-    !> not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
-    !> begins anew with working sensors; failures that are set again at the same intervals give the same bits.
+    !> Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
+    !> data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+    !> so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
     !> solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -1866,8 +1866,8 @@ module sins
       integer(sins_status) :: sins_get_initial_errors
     end function sins_get_initial_errors
 
-    !> Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
-    !> mounting does not affect a navigator on increments: its solution is that of the block.
+    !> Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+    !> reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_BAD_STATE: steps have been made.
@@ -1920,10 +1920,10 @@ module sins
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
-    !> Any error of sins_push_sample() or sins_step() stops the run at the
-    !> sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
-    !> not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
-    !> as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+    !> Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
+    !> names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+    !> intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
+    !> sins_reset() empty the queue.
     function sins_run(sim, samples, count, every, records, capacity, written) bind(C, name="sins_run")
       import
       type(c_ptr), value :: sim
@@ -2920,7 +2920,7 @@ module sins
       integer(sins_status) :: sins_recommend
     end function sins_recommend
 
-    !> Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+    !> Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
     !> can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
     !> struct_size of the other samples may be 0, that of the other rows anything.
     !>
@@ -2932,8 +2932,8 @@ module sins
     !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
     !> not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
     !> lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
-    !> (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the length
-    !> of this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+    !> (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+    !> this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
     !> length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
     !> with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
     !> flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
@@ -2950,9 +2950,9 @@ module sins
     !> change (left_out) exceeds a limit, it puts the largest of them back.
     !>
     !> The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
-    !> allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. It makes one flight with nothing set, one for
-    !> each effect, one in each run with all effects together, and, if there are random effects, one in each run with these. With
-    !> limits it makes another one in each run, and further ones if effects do not add up.
+    !> allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+    !> for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+    !> these. With limits it flies them once more in each run, and further times if effects do not add up.
     !>
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
     !> (To ask for the number, give NULL for rows and a capacity of 0.)

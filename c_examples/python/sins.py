@@ -1871,7 +1871,7 @@ class budget_request(_Struct):
     """Request for an error budget. All zero is 16 runs and no limits.
 
     runs: Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
-    position_m: Limit of the change of the position error, at any time of the scene, by all effects that are left
+    position_m: Limit of the change of the position error, at any time of the flight, by all effects that are left
         out together [m]; 0: none.
     velocity_m_s: Limit of the change of the velocity error, likewise [m/s]; 0: none.
     attitude_rad: Limit of the change of the misalignment, likewise [rad]; 0: none.
@@ -1896,12 +1896,12 @@ class budget_row(_Struct):
     effect[32]: Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization".
     field[48]: The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there
         leaves the effect out. Empty in the first row.
-    position_m: Length of the contribution to the position error, the largest in the scene [m].
-    velocity_m_s: Length of the contribution to the velocity error, the largest in the scene [m/s].
-    attitude_rad: Length of the contribution to the misalignment, the largest in the scene [rad].
-    end_position_m: Length of the contribution to the position error at the end of the scene [m].
-    end_velocity_m_s: Length of the contribution to the velocity error at the end of the scene [m/s].
-    end_attitude_rad: Length of the contribution to the misalignment at the end of the scene [rad].
+    position_m: Length of the contribution to the position error, the largest in the flight [m].
+    velocity_m_s: Length of the contribution to the velocity error, the largest in the flight [m/s].
+    attitude_rad: Length of the contribution to the misalignment, the largest in the flight [rad].
+    end_position_m: Length of the contribution to the position error at the end of the flight [m].
+    end_velocity_m_s: Length of the contribution to the velocity error at the end of the flight [m/s].
+    end_attitude_rad: Length of the contribution to the misalignment at the end of the flight [rad].
     share: The contribution divided by its limit, the largest of the three; 0 without limits.
     ns_per_step: Time of a step with all effects, less that of a step without this one; in the first row, time of
         a step with no effect set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more
@@ -1934,8 +1934,8 @@ class budget(_Struct):
     sigma_low: Lower end of the 95 % confidence interval of the root mean square of the random errors with all
         effects together, divided by the root mean square over these runs; 1 if nothing is random.
     sigma_high: Upper end of that interval, divided likewise; 1 if nothing is random.
-    position_m: Position error with all effects together, root mean square over the runs, the largest in the scene
-        [m].
+    position_m: Position error with all effects together, root mean square over the runs, the largest in the
+        flight [m].
     velocity_m_s: Velocity error with all effects together, likewise [m/s].
     attitude_rad: Misalignment with all effects together, likewise [rad].
     remainder_position_m: Part of the position error that the sum of all rows does not explain [m].
@@ -2230,8 +2230,8 @@ def last_error(sim, buffer, needed):
 
 @_function(status, sim, POINTER(error_info))
 def last_error_info(sim, info):
-    """Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same
-    failure of which sins.last_error() gives the sentence.
+    """Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure
+    of which sins.last_error() gives the sentence.
     """
 
 
@@ -2267,8 +2267,8 @@ def get_accel(sim, params):
 
 @_function(status, sim, POINTER(altimeter_params))
 def set_altimeter(sim, params):
-    """Sets the errors of the barometric height that damps the vertical channel (sins.VERTICAL_DAMPED), from the next
-    interval on.
+    """Sets the errors of the barometric altimeter, whose height damps the vertical channel (sins.VERTICAL_DAMPED), from
+    the next interval on.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     """
@@ -2287,10 +2287,10 @@ def set_failure(sim, sensor, axis, failure):
 
     sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before
     dead zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not
-    change. Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error
-    data. It does not act on the alignment at the start. sins.reposition() keeps failures. sins.reset() clears all of
-    them, so an exercise begins anew with working sensors; failures that are set again at the same intervals give the
-    same bits.
+    change. Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts
+    on both error data. It does not act on the alignment at the start. sins.reposition() keeps failures. sins.reset()
+    clears all failures, so an exercise starts again with working sensors; failures that are set again at the same
+    intervals give the same bits.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes
     the solution diverge, sins.step() returns sins.ERROR_DIVERGED.
@@ -2324,8 +2324,9 @@ def get_initial_errors(sim, errors):
 
 @_function(status, sim, POINTER(mounting))
 def set_mounting(sim, mounting):
-    """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it.
-    The mounting does not affect a navigator on increments: its solution is that of the block.
+    """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+    reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the
+    block.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: steps have been made.
@@ -2371,9 +2372,9 @@ def run(sim, samples, every, records, written):
     sins.ERROR_BAD_STATE: navigating on increments.
 
     Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns, which
-    sins.last_error() names: the samples before it were flown, this one and the rest were not; sins.accuracy.intervals
-    counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
-    sins.reposition() and sins.reset() empty the queue.
+    sins.last_error() names: the samples before it were flown, this sample and the rest were not;
+    sins.accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the
+    queue, as after sins.step(); sins.reposition() and sins.reset() empty the queue.
     """
 
 
@@ -3151,7 +3152,7 @@ def recommend(configured, samples, requirement, options, cost):
 
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(budget_request), _Array(budget_row), POINTER(c_size_t), POINTER(budget))
 def error_budget(configured, samples, request, rows, written, budget):
-    """Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and
+    """Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and
     which can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between
     rows. struct_size of the other samples may be 0, that of the other rows anything.
 
@@ -3163,9 +3164,9 @@ def error_budget(configured, samples, request, rows, written, budget):
     Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two
     settings are not effects. sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the
     effect that causes it. lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of
-    an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with
-    nothing set. The row has the length of this vector for position, velocity and misalignment: the largest length at
-    up to 1000 instants, equally spaced, and the length at the last sample. The contribution of a random effect is one
+    an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
+    effect. The row has the length of this vector for position, velocity and misalignment: the largest length at up to
+    1000 instants, equally spaced, and the length at the last sample. The contribution of a random effect is one
     standard deviation, by the covariance of a flight with this effect alone (sins.BUDGET_RANDOM; see
     sins.covariance); it is exact to first order. All effects together are flown in several runs, with the random
     numbers of the runs sins.options.run, run + 1 and so on.
@@ -3182,9 +3183,10 @@ def error_budget(configured, samples, request, rows, written, budget):
     without these effects. While the change (left_out) exceeds a limit, it puts the largest of them back.
 
     The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time
-    frame: it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. It makes one flight with
-    nothing set, one for each effect, one in each run with all effects together, and, if there are random effects, one
-    in each run with these. With limits it makes another one in each run, and further ones if effects do not add up.
+    frame: it allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once
+    with no effect, once for each effect, once in each run with all effects together, and, if there are random
+    effects, once in each run with these. With limits it flies them once more in each run, and further times if
+    effects do not add up.
 
     sins.ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is
     flown. (To ask for the number, give NULL for rows and a capacity of 0.) sins.ERROR_INVALID_ARGUMENT: a value out

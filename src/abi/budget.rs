@@ -24,7 +24,7 @@ pub struct sins_budget_request {
     pub reserved: u32,
     /// Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
     pub runs: u64,
-    /// Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+    /// Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
     /// 0: none.
     pub position_m: f64,
     /// Limit of the change of the velocity error, likewise [m/s]; 0: none.
@@ -35,7 +35,7 @@ pub struct sins_budget_request {
 
 interface_struct!(sins_budget_request, "request", 40);
 
-/// Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+/// Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
 /// can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
 /// struct_size of the other samples may be 0, that of the other rows anything.
 ///
@@ -47,8 +47,8 @@ interface_struct!(sins_budget_request, "request", 40);
 /// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
 /// not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
 /// lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
-/// (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the length
-/// of this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+/// (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+/// this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
 /// length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
 /// with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
 /// flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
@@ -65,9 +65,9 @@ interface_struct!(sins_budget_request, "request", 40);
 /// change (left_out) exceeds a limit, it puts the largest of them back.
 ///
 /// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
-/// allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. It makes one flight with nothing set, one for
-/// each effect, one in each run with all effects together, and, if there are random effects, one in each run with these. With
-/// limits it makes another one in each run, and further ones if effects do not add up.
+/// allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+/// for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+/// these. With limits it flies them once more in each run, and further times if effects do not add up.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
 /// (To ask for the number, give NULL for rows and a capacity of 0.)

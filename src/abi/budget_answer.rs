@@ -28,17 +28,17 @@ pub struct sins_budget_row {
     /// The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
     /// out. Empty in the first row.
     pub field: [c_char; 48],
-    /// Length of the contribution to the position error, the largest in the scene [m].
+    /// Length of the contribution to the position error, the largest in the flight [m].
     pub position_m: f64,
-    /// Length of the contribution to the velocity error, the largest in the scene [m/s].
+    /// Length of the contribution to the velocity error, the largest in the flight [m/s].
     pub velocity_m_s: f64,
-    /// Length of the contribution to the misalignment, the largest in the scene [rad].
+    /// Length of the contribution to the misalignment, the largest in the flight [rad].
     pub attitude_rad: f64,
-    /// Length of the contribution to the position error at the end of the scene [m].
+    /// Length of the contribution to the position error at the end of the flight [m].
     pub end_position_m: f64,
-    /// Length of the contribution to the velocity error at the end of the scene [m/s].
+    /// Length of the contribution to the velocity error at the end of the flight [m/s].
     pub end_velocity_m_s: f64,
-    /// Length of the contribution to the misalignment at the end of the scene [rad].
+    /// Length of the contribution to the misalignment at the end of the flight [rad].
     pub end_attitude_rad: f64,
     /// The contribution divided by its limit, the largest of the three; 0 without limits.
     pub share: f64,
@@ -69,7 +69,7 @@ pub struct sins_budget {
     pub sigma_low: f64,
     /// Upper end of that interval, divided likewise; 1 if nothing is random.
     pub sigma_high: f64,
-    /// Position error with all effects together, root mean square over the runs, the largest in the scene [m].
+    /// Position error with all effects together, root mean square over the runs, the largest in the flight [m].
     pub position_m: f64,
     /// Velocity error with all effects together, likewise [m/s].
     pub velocity_m_s: f64,

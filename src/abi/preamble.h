@@ -15,12 +15,12 @@
  *   }
  *   sins_destroy(sim);
  *
- * Structs. Zero is off. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the
- *   sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So
- *   "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers that warn of
- *   fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new
- *   libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does not know, an
- *   output leaves these fields unchanged, and an input must have 0 in them.
+ * Structs. A field of 0 is off, or has its default. Every struct (except the parts of a sins_record) begins with struct_size,
+ *   which the caller sets to the sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says
+ *   otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers
+ *   that warn of fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old
+ *   hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does
+ *   not know, an output leaves these fields unchanged, and an input must have 0 in them.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -28,15 +28,16 @@
  *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
  *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
  * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
- *   its value.
+ *   its value directly.
  *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
  *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
  *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
  *   elements that is needed.)
- *   SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL can come from every function
- *   that has an argument of that kind. The other errors of a function are listed at the function, or under Threads and Unloading.
- *   A positive status is not an error: SINS_NEED_SAMPLE left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output,
- *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
+ *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, with a handle SINS_ERROR_BAD_HANDLE, and with a
+ *   struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can return SINS_ERROR_INTERNAL. The other errors of a
+ *   function are listed at the function, or under Threads and Unloading. A positive status is not an error: SINS_NEED_SAMPLE
+ *   left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output, SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did
+ *   what was asked. Test for errors by status < 0.
  *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
@@ -46,20 +47,20 @@
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
  *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
- *     holds its handle for ever, and the memory stays in use. Calls of its own thread return SINS_ERROR_BAD_STATE. Calls of other
- *     threads wait for ever; on Windows, if the thread was terminated, they return SINS_ERROR_BAD_STATE, the first of them after
- *     0.1 s. The floating-point state of the host is not restored.
- *   fork(): if another thread of the parent was inside a call, its handle is SINS_ERROR_BAD_STATE in the child. All other handles
- *     work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
+ *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
+ *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The floating-point state of the host is not restored.
+ *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
+ *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
  *   unloaded: FreeLibrary() succeeds, the DLL stays in memory, and LoadLibrary() gives the same module again. The same holds
  *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes that it takes when
- *   it is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
+ *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
  *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
  *   a thread or the process ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The same
- *   functions of ensembles, and the functions of statistics, do so too. (Exception: the first failure that is set on an
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
+ *   for the same functions of ensembles, and for the functions of statistics. (Exception: the first failure that is set on an
  *   ensemble may allocate.) The library prints nothing, and reads no environment variable and no file. It leaves the host's
  *   floating-point control state and x87 registers as it found them.
  * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
@@ -75,8 +76,8 @@
  *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
  *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
  *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period
- *     of 8 s, sampled at 100 Hz, it is 5 cm after 1 s lost and 3 m after 2.5 s lost. Without velocities a gap costs more, up to
- *     5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
+ *     of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up
+ *     to 5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
  *     positions to 1 cm, cost 23 m. If that is too much, set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
@@ -85,8 +86,8 @@
  *     rejected. The size of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of
  *     drop-outs are per sample, whatever the interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
- *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats with the same random numbers. sins_snapshot_load()
- *     returns to a saved moment.
+ *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
+ *     sins_snapshot_load() returns to a saved moment.
  * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
  *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
  *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
