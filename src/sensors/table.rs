@@ -122,7 +122,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_asymmetry", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error of positive less that of negative signals", note: "",
+        doc: "scale factor error of positive less that of negative signals", note: "The error of a signal s is half of this times |s|.",
         gyro: field(("gyro.scale_factor_asymmetry", ""), SHARE,
             ("scale_factor_asymmetry_ppm", "ppm", PPM), "gyro asymmetry"),
         accel: field(("accel.scale_factor_asymmetry", ""), SHARE,
@@ -130,7 +130,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_nonlinearity", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error that grows with the size of the signal", note: "",
+        doc: "scale factor error that grows with the size of the signal", note: "The error of a signal s is this times s |s|.",
         gyro: field(("gyro.scale_factor_nonlinearity_s_rad", "s/rad"), SHARE,
             ("scale_factor_nonlinearity_ppm_per_deg_s", "ppm/(deg/s)", PPM / DEG), "gyro nonlinearity"),
         accel: field(("accel.scale_factor_nonlinearity_s2_m", "s2/m"), SHARE,
