@@ -782,9 +782,15 @@ typedef struct sins_gyro_params {
      * scale_factor.
      */
     double scale_factor_sigma[3];
-    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    /*
+     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+     * of this times |s|.
+     */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the signal [s/rad], -1 to 1. */
+    /*
+     * Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
     double scale_factor_nonlinearity_s_rad[3];
     /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
     double misalignment_rad[9];
@@ -885,9 +891,15 @@ typedef struct sins_accel_params {
      * scale_factor.
      */
     double scale_factor_sigma[3];
-    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    /*
+     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+     * of this times |s|.
+     */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the signal [s2/m], -1 to 1. */
+    /*
+     * Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
     double scale_factor_nonlinearity_s2_m[3];
     /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
     double misalignment_rad[9];
@@ -1332,11 +1344,10 @@ typedef struct sins_accuracy {
 
 /*
  * Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
- * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
- * sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
- * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
- * and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
- * found.
+ * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+ * sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+ * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+ * forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
  */
 typedef struct sins_truth_summary {
     /* sizeof(sins_truth_summary) */

@@ -607,9 +607,11 @@ package Sins is
       --  Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
       --  scale_factor.
       scale_factor_sigma : sins_double_3 := (others => 0.0);
-      --  Scale factor error of positive less that of negative signals [1], -1 to 1.
+      --  Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+      --  of this times |s|.
       scale_factor_asymmetry : sins_double_3 := (others => 0.0);
-      --  Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+      --  Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+      --  times s |s|.
       scale_factor_nonlinearity_s_rad : sins_double_3 := (others => 0.0);
       --  Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
       misalignment_rad : sins_double_3_3 := (others => (others => 0.0));
@@ -687,9 +689,11 @@ package Sins is
       --  Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
       --  scale_factor.
       scale_factor_sigma : sins_double_3 := (others => 0.0);
-      --  Scale factor error of positive less that of negative signals [1], -1 to 1.
+      --  Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+      --  of this times |s|.
       scale_factor_asymmetry : sins_double_3 := (others => 0.0);
-      --  Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+      --  Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+      --  times s |s|.
       scale_factor_nonlinearity_s2_m : sins_double_3 := (others => 0.0);
       --  Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
       misalignment_rad : sins_double_3_3 := (others => (others => 0.0));
@@ -1098,11 +1102,10 @@ package Sins is
    type sins_accuracy_array is array (size_t range <>) of aliased sins_accuracy with Convention => C;
 
    --  Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-   --  and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
-   --  sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
-   --  and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
-   --  found.
+   --  and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+   --  sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+   --  forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
    type sins_truth_summary is record
       --  sizeof(sins_truth_summary)
       struct_size : Unsigned_32 := SINS_SIZEOF_TRUTH_SUMMARY;

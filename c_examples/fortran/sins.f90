@@ -578,9 +578,11 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+    !> of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
-    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+    !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s_rad(3) = 0.0_c_double
     !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
@@ -657,9 +659,11 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+    !> of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
-    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+    !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s2_m(3) = 0.0_c_double
     !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
@@ -1055,11 +1059,10 @@ module sins
   end type sins_accuracy
 
   !> Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
-  !> sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
-  !> and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
-  !> found.
+  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+  !> sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+  !> forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
   type, bind(C) :: sins_truth_summary
     !> sizeof(sins_truth_summary)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_TRUTH_SUMMARY

@@ -807,9 +807,10 @@ class gyro_params(_Struct):
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
+    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
+        error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s_rad[3]: Scale factor error that grows with the size of the signal [s/rad], -1 to
-        1.
+        1. The error of a signal s is this times s |s|.
     misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
         diagonal is 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
@@ -899,8 +900,10 @@ class accel_params(_Struct):
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
+    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
+        error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s2_m[3]: Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+        The error of a signal s is this times s |s|.
     misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
         diagonal is 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
@@ -1388,10 +1391,10 @@ class accuracy(_Struct):
 class truth_summary(_Struct):
     """Extreme values of the true motion over all intervals since the create or the last sins.reset(). They reveal wrong
     units and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and
-    give any sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots
-    instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large.
-    Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of the
-    sample at which the value was found.
+    give arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions.
+    Knots instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too
+    large. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of
+    the sample at which the value was found.
 
     intervals: Intervals flown.
     gaps: Intervals that are gaps (see sins.GAP).
