@@ -60,9 +60,8 @@
  *   a thread or the process ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
  *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
- *   for the same functions of ensembles, and for the functions of statistics. (Exception: the first failure that is set on an
- *   ensemble may allocate.) The library prints nothing, and reads no environment variable and no file. It leaves the host's
- *   floating-point control state and x87 registers as it found them.
+ *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
+ *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
  *   purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the
  *   clock.)
@@ -433,9 +432,9 @@ enum sins_navigation_flags {
 
 /* Flags of a sins_imu. */
 enum sins_imu_flags {
-    /* The mean rate of a sub-increment was beyond the range of a gyro. */
+    /* The mean rate of a subsample was beyond the range of a gyro. */
     SINS_IMU_GYRO_SATURATED = 1,
-    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
+    /* The mean force of a subsample was beyond the range of an accelerometer. */
     SINS_IMU_ACCEL_SATURATED = 2,
     /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
     SINS_IMU_GYRO_INVALID = 4,
@@ -782,9 +781,15 @@ typedef struct sins_gyro_params {
      * scale_factor.
      */
     double scale_factor_sigma[3];
-    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    /*
+     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+     * of this times |s|.
+     */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the signal [s/rad], -1 to 1. */
+    /*
+     * Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
     double scale_factor_nonlinearity_s_rad[3];
     /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
     double misalignment_rad[9];
@@ -885,9 +890,15 @@ typedef struct sins_accel_params {
      * scale_factor.
      */
     double scale_factor_sigma[3];
-    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    /*
+     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+     * of this times |s|.
+     */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the signal [s2/m], -1 to 1. */
+    /*
+     * Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
     double scale_factor_nonlinearity_s2_m[3];
     /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
     double misalignment_rad[9];
@@ -1137,8 +1148,8 @@ typedef struct sins_record_errors {
     /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-     * error model it is of first order: computed C = (I - [phi x]) C.
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+     * to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
      */
     double misalignment_enu_rad[3];
     /* Error of roll, wrapped to -pi to pi [rad]. */
@@ -1335,11 +1346,10 @@ typedef struct sins_accuracy {
 
 /*
  * Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
- * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
- * sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
- * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
- * and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
- * found.
+ * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+ * sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+ * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+ * forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
  */
 typedef struct sins_truth_summary {
     /* sizeof(sins_truth_summary) */
@@ -1425,7 +1435,8 @@ typedef struct sins_truth_summary {
  * gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
  * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
- * current second.
+ * current second. A second with at least one height of the altimeter counts as aided
+ * throughout, so drop-outs shorter than a second do not show.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
@@ -2341,10 +2352,8 @@ SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *sna
  * No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
  * statistics can be merged. The library starts no thread.
  *
- * An ensemble has two forms. Side by side, a run takes 540 bytes and a fraction of the time of a simulator. One by one, each
- * run is a simulator, and takes 40 KB and the time of one. The runs are flown one by one if one of these is set: geographic
- * axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Not for a
- * real-time frame: it allocates.
+ * All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+ * of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
  *
  * After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
@@ -2411,11 +2420,9 @@ SINS_API sins_status SINS_CALL sins_ensemble_reposition(
 SINS_API sins_status SINS_CALL sins_ensemble_reset(sins_ensemble *ensemble);
 
 /*
- * Sets or clears a failure of one output in every run, as sins_set_failure() does. If the runs are flown side by side, the
- * first failure changes the ensemble to one by one (see sins_ensemble_create()): that call allocates.
+ * Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
- * SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_set_failure(
     sins_ensemble *ensemble, int32_t sensor, int32_t axis, const struct sins_failure *failure);
@@ -2673,11 +2680,10 @@ SINS_API sins_status SINS_CALL sins_scene_prepare(
     const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
 
 /*
- * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. The first failure of
- * the scene may allocate, as sins_ensemble_set_failure() does.
+ * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+ * system call.
  *
- * SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. SINS_ERROR_OUT_OF_MEMORY: as sins_ensemble_set_failure().
- * The other errors: as sins_scene_prepare().
+ * SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(
     const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, struct sins_flight_sample *sample);

@@ -270,9 +270,9 @@ package Sins is
 
    --  Flags of a sins_imu.
    subtype sins_imu_flags is Unsigned_32;
-   --  The mean rate of a sub-increment was beyond the range of a gyro.
+   --  The mean rate of a subsample was beyond the range of a gyro.
    SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
-   --  The mean force of a sub-increment was beyond the range of an accelerometer.
+   --  The mean force of a subsample was beyond the range of an accelerometer.
    SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
    --  A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
    SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
@@ -607,9 +607,11 @@ package Sins is
       --  Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
       --  scale_factor.
       scale_factor_sigma : sins_double_3 := (others => 0.0);
-      --  Scale factor error of positive less that of negative signals [1], -1 to 1.
+      --  Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+      --  of this times |s|.
       scale_factor_asymmetry : sins_double_3 := (others => 0.0);
-      --  Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+      --  Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+      --  times s |s|.
       scale_factor_nonlinearity_s_rad : sins_double_3 := (others => 0.0);
       --  Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
       misalignment_rad : sins_double_3_3 := (others => (others => 0.0));
@@ -687,9 +689,11 @@ package Sins is
       --  Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
       --  scale_factor.
       scale_factor_sigma : sins_double_3 := (others => 0.0);
-      --  Scale factor error of positive less that of negative signals [1], -1 to 1.
+      --  Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+      --  of this times |s|.
       scale_factor_asymmetry : sins_double_3 := (others => 0.0);
-      --  Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+      --  Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+      --  times s |s|.
       scale_factor_nonlinearity_s2_m : sins_double_3 := (others => 0.0);
       --  Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
       misalignment_rad : sins_double_3_3 := (others => (others => 0.0));
@@ -913,8 +917,8 @@ package Sins is
       height_m : double := 0.0;
       --  Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-      --  error model it is of first order: computed C = (I - [phi x]) C.
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+      --  to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
       --  Error of roll, wrapped to -pi to pi [rad].
       roll_rad : double := 0.0;
@@ -1099,11 +1103,10 @@ package Sins is
    type sins_accuracy_array is array (size_t range <>) of aliased sins_accuracy with Convention => C;
 
    --  Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-   --  and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
-   --  sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
-   --  and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
-   --  found.
+   --  and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+   --  sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+   --  forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
    type sins_truth_summary is record
       --  sizeof(sins_truth_summary)
       struct_size : Unsigned_32 := SINS_SIZEOF_TRUTH_SUMMARY;
@@ -1182,7 +1185,8 @@ package Sins is
    --  gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
    --  It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
    --  One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
-   --  current second.
+   --  current second. A second with at least one height of the altimeter counts as aided
+   --  throughout, so drop-outs shorter than a second do not show.
    type sins_covariance is record
       --  sizeof(sins_covariance)
       struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
@@ -1655,7 +1659,7 @@ package Sins is
    function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
      with Import, Convention => C, External_Name => "sins_get_options";
 
-   --  Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
+   --  Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
    --  SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
@@ -2004,10 +2008,8 @@ package Sins is
    --  No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
    --  statistics can be merged. The library starts no thread.
    --
-   --  An ensemble has two forms. Side by side, a run takes 540 bytes and a fraction of the time of a simulator. One by one, each
-   --  run is a simulator, and takes 40 KB and the time of one. The runs are flown one by one if one of these is set: geographic
-   --  axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Not for a
-   --  real-time frame: it allocates.
+   --  All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+   --  of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
    --
    --  After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
    --
@@ -2064,11 +2066,9 @@ package Sins is
    function sins_ensemble_reset (ensemble : sins_ensemble) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_reset";
 
-   --  Sets or clears a failure of one output in every run, as sins_set_failure() does. If the runs are flown side by side, the
-   --  first failure changes the ensemble to one by one (see sins_ensemble_create()): that call allocates.
+   --  Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-   --  SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
    function sins_ensemble_set_failure (ensemble : sins_ensemble; sensor : Integer_32; axis : Integer_32;
        failure : sins_failure) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_set_failure";
@@ -2299,11 +2299,10 @@ package Sins is
        sample : in out sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_prepare";
 
-   --  Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. The first failure of
-   --  the scene may allocate, as sins_ensemble_set_failure() does.
+   --  Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+   --  system call.
    --
-   --  SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. SINS_ERROR_OUT_OF_MEMORY: as sins_ensemble_set_failure().
-   --  The other errors: as sins_scene_prepare().
+   --  SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
    function sins_scene_prepare_ensemble (scene : sins_scene; ensemble : sins_ensemble; flight_start_s : double;
        sample : in out sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_prepare_ensemble";

@@ -275,9 +275,9 @@ module sins
 
   !> Flags of a sins_imu.
   integer, parameter :: sins_imu_flags = c_int32_t
-  !> The mean rate of a sub-increment was beyond the range of a gyro.
+  !> The mean rate of a subsample was beyond the range of a gyro.
   integer(c_int32_t), parameter :: SINS_IMU_GYRO_SATURATED = 1
-  !> The mean force of a sub-increment was beyond the range of an accelerometer.
+  !> The mean force of a subsample was beyond the range of an accelerometer.
   integer(c_int32_t), parameter :: SINS_IMU_ACCEL_SATURATED = 2
   !> A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
   integer(c_int32_t), parameter :: SINS_IMU_GYRO_INVALID = 4
@@ -578,9 +578,11 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+    !> of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
-    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+    !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s_rad(3) = 0.0_c_double
     !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
@@ -657,9 +659,11 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+    !> of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
-    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+    !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s2_m(3) = 0.0_c_double
     !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
@@ -876,8 +880,8 @@ module sins
     real(c_double) :: height_m = 0.0_c_double
     !> Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-    !> error model it is of first order: computed C = (I - [phi x]) C.
+    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+    !> to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
     real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
     !> Error of roll, wrapped to -pi to pi [rad].
     real(c_double) :: roll_rad = 0.0_c_double
@@ -1056,11 +1060,10 @@ module sins
   end type sins_accuracy
 
   !> Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
-  !> sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
-  !> and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
-  !> found.
+  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+  !> sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+  !> forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
   type, bind(C) :: sins_truth_summary
     !> sizeof(sins_truth_summary)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_TRUTH_SUMMARY
@@ -1138,7 +1141,8 @@ module sins
   !> gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
   !> It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
   !> One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
-  !> current second.
+  !> current second. A second with at least one height of the altimeter counts as aided
+  !> throughout, so drop-outs shorter than a second do not show.
   type, bind(C) :: sins_covariance
     !> sizeof(sins_covariance)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_COVARIANCE
@@ -1616,7 +1620,7 @@ module sins
       integer(sins_status) :: sins_get_options
     end function sins_get_options
 
-    !> Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
+    !> Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
     !> SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
@@ -2118,10 +2122,8 @@ module sins
     !> No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
     !> statistics can be merged. The library starts no thread.
     !>
-    !> An ensemble has two forms. Side by side, a run takes 540 bytes and a fraction of the time of a simulator. One by one, each
-    !> run is a simulator, and takes 40 KB and the time of one. The runs are flown one by one if one of these is set: geographic
-    !> axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Not for a
-    !> real-time frame: it allocates.
+    !> All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+    !> of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
     !>
     !> After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
     !>
@@ -2205,11 +2207,9 @@ module sins
       integer(sins_status) :: sins_ensemble_reset
     end function sins_ensemble_reset
 
-    !> Sets or clears a failure of one output in every run, as sins_set_failure() does. If the runs are flown side by side, the
-    !> first failure changes the ensemble to one by one (see sins_ensemble_create()): that call allocates.
+    !> Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-    !> SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
     function sins_ensemble_set_failure(ensemble, sensor, axis, failure) bind(C, name="sins_ensemble_set_failure")
       import
       type(c_ptr), value :: ensemble
@@ -2571,11 +2571,10 @@ module sins
       integer(sins_status) :: sins_scene_prepare
     end function sins_scene_prepare
 
-    !> Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. The first failure of
-    !> the scene may allocate, as sins_ensemble_set_failure() does.
+    !> Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+    !> system call.
     !>
-    !> SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. SINS_ERROR_OUT_OF_MEMORY: as sins_ensemble_set_failure().
-    !> The other errors: as sins_scene_prepare().
+    !> SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
     function sins_scene_prepare_ensemble(scene, ensemble, flight_start_s, sample) bind(C, name="sins_scene_prepare_ensemble")
       import
       type(c_ptr), value :: scene

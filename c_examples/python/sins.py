@@ -454,8 +454,8 @@ class navigation_flags(enum.IntFlag):
 class imu_flags(enum.IntFlag):
     """Flags of a sins.imu.
 
-    IMU_GYRO_SATURATED: The mean rate of a sub-increment was beyond the range of a gyro.
-    IMU_ACCEL_SATURATED: The mean force of a sub-increment was beyond the range of an accelerometer.
+    IMU_GYRO_SATURATED: The mean rate of a subsample was beyond the range of a gyro.
+    IMU_ACCEL_SATURATED: The mean force of a subsample was beyond the range of an accelerometer.
     IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with
         its output of 0.
     IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out.
@@ -807,9 +807,10 @@ class gyro_params(_Struct):
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
+    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
+        error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s_rad[3]: Scale factor error that grows with the size of the signal [s/rad], -1 to
-        1.
+        1. The error of a signal s is this times s |s|.
     misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
         diagonal is 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
@@ -899,8 +900,10 @@ class accel_params(_Struct):
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
+    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
+        error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s2_m[3]: Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+        The error of a signal s is this times s |s|.
     misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
         diagonal is 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
@@ -1171,8 +1174,9 @@ class record_errors(_Struct):
     height_m: Error of height [m].
     velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
         own position.
-    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from
-        sensor axes to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) C.
+    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
+        turns vectors from sensor axes to east-north-up. In the error model it is of first order: computed C = (I -
+        [phi x]) true C.
     roll_rad: Error of roll, wrapped to -pi to pi [rad].
     pitch_rad: Error of pitch [rad].
     heading_rad: Error of heading, wrapped to -pi to pi [rad].
@@ -1391,10 +1395,10 @@ class accuracy(_Struct):
 class truth_summary(_Struct):
     """Extreme values of the true motion over all intervals since the create or the last sins.reset(). They reveal wrong
     units and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and
-    give any sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots
-    instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large.
-    Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of the
-    sample at which the value was found.
+    give arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions.
+    Knots instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too
+    large. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of
+    the sample at which the value was found.
 
     intervals: Intervals flown.
     gaps: Intervals that are gaps (see sins.GAP).
@@ -1477,7 +1481,8 @@ class covariance(_Struct):
     altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not contain:
     given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
     propagation is one second of flight. A parameter that is set in flight takes effect from the start of the current
-    second.
+    second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
+    second do not show.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE, and sins.ERRORS_OUTSIDE_VALIDITY if a
         standard deviation exceeds the limits of that flag.
@@ -2535,10 +2540,8 @@ def ensemble_create(configured, first_run, runs, ensemble):
     No run depends on another run. So different threads, processes and machines may fly ensembles of different runs,
     and their statistics can be merged. The library starts no thread.
 
-    An ensemble has two forms. Side by side, a run takes 540 bytes and a fraction of the time of a simulator. One by
-    one, each run is a simulator, and takes 40 KB and the time of one. The runs are flown one by one if one of these
-    is set: geographic axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity
-    disturbance, a failure. Not for a real-time frame: it allocates.
+    All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the
+    time and of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
 
     After an error *ensemble is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
 
@@ -2609,11 +2612,9 @@ def ensemble_reset(ensemble):
 
 @_function(status, ensemble, c_int32, c_int32, POINTER(failure))
 def ensemble_set_failure(ensemble, sensor, axis, failure):
-    """Sets or clears a failure of one output in every run, as sins.set_failure() does. If the runs are flown side by
-    side, the first failure changes the ensemble to one by one (see sins.ensemble_create()): that call allocates.
+    """Sets or clears a failure of one output in every run, as sins.set_failure() does. No allocation, no system call.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.set_failure().
-    sins.ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
     """
 
 
@@ -2899,11 +2900,10 @@ def scene_prepare(scene, sim, flight_start_s, sample):
 
 @_function(status, scene, ensemble, c_double, POINTER(flight_sample))
 def scene_prepare_ensemble(scene, ensemble, flight_start_s, sample):
-    """Prepares the next interval of all runs of an ensemble, as sins.scene_prepare() does for a simulator. The first
-    failure of the scene may allocate, as sins.ensemble_set_failure() does.
+    """Prepares the next interval of all runs of an ensemble, as sins.scene_prepare() does for a simulator. No
+    allocation, no system call.
 
-    sins.ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. sins.ERROR_OUT_OF_MEMORY: as
-    sins.ensemble_set_failure(). The other errors: as sins.scene_prepare().
+    sins.ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins.scene_prepare().
     """
 
 

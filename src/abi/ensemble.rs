@@ -33,10 +33,8 @@ pub(super) fn with_ensemble(
 /// No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
 /// statistics can be merged. The library starts no thread.
 ///
-/// An ensemble has two forms. Side by side, a run takes 540 bytes and a fraction of the time of a simulator. One by one, each
-/// run is a simulator, and takes 40 KB and the time of one. The runs are flown one by one if one of these is set: geographic
-/// axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Not for a
-/// real-time frame: it allocates.
+/// All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+/// of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
@@ -161,11 +159,10 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
     })
 }
 
-/// Sets or clears a failure of one output in every run, as sins_set_failure() does. If the runs are flown side by side, the
-/// first failure changes the ensemble to one by one (see sins_ensemble_create()): that call allocates.
+/// Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-/// SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
+
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,

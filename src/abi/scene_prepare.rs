@@ -32,11 +32,10 @@ pub unsafe extern "C" fn sins_scene_prepare(
     }
 }
 
-/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. The first failure of
-/// the scene may allocate, as sins_ensemble_set_failure() does.
+/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+/// system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. SINS_ERROR_OUT_OF_MEMORY: as sins_ensemble_set_failure().
-/// The other errors: as sins_scene_prepare().
+/// SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_prepare_ensemble(
     scene: *const sins_scene,
