@@ -42,6 +42,7 @@
 //! | [`ensemble`], [`statistics`] | many runs of one simulator over the same samples, and the statistics of their errors |
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
 //! | [`budget`] | finds the contribution of each effect to the errors |
+//! | [`allan`] | estimates the noise of a sensor from its record |
 //! | [`snapshot`] | saves the state of all blocks |
 //! | `scene`, `log` | read and write a whole scene as text, and read flight logs (feature `scenes`) |
 //! | [`abi`] | the C interface |
@@ -88,7 +89,7 @@
 //! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/alignment.rs` |
 //! | a gravity disturbance acts as its closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
-//! | the Allan deviation of noise gives its parameters back | `cli/tests/allan_closure.rs`, the estimator `cli/tests/allan_estimator.rs` |
+//! | the Allan deviation of noise gives its parameters back | `tests/allan/closure.rs`, the estimator `tests/allan/estimator.rs` |
 //! | the same bits on every platform and for any sequence of calls | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | no host can damage the library, and the library does not damage its host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
@@ -154,6 +155,8 @@
 
 pub mod abi;
 #[forbid(unsafe_code)]
+pub mod allan;
+#[forbid(unsafe_code)]
 pub mod budget;
 #[forbid(unsafe_code)]
 pub mod covariance;
@@ -202,6 +205,6 @@ pub mod units;
 
 pub use error::{Error, ErrorKind, Rule, Value};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
-    TrimFigures,
+    ClosureFigures, ErrorParameters, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator,
+    Solution, Step, TrimFigures,
 };

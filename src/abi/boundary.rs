@@ -1,34 +1,16 @@
 //! The boundary between host and library: no panic leaves the library, nothing is printed, and the host's floating-point state is
 //! restored.
 
-use core::cell::Cell;
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
 use super::fpu::FloatState;
-use super::process::{is_inside_a_handle, is_prepared};
+use super::process::is_prepared;
 use super::refusal;
-
-/// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its
-/// first use in a thread may allocate.
-struct Here {
-    /// Whether this thread is inside a call that has no handle.
-    inside: Cell<bool>,
-    /// The last failure on this thread that no simulator keeps.
-    last_failure: Cell<Option<Failure>>,
-}
-
-thread_local! {
-    static HERE: Here = const { Here { inside: Cell::new(false), last_failure: Cell::new(None) } };
-}
-
-/// Uses these variables once, so that they take their memory and TLS indexes now.
-#[cfg_attr(not(windows), allow(dead_code))]
-pub(super) fn touch_thread_locals() {
-    HERE.with(|_| ());
-}
+use super::tables::is_inside_a_handle;
+use super::thread_locals::HERE;
 
 /// Runs `body` as the inside of an exported function.
 #[inline(always)]

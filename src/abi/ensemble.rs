@@ -1,12 +1,13 @@
 //! `sins_ensemble`: the life of an ensemble, and its steps.
 
-use super::boundary::{enter, enter_without_simulator, remember};
+use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
-use super::memory::{Array, put, read};
-use super::registry::Registry;
+use super::handle::{hand_out, with_object};
+use super::memory::{Array, read};
 use super::sample::sins_flight_sample;
 use super::sensor_failure::{output, sins_failure};
 use super::simulator::{look_at, pushed, sins_sim, stepped};
+use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
 
 /// An ensemble: many runs of one simulator over the same samples. A handle is a checked key, like that of a sins_sim, and is
@@ -16,16 +17,12 @@ pub struct sins_ensemble {
     _opaque: [u8; 0],
 }
 
-pub(super) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
-
 /// Runs `body` on the ensemble of a handle, as the inside of an exported function.
 pub(super) fn with_ensemble(
     ensemble: *const sins_ensemble,
     body: impl FnOnce(&mut Ensemble) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| {
-        ENSEMBLES.with(ensemble.addr(), |ensemble| body(ensemble).inspect_err(|&failure| remember(failure)))
-    })
+    with_object(&ENSEMBLES, ensemble, body)
 }
 
 /// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
@@ -36,10 +33,8 @@ pub(super) fn with_ensemble(
 /// No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
 /// statistics can be merged. The library starts no thread.
 ///
-/// An ensemble has two forms. Side by side, a run takes 540 bytes and a fraction of the time of a simulator. One by one, each
-/// run is a simulator, and takes 40 KB and the time of one. The runs are flown one by one if one of these is set: geographic
-/// axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Not for a
-/// real-time frame: it allocates.
+/// All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+/// of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
@@ -58,9 +53,8 @@ pub unsafe extern "C" fn sins_ensemble_create(
             return Err(Failure::null("ensemble"));
         }
         let made = look_at(configured, "configured", |template| Ensemble::new(template, first_run, runs))??;
-        let key = ENSEMBLES.insert(made)?;
         // SAFETY: the host's promise; not null.
-        unsafe { put(ensemble, core::ptr::without_provenance_mut(key), "ensemble")? };
+        unsafe { hand_out(&ENSEMBLES, made, ensemble, "ensemble")? };
         Ok(SINS_OK)
     })
 }
@@ -165,11 +159,10 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
     })
 }
 
-/// Sets or clears a failure of one output in every run, as sins_set_failure() does. If the runs are flown side by side, the
-/// first failure changes the ensemble to one by one (see sins_ensemble_create()): that call allocates.
+/// Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-/// SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
+
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,

@@ -60,9 +60,8 @@
  *   a thread or the process ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
  *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
- *   for the same functions of ensembles, and for the functions of statistics. (Exception: the first failure that is set on an
- *   ensemble may allocate.) The library prints nothing, and reads no environment variable and no file. It leaves the host's
- *   floating-point control state and x87 registers as it found them.
+ *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
+ *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
  * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
  *   purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the
  *   clock.)

@@ -1,11 +1,12 @@
 //! What a scene plans over time, made ready for a simulator or an ensemble.
 
-use super::ensemble::{ENSEMBLES, sins_ensemble};
+use super::ensemble::sins_ensemble;
 use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
 use super::memory::{Output, read};
 use super::sample::sins_flight_sample;
 use super::scene::{sins_scene, with_sound_scene};
 use super::simulator::{on_simulator, sins_sim};
+use super::tables::ENSEMBLES;
 use crate::scene::TakesFailures;
 
 /// Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of
@@ -31,11 +32,10 @@ pub unsafe extern "C" fn sins_scene_prepare(
     }
 }
 
-/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. The first failure of
-/// the scene may allocate, as sins_ensemble_set_failure() does.
+/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+/// system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. SINS_ERROR_OUT_OF_MEMORY: as sins_ensemble_set_failure().
-/// The other errors: as sins_scene_prepare().
+/// SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_prepare_ensemble(
     scene: *const sins_scene,

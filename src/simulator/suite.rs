@@ -4,13 +4,14 @@ use super::{ImuFlags, Options};
 use crate::covariance::Parameters;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::memory::room;
-use crate::mounting::MountingParameters;
+use crate::mounting::{Block, MountingParameters};
 use crate::sensors::{
-    Altimeter, AltimeterParameters, Failure, GravityDisturbance, GravityDisturbanceParameters,
+    Altimeter, AltimeterParameters, FailingTriad, Failure, GravityDisturbance, GravityDisturbanceParameters,
     InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
-use crate::signal::{Increment, Turning};
+use crate::signal::{Increment, IntervalMotion, Turning};
 use crate::snapshot::{Reader, Stored, Writer};
+use crate::truth::Recent;
 
 /// What an interval brings to the sensors beside their increments.
 #[derive(Default)]
@@ -19,6 +20,21 @@ pub(super) struct IntervalConditions {
     pub temperatures_c: [Option<f64>; 2],
     /// How the block turns, along its axes; `None` of foreign increments.
     pub turning: Option<Turning>,
+}
+
+impl IntervalConditions {
+    /// Of the interval of `motion`, which `recent` ends, for the sensors of `block`.
+    #[cold]
+    #[inline(never)]
+    pub fn of(recent: &Recent<'_>, motion: &IntervalMotion<'_>, block: Option<&Block>) -> Self {
+        let turning = motion.turning();
+        let turning =
+            block.map_or(turning, |block| turning.in_axes(|vector_b| block.in_block_axes(vector_b)));
+        Self {
+            temperatures_c: [recent.current.sample.temperature_c, recent.next.sample.temperature_c],
+            turning: Some(turning),
+        }
+    }
 }
 
 /// Sensor models and what the host set of them.
@@ -172,6 +188,17 @@ impl SensorSuite {
         self.set_altimeter(&other.altimeter_parameters);
     }
 
+    /// Whether the host set the same of `other`, failures too.
+    pub fn is_set_as(&self, other: &Self) -> bool {
+        self.initial == other.initial
+            && self.mounting == other.mounting
+            && self.gravity.parameters() == other.gravity.parameters()
+            && self.gyro_parameters == other.gyro_parameters
+            && self.accel_parameters == other.accel_parameters
+            && self.altimeter_parameters == other.altimeter_parameters
+            && SensorOutput::ALL.into_iter().all(|output| self.failure(output) == other.failure(output))
+    }
+
     /// What follows the signals is as in `other`, whose sensors got the same.
     pub fn follow_as(&mut self, other: &Self) {
         self.gyro.follow_as(&other.gyro);
@@ -224,6 +251,13 @@ impl SensorSuite {
             }
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
+        self.decide();
+    }
+
+    /// The failures of gyros and accelerometers are those of another run, which has the same.
+    pub fn take_failures(&mut self, gyro: &FailingTriad, accel: &FailingTriad) {
+        self.gyro.take_failures(gyro);
+        self.accel.take_failures(accel);
         self.decide();
     }
 
