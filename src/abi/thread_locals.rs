@@ -1,11 +1,11 @@
-//! What is kept for a thread.
+//! State of a thread.
 
 use core::cell::Cell;
 
 use super::failure::Failure;
 
-/// No destructor, so that the library can be unloaded. Calls on a simulator do without: the first use in a thread may
-/// allocate.
+/// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its first
+/// use in a thread may allocate.
 pub(super) struct Here {
     /// Whether this thread is inside a call that has no handle.
     pub inside: Cell<bool>,
