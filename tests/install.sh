@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the library into an empty prefix, moves it, and builds and runs two examples against it as C and C++ programs do: by
 # pkg-config and by CMake, shared and static; then with the source tree as a part of a CMake project. What cannot be had is told
-# at the end.
+# at the end. SINS_LIB_DIR: as in c_examples/build.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -47,7 +47,7 @@ for example in minimal cpp_host; do
     "target/c_examples/$example" >"$out/$example.txt"
 done
 
-echo "== installed, and moved" # not optimised, which takes a quarter of the time: tests/packages.sh has the optimised one
+echo "== installed, and moved" # little optimised, which takes half the time: tests/packages.sh has the optimised one
 export CARGO_PROFILE_RELEASE_{OPT_LEVEL=1,LTO=off,CODEGEN_UNITS=16}
 rm -rf "$first" "$moved" "$hosts"
 cmake -S . -B "$out/build"
