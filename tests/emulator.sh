@@ -166,7 +166,7 @@ check() {
     [ "$(identify -format %k "$folder/flown/again.png")" -gt 10 ] || fail "again.png shows nothing"
     drive studies -- /language en /scene "$(path "$folder/flown/trainer.toml")"
     drive sentence -- /language zh
-    grep -q '须' "$folder/said" || fail "the sentence is not in Chinese"
+    [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
 
     # Two at once, by the command line: failures, temperature, a log.
     for scene in trainer fighter; do
