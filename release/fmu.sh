@@ -26,8 +26,9 @@ linux() {
     env "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER=$PWD/release/fmu_linker.sh" UNIT_LINKER="$work/unit_cc" \
         CARGO_ENCODED_RUSTFLAGS="$(flags "$(rustup show active-toolchain | cut -d' ' -f1)")" \
         CARGO_PROFILE_RELEASE_DEBUG=line-tables-only \
-        cargo rustc --quiet --locked --release --package sins-fmu --lib --crate-type cdylib --target "$target" -- -Cstrip=symbols
-    cp "target/$target/release/libsins_fmu.so" "$out/$1"
+        cargo rustc --quiet --locked --release --package sins-fmu --lib --crate-type cdylib --target "$target" \
+        --target-dir "$work/build/cargo" -- -Cstrip=symbols
+    cp "$work/build/cargo/$target/release/libsins_fmu.so" "$out/$1"
     check_glibc "$out/$1/libsins_fmu.so"
     files+=("binaries/$1/sins_fmu.so=$out/$1/libsins_fmu.so")
 }
