@@ -128,10 +128,16 @@ check() {
     "$sins" scene write simulation2 | sed 's/^hours = 48/hours = 1/' | cmp - "$folder/flown/simulation2.toml"
     "$sins" fly "$folder/flown/simulation2.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/simulation2.csv" "$folder/flown/records/simulation2.csv"
-    sed 's/^hours = 1 /hours = 0.1 /' "$folder/flown/simulation2.toml" >"$folder/flown/increments.toml"
+    # The measured increments, and the standard deviations in the records; a title of 200,000 letters.
+    sed -e 's/^hours = 1 /hours = 0.1 /' -e 's/^\[options\]/&\ncovariance = "on"/' "$folder/flown/simulation2.toml" \
+        >"$folder/flown/increments.toml"
+    { printf 'title = "'; head -c 200000 /dev/zero | tr '\0' x; printf '"\n'; } >"$folder/title"
+    sed -i -e '/^title = /d' -e "/^\[flight\]/r $folder/title" "$folder/flown/increments.toml"
     printf '[output]\nimu = "imu.csv"\n' >>"$folder/flown/increments.toml"
     emulator /scene "$(path "$folder/flown/increments.toml")" /run /export "$(path "$folder/flown/records")" /quit
     "$sins" fly "$folder/flown/increments.toml" --out "$folder/flown/expected" --quiet
+    grep -q sigma_position_east_m "$folder/flown/expected/increments.csv" || fail "no standard deviations to compare"
+    cmp "$folder/flown/expected/increments.csv" "$folder/flown/records/increments.csv"
     cmp "$folder/flown/expected/imu.csv" "$folder/flown/records/imu.csv"
 
     # A failure that is set in flight is in the scene that is saved, which flies to the same bits.

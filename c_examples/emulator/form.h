@@ -7,8 +7,7 @@
 #include "dialog.h"
 #include "scene.h"
 
-class Form : public Dialog
-{
+class Form : public Dialog {
 protected:
     struct Field {
         const Key *key;

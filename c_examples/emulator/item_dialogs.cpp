@@ -2,8 +2,7 @@
  */
 #include "app.h"
 
-class ManoeuvreDialog : public Form
-{
+class ManoeuvreDialog : public Form {
 public:
     ManoeuvreDialog(App &app, Items &all, size_t own) : app_(app), all_(all), own_(own) {}
 
@@ -99,8 +98,7 @@ bool edit_manoeuvre(App &app, Items &all, size_t own)
 }
 
 /* The failures that the scene plans. In flight they begin and end with the next interval. */
-class FailureDialog : public Form
-{
+class FailureDialog : public Form {
 public:
     explicit FailureDialog(App &app) : app_(app) {}
 
