@@ -147,6 +147,16 @@ check() {
     "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
 
+    # Composed in the dialogs: a manoeuvre with a sinusoid before the rest, a preset, a value in SI and another for one axis.
+    "$sins" scene write rest >"$folder/flown/edit.toml"
+    drive edit -- /language en /scene "$(path "$folder/flown/edit.toml")"
+    "$sins" scene check "$folder/flown/edit.toml"
+    tr -d '\n' <"$folder/flown/edit.toml" | grep -Eq 'kind = "sinusoids".*channel = "roll".*amplitude_deg = 5 .*kind = "rest"' ||
+        fail "edit.toml has other manoeuvres"
+    # 1e-6 rad/s are 0.2063 deg/h.
+    grep -Eq 'bias_deg_h = \[0.2062648[0-9]*, 0.4125296[0-9]*, 0.2062648[0-9]*\]' "$folder/flown/edit.toml" || fail "another bias"
+    grep -q 'bias_sigma_deg_h = ' "$folder/flown/edit.toml" || fail "edit.toml has no preset"
+
     # File dialogs, drag and drop, clipboard; studies that are cancelled; a sentence of the library in Chinese.
     cp c_examples/scenes/{trainer,fighter}.toml "$folder/flown"
     sed -i "s|\.\./flights|$PWD/c_examples/flights|" "$folder/flown/fighter.toml"
