@@ -258,7 +258,7 @@ static void exercise(void)
 
 static void pages(void)
 {
-    HWND trajectory = page_of(IDC_SOURCE);
+    HWND trajectory = page_of(IDC_SOURCE), display = page_of(IDC_PROGRESS), plot = GetDlgItem(display, IDC_PLOT);
     command(ID_PAGE);
     look("1");
     command(ID_PAGE + 1);
@@ -267,6 +267,14 @@ static void pages(void)
     look("3");
     command(ID_PAGE + 3);
     look("4");
+    choose(display, IDC_QUANTITY, 7);
+    look("track");
+    choose(display, IDC_QUANTITY, 1);
+    ask(GetDlgItem(display, IDC_LOGARITHMIC), BM_CLICK, 0, 0);
+    ask(GetDlgItem(display, IDC_AXIS + 1), BM_CLICK, 0, 0); /* without north */
+    ask(plot, WM_LBUTTONDOWN, MK_LBUTTON, MAKELPARAM(200, 100));
+    ask(plot, WM_LBUTTONUP, 0, MAKELPARAM(400, 100));
+    look("zoomed");
     dialog(main_window, ID_FAILURE, "failures");
     dialog(main_window, ID_RECOMMEND, "recommend");
     dialog(main_window, ID_BUDGET, "budget");
