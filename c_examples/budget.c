@@ -1,6 +1,6 @@
-/* Which effects matter? Five minutes of an embedded flight with tactical sensors, a boresight known to an arc minute and a
- * deflection of the vertical: what each error contributes, and which of them a host that tolerates 10 m may leave out. A host
- * takes its own flight and its own sensors instead. */
+/* Which effects matter? The flight is five minutes of manoeuvres, with tactical sensors, a boresight error of an arc minute and a
+ * deflection of the vertical. The program prints the contribution of each error, and marks those that a host which tolerates 10 m
+ * may leave out. A host uses its own flight and its own sensors instead. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,12 +60,12 @@ static sins_status ask(const sins_flight_sample *samples)
     SINS_INIT(request);
     request.position_m = 10.0;
     SINS_INIT(budget);
-    SINS_INIT(rows[0]); /* gives the size of all rows */
+    SINS_INIT(rows[0]); /* struct_size of the first row is the distance between rows */
     status = sins_create(&options, &sim);
     if (status != SINS_OK) {
         return status;
     }
-    /* A host has set these long since: any simulator as it flies will do. */
+    /* A host gives the simulator that it flies, at any moment. */
     sins_set_gyro(sim, &gyro);
     sins_set_accel(sim, &accel);
     sins_set_mounting(sim, &mounting);

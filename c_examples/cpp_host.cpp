@@ -1,4 +1,4 @@
-/* A C++ host: a scene as text, what is wrong with one, a change to it, half an hour of its flight, an exception. */
+/* A C++ host: reads a scene from a text, reports the faults of another, changes a setting, flies half an hour, catches an exception. */
 
 #include <cstdio>
 #include <exception>

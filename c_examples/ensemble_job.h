@@ -1,8 +1,8 @@
 /*
- * The runs of a scene in blocks, and the table of their statistics: what a program flies that spreads an ensemble over threads,
- * processes or machines. It opens no file but the table, and knows nothing of the others. ensemble_mpi.c is such a program.
+ * Flies the runs of a scene in blocks, and writes the table of their statistics: the part of a program that does not depend on how
+ * it spreads an ensemble over threads, processes or machines. It opens no file but the table. ensemble_mpi.c is such a program.
  *
- * The program defines fail(), which ends it.
+ * The program that includes this file defines fail(), which prints an error and ends the program.
  */
 
 #ifndef ENSEMBLE_JOB_H
@@ -15,20 +15,20 @@
 
 #include "sins.h"
 
-/* Runs of a block, and rows of the table behind the first: those of sins ensemble. */
+/* Number of runs in a block, and of rows of the table after the first row: the numbers that sins ensemble uses. */
 #define BLOCK 64
 #define ROWS 200
 #define ROUNDING 1e-9
 
-/* What is flown. */
+/* The job: the scene, its flight, and how the runs are divided. */
 static struct {
     sins_scene *scene;
-    sins_flight *flight; /* made of manoeuvres, */
-    sins_log *log;       /* or a log */
+    sins_flight *flight; /* if the flight is made of manoeuvres; else NULL */
+    sins_log *log;       /* if the flight is a log; else NULL */
     sins_scene_setup setup;
     sins_options options;
     double start_s;
-    size_t samples, every, sources, count; /* count: statistics, of each source in each row */
+    size_t samples, every, sources, count; /* count: number of statistics, one for each source in each row */
     uint64_t runs, blocks, key;            /* key: hash of all that the results depend on */
 } job;
 
@@ -78,7 +78,7 @@ static void get_sample(size_t k, sins_flight_sample *sample)
     }
 }
 
-/* So many runs of the scene in a text, from its options.run on; the log, if it is not NULL, replaces the scene's flight. */
+/* Prepares this number of runs of the scene in a text, from its options.run on. A log that is not NULL replaces its flight. */
 static void open_job(uint64_t runs, const char *scene, size_t scene_size, const char *log, size_t log_size)
 {
     sins_flight_sample sample;
@@ -132,7 +132,7 @@ static void merge_statistics(sins_statistics *into, const sins_statistics *from,
     }
 }
 
-/* Flies the runs of a block, and adds their statistics to those of each row when all runs are at the end. */
+/* Flies the runs of a block. At the end of the flight it adds their statistics to those of each row. */
 static void fly_block(uint64_t block, sins_statistics *statistics)
 {
     uint64_t first = block * BLOCK, left = job.runs - first;
@@ -161,7 +161,8 @@ static void fly_block(uint64_t block, sins_statistics *statistics)
     free(now);
 }
 
-/* The table of sins ensemble: error data 2, navigation less truth, and 1, the error equations, where the scene turns them on. */
+/* Writes the table of sins ensemble: error data 2 (navigation minus truth), and error data 1 (error equations) if the scene turns
+ * them on. */
 static void write_table(FILE *file, const sins_statistics *statistics)
 {
     static const char *const figures[] = {"mean", "sigma", "rms"};
@@ -185,7 +186,7 @@ static void write_table(FILE *file, const sins_statistics *statistics)
         CHECK(sins_statistics_figures(&statistics[k], &f));
         fprintf(file, "%.6f,%d,%llu,%llu,%llu", sample.time_s, k % job.sources == 0 ? 2 : 1, (unsigned long long)f.runs,
                 (unsigned long long)f.diverged, (unsigned long long)f.out_of_range);
-        /* Mean, sigma and root mean square of the nine states stand one behind the other. */
+        /* In sins_figures, the means of the nine states, their sigmas and their root mean squares follow each other. */
         memcpy(values, (const char *)&f + offsetof(sins_figures, mean_position_enu_m), sizeof values);
         for (column = 0; column < 27; column++) {
             fprintf(file, ",%.9e", values[column]);

@@ -1,15 +1,17 @@
 /*
- * An ensemble on many machines: the runs of a scene over the ranks of MPI 3, and their statistics as sins ensemble writes them.
+ * An ensemble on many machines: spreads the runs of a scene over the ranks of MPI 3, and writes the statistics that sins ensemble
+ * writes.
  *
  *     mpirun -n 4 ensemble_mpi SCENE.toml RUNS OUT.csv [LOG.csv]          a log replaces the scene's flight, and is flown whole
  *
- * Runs are flown in blocks of 64. Of the blocks that are missing, rank r flies the r-th, the (r + ranks)-th and so on: blocks take
- * the same time, and so no rank needs anything of another before the end. Statistics are exact sums: the bytes of OUT.csv depend
+ * Runs are flown in blocks of 64. Rank r flies the r-th of the blocks that are missing, the (r + ranks)-th and so on. All blocks take
+ * the same time, so no rank needs anything from another rank before the end. Statistics are exact sums: the bytes of OUT.csv depend
  * neither on the number of ranks nor on interruptions.
  *
- * After a block, but not sooner than 10 s after the last time, a rank replaces its file OUT.csv.N by all that it has flown. If a rank
- * dies, MPI ends the job: the blocks in flight are lost, and those of the last 10 s. The next start, with any number of ranks, takes the blocks of all these files, flies the others into files with
- * new numbers, and removes the files when OUT.csv is written. The blocks of a damaged file are flown again.
+ * After a block, but at most every 10 s, a rank writes all that it has flown into its file OUT.csv.N. If a rank dies, MPI ends the
+ * job: the blocks of the last 10 s and those that were not complete are lost. The next start, with any number of ranks, takes the
+ * blocks of all these files, flies the others into files with new numbers, and removes the files when OUT.csv is written. The blocks
+ * of a damaged file are flown again.
  */
 
 #include <errno.h>
@@ -21,7 +23,8 @@
 
 static int rank, ranks;
 
-/* What a rank has flown, in memory as in its file: the key of the job, statistics, a byte for each block, a hash of these. */
+/* The results of a rank. In memory and in its file they are the key of the job, the statistics, a byte for each block, and a hash of
+ * all these. */
 struct flown {
     size_t size;
     char *bytes;
@@ -36,7 +39,7 @@ static void fail(const char *what, const char *why)
     exit(1);
 }
 
-/* PATH.NUMBER and the ending, until the next call. */
+/* PATH.NUMBER and the ending. The text is valid until the next call. */
 static const char *numbered(const char *path, int number, const char *ending)
 {
     static char name[4096];
@@ -47,7 +50,7 @@ static const char *numbered(const char *path, int number, const char *ending)
     return name;
 }
 
-/* The bytes of a file; NULL: there is none. */
+/* The bytes of a file. NULL: there is no such file. */
 static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -64,7 +67,7 @@ static char *read_file(const char *path, size_t *size)
     return bytes;
 }
 
-/* Opens a file that is to be the one called `path`, and puts it there: whole or not at all. */
+/* Opens a temporary file. put_in_place() renames it to `path`, so a file of this name is always complete. */
 static FILE *open_part(const char *path, char *part, size_t capacity)
 {
     FILE *file = snprintf(part, capacity, "%s.part", path) < (int)capacity ? fopen(part, "wb") : NULL;
@@ -84,7 +87,7 @@ static void put_in_place(FILE *file, const char *part, const char *path)
     }
 }
 
-/* The text of a file, which rank 0 reads and all ranks get. */
+/* The text of a file. Rank 0 reads it, and all ranks get it. */
 static char *shared_text(const char *path, size_t *size)
 {
     char *text = rank == 0 ? read_file(path, size) : NULL;
@@ -113,7 +116,7 @@ static struct flown nothing_flown(void)
     return flown;
 }
 
-/* Writes what this rank has flown; of a file of 0 bytes, nothing yet. */
+/* Writes the results of this rank into its file. A size of 0 makes an empty file: no results yet. */
 static void save(const char *path, struct flown *flown, size_t size)
 {
     uint64_t sum = hash(0, flown->bytes, flown->size - sizeof sum);
@@ -125,7 +128,7 @@ static void save(const char *path, struct flown *flown, size_t size)
     put_in_place(file, part, path);
 }
 
-/* Takes in what a file of an earlier start has. */
+/* Adds the results in a file of an earlier start to those of this rank. */
 static void resume(const char *path, struct flown *flown)
 {
     struct flown before = nothing_flown();
@@ -180,7 +183,7 @@ static void fly(const char *path)
     char *bytes, part[4096];
     FILE *file;
 
-    /* A file for each rank, behind those of earlier starts: their numbers have no gap, whichever rank dies. */
+    /* Rank 0 makes the files of all ranks now, numbered after those of earlier starts. So the numbers have no gap, whichever rank dies. */
     for (; rank == 0 && (bytes = read_file(numbered(path, files, ""), &size)) != NULL; files++) {
         free(bytes);
     }

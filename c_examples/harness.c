@@ -1,5 +1,5 @@
 /*
- * Flies a scene and prints what the INS of the scene makes of it:
+ * Flies a scene and prints the navigation of its INS, with the errors:
  *
  *     harness SCENE.toml [LOG.csv]     a file, as in c_examples/scenes; LOG.csv replaces the log that the scene names
  *     harness NAME                     a built-in scene: patrol, aerobatics, commuter, ...
@@ -16,22 +16,23 @@
 
 #include "sins.h"
 
-/* Time stamps are sums and quotients: this share of a sample or of a row is rounding. */
+/* Time stamps are rounded. A difference below this share of an interval is such rounding. */
 #define ROUNDING 1e-6
 
 struct host {
     sins_scene *scene;
     sins_sim *sim;
-    sins_flight *flight; /* the flight is made of manoeuvres, */
-    sins_log *log;       /* or else it is a log */
+    sins_flight *flight; /* if the flight is made of manoeuvres; else NULL */
+    sins_log *log;       /* if the flight is a log; else NULL */
     sins_scene_setup setup;
     size_t samples;
-    uint64_t line; /* of the log, where the last sample stands */
+    uint64_t line; /* line of the last sample in the log */
 };
 
 /*
- * Whether a call succeeded; prints which call failed and why. Errors are negative. The library keeps the sentence of the
- * last one with its simulator. For functions without a simulator and those of scenes sim is NULL: it is the thread's.
+ * Whether a call succeeded; if not, prints which call failed and why. Errors are negative. The library keeps the sentence of
+ * the last error with its simulator. For functions without a simulator and those of scenes, sim is NULL: the library keeps their
+ * sentence with the thread.
  */
 #define DONE(sim, call) done(sim, call, #call)
 
@@ -46,7 +47,7 @@ static int done(const sins_sim *sim, sins_status status, const char *call)
     return status >= 0;
 }
 
-/* Destroys what was created, in any order. A handle that is NULL is answered, not followed. */
+/* Destroys what was created, in any order. A handle that is NULL is harmless: the library returns an error. */
 static void close_all(struct host *host)
 {
     sins_destroy(host->sim);
@@ -55,7 +56,7 @@ static void close_all(struct host *host)
     sins_scene_destroy(host->scene);
 }
 
-/* The library opens no file: the host gives it bytes. The caller frees them; NULL: reported. */
+/* The library opens no file: the host gives it bytes. The caller frees them. NULL: the file cannot be read, which was reported. */
 static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -80,7 +81,7 @@ static void print_fault(const char *path, const sins_fault *fault)
             fault->sentence);
 }
 
-/* A scene with faults is a handle too, which gives all of them at once. */
+/* A scene with faults has a handle too: it gives all faults at once. */
 static int read_scene(struct host *host, const char *name)
 {
     sins_fault fault;
@@ -165,7 +166,7 @@ static int open_flight(struct host *host, const char *scene_path, const char *lo
     return DONE(NULL, sins_scene_create_flight(host->scene, &host->flight));
 }
 
-/* Sample k of the flight. It comes with struct_size set. */
+/* Sample k of the flight. The library sets its fields, also struct_size. */
 static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
 {
     if (host->log != NULL) {
@@ -175,7 +176,7 @@ static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
                                             sample));
 }
 
-/* The navigation and its errors twice: against the truth, and by the error equations where the scene turns them on. */
+/* The navigation and its errors: navigation minus truth, and, if the scene turns them on, by the error equations. */
 static void print_row(const sins_record *record)
 {
     const double *errors = record->navigation_errors.position_enu_m, *model = record->model_errors.position_enu_m;
@@ -209,8 +210,8 @@ static int fly(struct host *host)
         if (sample.time_s - start_s > host->setup.duration_s * (1 + ROUNDING)) {
             break; /* the scene ends before its log */
         }
-        /* Prepare gives the sample the scene's temperature, and makes sensors fail and recover. A push takes one sample,
-         * a step flies one interval: the first answers SINS_NEED_SAMPLE, which is no error. */
+        /* Prepare sets the scene's temperature in the sample, and makes sensors fail and recover. A push takes one sample, a
+         * step flies one interval. The first step returns SINS_NEED_SAMPLE, which is not an error. */
         if (!DONE(NULL, sins_scene_prepare(host->scene, host->sim, start_s, &sample))
             || !DONE(host->sim, sins_push_sample(host->sim, &sample)) || !DONE(host->sim, sins_step(host->sim))) {
             fprintf(stderr, "harness: at %.10g s", sample.time_s);
@@ -231,7 +232,7 @@ static int fly(struct host *host)
     return 1;
 }
 
-/* The errors at the end with all their digits, and the figures that the library keeps along the way. */
+/* The errors at the end with all their digits, and the figures that the library collects during the flight. */
 static int print_figures(const struct host *host)
 {
     static const char *const axes[] = {"east", "north", "up"};

@@ -1,6 +1,6 @@
 /*
- * A host without an import library: it loads libsins.so or sins.dll while it runs, and says what is wrong with one that it
- * cannot use.
+ * A host without an import library: it loads libsins.so or sins.dll while it runs. If it cannot use the file, it prints the
+ * reason.
  *
  *     loadlibrary [PATH]
  *
@@ -10,7 +10,7 @@
 
 #include "sins_loader.h"
 
-/* Times in seconds are exact in binary: no compiler rounds them otherwise. */
+/* Times in seconds that are exact in binary, so that every compiler computes the same. */
 #define RATE_HZ 128.0
 #define FRAMES (60 * 128)
 
@@ -26,7 +26,7 @@ static uint64_t digest(uint64_t hash, const void *object, size_t size)
     return hash;
 }
 
-/* The flight: a flight simulator has one of its own in its place. */
+/* The flight. A flight simulator uses its own flight instead. */
 static sins_status create_flight(const sins_loader *sins, sins_flight **flight)
 {
     sins_flight_start start;
@@ -108,7 +108,7 @@ static int fly(const sins_loader *sins)
     } else {
         printf("60 s of a turn, digest %08lx%08lx\n", (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu));
     }
-    sins->sins_destroy(sim); /* a handle that is NULL is answered, not followed */
+    sins->sins_destroy(sim); /* a handle that is NULL is harmless: the library returns an error */
     sins->sins_flight_destroy(flight);
     return status >= 0;
 }

@@ -1,5 +1,6 @@
-/* Which options are good enough? Asks for 1 m an hour on two minutes of an embedded flight, for a sensor block in the nose, and
- * flies the answer for the hour that it was asked for. A host takes a piece of its own flight instead. */
+/* Which options are good enough? The requirement is an error of at most 1 m in an hour, with a sensor block in the nose. The
+ * program gives the library two minutes of a flight, and then flies the recommended options for the whole hour. A host gives a
+ * piece of its own flight instead. */
 
 #include <math.h>
 #include <stdio.h>
@@ -51,8 +52,8 @@ static sins_status configure(const sins_options *options, sins_sim **sim)
     return status == SINS_OK ? sins_set_mounting(*sim, &mounting) : status;
 }
 
-/* The distance from the truth after the whole flight with ideal sensors: what the options leave, and the samples, which are
- * few for a shake of 2 Hz. */
+/* The distance from the truth after the whole flight with ideal sensors. It is caused by the options, and by the samples, which
+ * are few for a shake of 2 Hz. */
 static sins_status fly(const sins_options *options, sins_flight *flight, double *distance_m)
 {
     sins_sim *sim = NULL;
@@ -109,7 +110,7 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
     if (status == SINS_OK) {
         status = sins_recommend(configured, piece, count, &requirement, &options, &cost);
     }
-    sins_destroy(configured); /* no handle was made: an error that does not matter */
+    sins_destroy(configured); /* if no handle was made, the library returns an error, which does not matter */
     if (status < 0) {
         return status;
     }

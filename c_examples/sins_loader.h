@@ -1,5 +1,5 @@
 /*
- * sins_loader.h - libsins.so or sins.dll loaded at run time, without an import library:
+ * sins_loader.h - loads libsins.so or sins.dll at run time, without an import library:
  *
  *   sins_loader sins;
  *   char message[512];
@@ -44,7 +44,7 @@ typedef void *sins_loader_address;
 
 typedef struct sins_loader {
     sins_loader_library library;
-    /* 1; 0: a library without the feature "scenes". Its functions sins_scene_... and sins_log_... are NULL here. */
+    /* 1: all functions. 0: a library without the feature "scenes"; the members sins_scene_... and sins_log_... are NULL. */
     int has_scenes;
 #define SINS_LOADER_MEMBER(result, name, arguments) result(SINS_CALL *name) arguments;
     SINS_FUNCTIONS(SINS_LOADER_MEMBER)
@@ -53,7 +53,7 @@ typedef struct sins_loader {
 
 #if defined(_WIN32)
 
-/* No box on the screen for a file that is no DLL. */
+/* Windows shows no message box if the file is not a DLL. */
 SINS_LOADER_INLINE sins_loader_library sins_loader_load(const char *path, char *message, size_t size)
 {
     const int bits = sizeof(void *) * 8;
@@ -124,7 +124,7 @@ SINS_LOADER_INLINE int sins_loader_find(sins_loader_library library, const char 
     return address != NULL;
 }
 
-/* Finds all functions of the library. The name of the first that it lacks; NULL: it has all that it must have. */
+/* Finds all functions of the library. Returns the name of the first one that is missing, or NULL if none is missing. */
 SINS_LOADER_INLINE const char *sins_loader_find_all(sins_loader *loader)
 {
 #define SINS_LOADER_FIND(result, name, arguments)                       \
@@ -153,9 +153,9 @@ SINS_LOADER_INLINE int sins_loader_close(sins_loader *loader)
  * Loads the library of this path, UTF-8 on Windows too, and finds its functions. The system searches for a path without a
  * folder: LoadLibrary() beside the program first, dlopen() only in LD_LIBRARY_PATH and among the system's libraries.
  *
- * Returns 1. Returns 0 if the file is missing, is no library, is one for programs of another word size, is not sins, has another
- * version of the interface than sins.h, or is older than sins.h and lacks a function: then message says which, nothing stays
- * loaded, and all members are 0. A message is cut to size bytes, which must not be 0.
+ * Returns 1 if the library is loaded. Returns 0 if the file is missing, is not a library, is for programs of another word size, is
+ * not sins, has another version of the interface than sins.h, or is older than sins.h and lacks a function. Then message has the
+ * reason, nothing stays loaded, and all members are 0. A message is cut to size bytes, which must not be 0.
  */
 SINS_LOADER_INLINE int sins_loader_open(sins_loader *loader, const char *path, char *message, size_t size)
 {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints again every figure of README.md and docs, and draws their pictures again. Compare target/figures with the tables, and copy what
-# changed. Run it on a quiet machine: times are among the figures. It takes some hours.
+# Prints every figure of README.md and docs again, and draws the pictures of flights and benchmarks again. Compare target/figures with
+# the tables, and copy what changed. Run it on a quiet machine, because some figures are times. It takes some hours.
 #   docs/renew.sh              all
 #   docs/renew.sh NAME...      some: the names of the functions below
 set -euo pipefail
@@ -26,6 +26,7 @@ steps() {
     benches/instructions.sh
 }
 frames() { cargo run --release --manifest-path benches/Cargo.toml --bin frames; }
+stages() { cargo run --release --manifest-path benches/Cargo.toml --bin stages; }
 recommend() { cargo test --release --test recommend -- --nocapture; }
 curve() {
     "$sins" curve --force --flight all c_examples/flights/fighter_aerobatics.csv --out "$figures/curve.out"
@@ -49,7 +50,12 @@ allan() {
 }
 allan_estimator() { long --test allan; }
 
-# scenes.md, host_time.md, packages.md
+# ensembles.md
+ensemble() { cargo run --release --manifest-path benches/Cargo.toml --bin ensemble; }
+scale() { benches/scale.sh; }
+covariance() { cargo test --test covariance --test covariance_runs -- --nocapture; }
+
+# scenes.md, host_time.md, hosts.md, packages.md
 library_sizes() {
     local feature
     for feature in "" --no-default-features; do
@@ -61,14 +67,20 @@ library_sizes() {
 }
 gaps() { cargo test --test hard_samples -- --nocapture; }
 snapshots() { cargo test --test snapshots -- --nocapture; }
-jsbsim() { tests/jsbsim.sh; }
+jsbsim() {
+    tests/jsbsim.sh
+    target/jsbsim/host target/jsbsim/source c_examples/jsbsim/flight.xml "$figures/twin" ins/slews=0 ins/gyro-failure=0
+    "$sins" fly "$figures/twin_truth.csv" --preset navigation --set options.axes=frd --set options.sample_period_s=0.01 \
+        --set output.every_s=4 --name twin --force --out "$figures/jsbsim.out"
+    "$sins" report "$figures/jsbsim.out/twin.csv" --force -o "$figures/jsbsim.out/report.html" --picture docs/jsbsim.svg
+}
 packages() {
     release/package.sh
     ls -l target/dist
 }
 
-all="simulations hard_poles earth mounting flights steps frames recommend curve effects budget allan allan_estimator library_sizes gaps
-    snapshots jsbsim packages"
+all="simulations hard_poles earth mounting flights steps frames stages recommend curve effects budget allan allan_estimator ensemble
+    scale covariance library_sizes gaps snapshots jsbsim packages"
 for name in "$@"; do
     if [[ " "${all//$'\n'/ }" " != *" $name "* ]]; then
         echo "$name: none of" $all
@@ -79,5 +91,9 @@ mkdir -p "$figures"
 cargo build --release -p sins-cli
 for name in ${*:-$all}; do
     echo "== $name: $figures/$name.txt ($SECONDS s)"
-    "$name" >"$figures/$name.txt" 2>&1 || echo "$name failed: see $figures/$name.txt"
+    set +e # in a condition bash would ignore errexit within the function
+    (set -e; "$name") >"$figures/$name.txt" 2>&1
+    status=$?
+    set -e
+    [ "$status" -eq 0 ] || echo "$name failed: see $figures/$name.txt"
 done

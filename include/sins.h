@@ -15,12 +15,12 @@
  *   }
  *   sins_destroy(sim);
  *
- * Structs. Zero is off. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the
- *   sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So
- *   "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers that warn of
- *   fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new
- *   libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does not know, an
- *   output leaves these fields unchanged.
+ * Structs. A field of 0 is off, or has its default. Every struct (except the parts of a sins_record) begins with struct_size,
+ *   which the caller sets to the sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says
+ *   otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers
+ *   that warn of fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old
+ *   hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does
+ *   not know, an output leaves these fields unchanged, and an input must have 0 in them.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -28,14 +28,16 @@
  *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
  *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
  * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
- *   its value.
- *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() keeps the
- *   intervals that it flew before the error. If a buffer is too small, sins_last_error() and sins_error_budget() report the
- *   size that is needed.)
- *   SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL can come from every function
- *   that has an argument of that kind. The other errors of a function are listed at the function, or under Threads and Unloading.
- *   A positive status is not an error: SINS_NEED_SAMPLE left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output,
- *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
+ *   its value directly.
+ *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
+ *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
+ *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
+ *   elements that is needed.)
+ *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, with a handle SINS_ERROR_BAD_HANDLE, and with a
+ *   struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can return SINS_ERROR_INTERNAL. The other errors of a
+ *   function are listed at the function, or under Threads and Unloading. A positive status is not an error: SINS_NEED_SAMPLE
+ *   left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output, SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did
+ *   what was asked. Test for errors by status < 0.
  *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
@@ -45,43 +47,46 @@
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
  *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
- *     holds its handle for ever, and the memory stays in use. Calls of its own thread return SINS_ERROR_BAD_STATE. Calls of other
- *     threads wait for ever; on Windows, if the thread was terminated, they return SINS_ERROR_BAD_STATE, the first of them after
- *     0.1 s. The floating-point state of the host is not restored.
- *   fork(): if another thread of the parent was inside a call, its handle is SINS_ERROR_BAD_STATE in the child. All other handles
- *     work there. A process made in another way, such as by vfork() or clone(), must make no call.
- * Unloading. Destroy every handle first, and let every call return. A library that was built for windows-gnu stays in memory from
- *   its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and LoadLibrary() gives
- *   the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the load. Load the library
- *   before other modules have used up the indexes. If fewer than eight are left, functions without a handle return
- *   SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when a thread or the process
- *   ends.
+ *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
+ *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
+ *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The floating-point state of the host is not restored.
+ *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
+ *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
+ *   unloaded: FreeLibrary() succeeds, the DLL stays in memory, and LoadLibrary() gives the same module again. The same holds
+ *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes that it takes when
+ *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
+ *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
+ *   a thread or the process ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The same holds for
- *   ensembles and statistics, except for the first failure of an ensemble. The library prints nothing, and reads no environment
- *   variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
- * Host time. The time of a run is that of the time stamps of its samples; no clock enters it. (Two exceptions that change no
- *   navigation: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the clock.)
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
+ *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
+ *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
+ * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
+ *   purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the
+ *   clock.)
  *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
- *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the time
- *     at which the vehicle moves on: the flight continues as if there had been no pause. Without that call, the first sample after
- *     a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as an
- *     interval of motion, velocity times its length, and its push returns SINS_GAP.
+ *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the
+ *     time of that clock when the vehicle moves on: the flight continues as if there had been no pause. Without that call, the
+ *     first sample after a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter
+ *     pause is flown as if the vehicle had moved on: velocity times the length of the pause. The push after it returns
+ *     SINS_GAP.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
  *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
  *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one: none in steady flight; 5 cm for 1 s lost, 3 m for 2.5 s lost in a weave of
- *     4 g with a period of 8 s at 100 Hz. Without velocities a gap costs up to 5 * (error of a position) * (number of lost
- *     intervals)^2: 23 m for 1 s lost in straight flight at 50 Hz, with positions of 1 cm. If that is too much, set a smaller
- *     max_gap_s: longer gaps are then rejected.
+ *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period
+ *     of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up
+ *     to 5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
+ *     positions to 1 cm, cost 23 m. If that is too much, set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
- *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as one:
- *     accuracy is that of the slower sample rate while it lasts, a turn of 170 degrees between two samples is rejected, and noise
- *     is that of the interval's length. Only noise_m of the altimeter and the probability of drop-outs count per sample.
+ *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a
+ *     whole. So the accuracy is that of the sample rate at hand, and a turn of 170 degrees or more between two samples is
+ *     rejected. The size of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of
+ *     drop-outs are per sample, whatever the interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
- *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats with the same random numbers. sins_snapshot_load()
- *     returns to a saved moment.
+ *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
+ *     sins_snapshot_load() returns to a saved moment.
  * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
  *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
  *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
@@ -155,17 +160,17 @@ extern "C" {
 #endif
 
 /*
- * A simulator. This type and the next four are handles: checked keys, never addresses. A call with a handle that is null, made
- * up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
+ * A simulator. This type and the next four are handles: keys that every call checks, never addresses. A call with a handle that
+ * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
  */
 typedef struct sins_sim sins_sim;
-/* An embedded flight. */
+/* An embedded flight: the library computes its samples from manoeuvres. */
 typedef struct sins_flight sins_flight;
-/* An ensemble of runs. */
+/* An ensemble: many runs of one simulator over the same samples. */
 typedef struct sins_ensemble sins_ensemble;
-/* A scene. */
+/* A scene: a flight, the simulator that flies it, and the failures on the way. */
 typedef struct sins_scene sins_scene;
-/* A flight log. */
+/* A flight log: a table of samples. */
 typedef struct sins_log sins_log;
 
 /* Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither. */
@@ -196,7 +201,10 @@ enum sins_status_code {
     SINS_ERROR_BAD_STATE = -5,
     /* A sample that is not later than the one before, or off the stated sample period. */
     SINS_ERROR_TIME_ORDER = -6,
-    /* The truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth(). */
+    /*
+     * The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude, or a turn of 170 degrees or more
+     * between two samples. See sins_move_truth().
+     */
     SINS_ERROR_DISCONTINUITY = -7,
     /* The queue of samples is full: step first. */
     SINS_ERROR_QUEUE_FULL = -8,
@@ -208,7 +216,7 @@ enum sins_status_code {
     SINS_ERROR_BUFFER_TOO_SMALL = -11,
     /* No memory, or no free handle; on Windows too few TLS indexes (see Unloading). */
     SINS_ERROR_OUT_OF_MEMORY = -12,
-    /* The snapshot is damaged, foreign or newer. */
+    /* The bytes are not a snapshot, or are one that is damaged or of a newer release. */
     SINS_ERROR_SNAPSHOT = -13,
     /* A defect inside the library was caught. This handle returns this status from now on; other handles still work. */
     SINS_ERROR_INTERNAL = -99
@@ -310,7 +318,7 @@ enum sins_signal {
     /*
      * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
      * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-     * trim. If no sensor has errors, the simulator's own navigator is that navigator, and nothing is computed twice.
+     * trim. If no sensor has errors, the trim costs no second navigator.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
 };
@@ -343,7 +351,7 @@ enum sins_failure_kind {
     SINS_FAILURE_NONE = 0,
     /*
      * The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-     * its first value. Not flagged, because it looks like data.
+     * its first value. It is not flagged, because it looks like data.
      */
     SINS_FAILURE_STUCK = 1,
     /*
@@ -373,9 +381,9 @@ enum sins_alignment {
     SINS_ALIGNMENT_GIVEN = 0,
     /*
      * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-     * turned by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal
-     * force. Then the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN is set if
-     * north could not be found.
+     * turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
+     * no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
+     * SINS_NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
      */
     SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
 };
@@ -408,8 +416,8 @@ enum sins_navigation_flags {
      */
     SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
     /*
-     * Of the truth: the displacement since the previous sample differs from the one that the velocities give by more than the
-     * root sum of squares of 1 % and 1 cm.
+     * A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
+     * the root sum of squares of 1 % and 1 cm.
      */
     SINS_NAVIGATION_INCONSISTENT = 4,
     /*
@@ -424,9 +432,9 @@ enum sins_navigation_flags {
 
 /* Flags of a sins_imu. */
 enum sins_imu_flags {
-    /* The mean rate of a sub-increment was beyond the range of a gyro. */
+    /* The mean rate of a subsample was beyond the range of a gyro. */
     SINS_IMU_GYRO_SATURATED = 1,
-    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
+    /* The mean force of a subsample was beyond the range of an accelerometer. */
     SINS_IMU_ACCEL_SATURATED = 2,
     /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
     SINS_IMU_GYRO_INVALID = 4,
@@ -445,12 +453,12 @@ enum sins_errors_source {
 /* Flags of a sins_errors. */
 enum sins_errors_flags {
     /*
-     * Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
-     * error have no meaning.
+     * The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up misalignment, and the east and
+     * north components of the velocity error have no meaning.
      */
     SINS_ERRORS_NEAR_POLE = 1,
     /*
-     * Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+     * A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
      * displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
      */
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
@@ -560,7 +568,7 @@ enum sins_scene_text {
 enum sins_budget_flags {
     /* The row's figures are standard deviations (1 sigma), exact to first order. */
     SINS_BUDGET_RANDOM = 1,
-    /* The effect can be left out together with the others that are marked so. */
+    /* The effect can be left out, together with all others that have this flag. */
     SINS_BUDGET_CAN_BE_LEFT_OUT = 2
 };
 
@@ -570,11 +578,11 @@ enum sins_budget_flags {
  */
 #define SINS_HEADER_ABI 1
 
-/* Release of the library, semantic versioning. */
+/* Major number of this release of the library, by semantic versioning. */
 #define SINS_VERSION_MAJOR 0
-/* See SINS_VERSION_MAJOR. */
+/* Minor number of this release. */
 #define SINS_VERSION_MINOR 1
-/* See SINS_VERSION_MAJOR. */
+/* Patch number of this release. */
 #define SINS_VERSION_PATCH 0
 
 /*
@@ -599,7 +607,7 @@ typedef struct sins_options {
     int32_t frame;
     /* Algorithm of the mechanization, of enum sins_scheme. */
     int32_t scheme;
-    /* Sub-increments of a mechanization update, 1 to 5; 0: 2. */
+    /* Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2. */
     int32_t subsamples;
     /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
     int32_t updates_per_sample;
@@ -626,20 +634,20 @@ typedef struct sins_options {
     double closed_loop_time_s;
     /*
      * Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
-     * sample is at an exact multiple of the period from the first. The time stamps then only order the samples and check
-     * them: each must be within 0.4 of a period of its multiple.
+     * sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
+     * samples: each must be within 0.4 of a period of its multiple.
      */
     double sample_period_s;
     /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest.
-     * Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
+     * of 100 s cause 40 m of position error in 12 h, longer ones many times that.
      */
     double max_gap_s;
     /* Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped. */
     double max_acceleration_m_s2;
     /* Summary of the true motion, of enum sins_summary. */
     int32_t truth_summary;
-    /* Of enum sins_covariance_mode. */
+    /* Covariance of the navigation errors, of enum sins_covariance_mode. */
     int32_t covariance;
 } sins_options;
 
@@ -726,15 +734,15 @@ typedef struct sins_error_info {
  * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
  * triad. Signal: the angular rate. Densities do not depend on the sample rate.
  *
- * Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale factor, misalignment,
- * asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and temperature; then biases and noise; then dead zone,
- * range, quantization.
+ * Effects act in this order, along the path of the signal: bandwidth; then errors that depend on the signal (scale factor,
+ * misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
+ * biases and noise; then dead zone, range, quantization.
  *
  * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
- * sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration. With
- * x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1 - (sin x / x)^2. Asymmetry loses up to
- * 1 - cos x, if the vibration changes the sign of the signal. At a tenth of the sample rate these are 0.8 % and 1.2 % with two
- * sub-increments per interval, 3.3 % and 4.9 % with one.
+ * subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
+ * frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share 1 - (sin x / x)^2. Asymmetry is too
+ * small by up to 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these shares are
+ * 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9 % with one.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -754,12 +762,12 @@ typedef struct sins_gyro_params {
     double markov_time_s[3];
     /*
      * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-     * density of the noise [unit of the signal / sqrt(Hz)].
+     * density of the noise, in the unit of the signal per sqrt(Hz).
      */
     double random_walk_rad_sqrt_s[3];
     /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
-    /* Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set. */
+    /* Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
     /*
      * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
@@ -773,9 +781,15 @@ typedef struct sins_gyro_params {
      * scale_factor.
      */
     double scale_factor_sigma[3];
-    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    /*
+     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+     * of this times |s|.
+     */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the signal [s/rad], -1 to 1. */
+    /*
+     * Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
     double scale_factor_nonlinearity_s_rad[3];
     /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
     double misalignment_rad[9];
@@ -785,35 +799,39 @@ typedef struct sins_gyro_params {
      */
     double misalignment_sigma_rad[9];
     /*
-     * Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
-     * The error of a gyro is the sum over the three axes of its row times the true specific force along them.
+     * Drift caused by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)],
+     * -1 to 1. The error of a gyro is the sum over the three axes of its row times the true specific force along
+     * them.
      */
     double g_sensitivity_rad_s_per_m_s2[9];
     /*
-     * Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+     * Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
      * -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
      * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
-     * sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+     * sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
      * nonlinearity.
      */
     double g2_sensitivity_rad_s_per_m2_s4[3];
     /*
      * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
-     * temperature, and sins_push_imu() is not available.
+     * sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
+     * needs a temperature, and sins_push_imu() is not available.
      */
     double reference_temperature_c;
-    /* Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T. */
+    /* Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this coefficient times T. */
     double bias_temperature_rad_s_per_k[3];
-    /* Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2. */
+    /* Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this coefficient times T squared. */
     double bias_temperature2_rad_s_per_k2[3];
-    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T. */
     double scale_factor_temperature_per_k[3];
-    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    /*
+     * Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
+     * squared.
+     */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
-     * the first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
+     * without a transient at the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
@@ -821,8 +839,8 @@ typedef struct sins_gyro_params {
     /* Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
     double range_rad_s[3];
     /*
-     * Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
-     * pulse/sqrt(12).
+     * Pulse of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
+     * quantization noise Q is pulse/sqrt(12).
      */
     double quantization_rad[3];
 } sins_gyro_params;
@@ -831,9 +849,9 @@ typedef struct sins_gyro_params {
  * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
  * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
  *
- * Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far (scale factor,
- * misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and noise; then dead zone, range,
- * quantization. sins_gyro_params describes the effects that act on the mean of a sub-increment.
+ * Effects act in this order, along the path of the signal: size effect, bandwidth; then errors that depend on the signal (scale
+ * factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then biases and noise; then dead
+ * zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a subsample.
  */
 typedef struct sins_accel_params {
     /* sizeof(sins_accel_params) */
@@ -853,12 +871,12 @@ typedef struct sins_accel_params {
     double markov_time_s[3];
     /*
      * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-     * spectral density of the noise [unit of the signal / sqrt(Hz)].
+     * spectral density of the noise, in the unit of the signal per sqrt(Hz).
      */
     double velocity_random_walk_m_s_sqrt_s[3];
     /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
-    /* Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
+    /* Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
     /*
      * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
@@ -872,9 +890,15 @@ typedef struct sins_accel_params {
      * scale_factor.
      */
     double scale_factor_sigma[3];
-    /* Scale factor error of positive less that of negative signals [1], -1 to 1. */
+    /*
+     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+     * of this times |s|.
+     */
     double scale_factor_asymmetry[3];
-    /* Scale factor error that grows with the size of the signal [s2/m], -1 to 1. */
+    /*
+     * Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
     double scale_factor_nonlinearity_s2_m[3];
     /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
     double misalignment_rad[9];
@@ -883,32 +907,39 @@ typedef struct sins_accel_params {
      * misalignment_rad. The diagonal is 0.
      */
     double misalignment_sigma_rad[9];
-    /* Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2. */
+    /*
+     * Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration with the root mean square r causes a bias
+     * of this times r squared.
+     */
     double vibration_rectification_s2_m[3];
     /*
      * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
-     * in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
-     * With sins_push_imu() the angular acceleration follows from the previous increments.
+     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At a start in motion,
+     * samples do not show the angular acceleration of the first interval (see sins_mounting): the measured velocity
+     * then lacks lever arm times that change of rate for the rest of the flight. With sins_push_imu() the angular
+     * acceleration follows from the previous increments.
      */
     double lever_arm_m[9];
     /*
      * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-     * sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
-     * temperature, and sins_push_imu() is not available.
+     * sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
+     * needs a temperature, and sins_push_imu() is not available.
      */
     double reference_temperature_c;
-    /* Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T. */
+    /* Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this coefficient times T. */
     double bias_temperature_m_s2_per_k[3];
-    /* Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2. */
+    /* Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this coefficient times T squared. */
     double bias_temperature2_m_s2_per_k2[3];
-    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T. */
+    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T. */
     double scale_factor_temperature_per_k[3];
-    /* Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2. */
+    /*
+     * Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
+     * squared.
+     */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
-     * the first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
+     * without a transient at the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
@@ -916,13 +947,13 @@ typedef struct sins_accel_params {
     /* Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
     double range_m_s2[3];
     /*
-     * Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
-     * pulse/sqrt(12).
+     * Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
+     * quantization noise Q is pulse/sqrt(12).
      */
     double quantization_m_s[3];
 } sins_accel_params;
 
-/* Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter. */
+/* Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter. */
 typedef struct sins_altimeter_params {
     /* sizeof(sins_altimeter_params) */
     uint32_t struct_size;
@@ -968,9 +999,9 @@ typedef struct sins_failure {
 } sins_failure;
 
 /*
- * Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
- * Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
- * standard deviations up to 1e5 m and 1e3 m/s.
+ * Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
+ * (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
+ * to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
  */
 typedef struct sins_initial_errors {
     /* sizeof(sins_initial_errors) */
@@ -982,8 +1013,9 @@ typedef struct sins_initial_errors {
     /* Velocity error [m/s]. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
-     * east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
+     * axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
+     * the alignment finds.
      */
     double misalignment_enu_rad[3];
     /* Standard deviation of position [m]. */
@@ -1038,10 +1070,10 @@ typedef struct sins_mounting {
 } sins_mounting;
 
 /*
- * True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
- * gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
- * first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At
- * rest it does not change. All zero is normal gravity.
+ * True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+ * disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
+ * part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
+ * ground. At rest it does not change. All zero is normal gravity.
  *
  * Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
  * accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
@@ -1116,8 +1148,8 @@ typedef struct sins_record_errors {
     /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-     * error model it is of first order: computed C = (I - [phi x]) C.
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+     * to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
      */
     double misalignment_enu_rad[3];
     /* Error of roll, wrapped to -pi to pi [rad]. */
@@ -1230,8 +1262,8 @@ typedef struct sins_errors {
     /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-     * error model it is of first order: computed C = (I - [phi x]) C.
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+     * to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
      */
     double misalignment_enu_rad[3];
     /* Error of roll, wrapped to -pi to pi [rad]. */
@@ -1261,7 +1293,7 @@ typedef struct sins_accuracy {
     /* Time since the start [s]. */
     double duration_s;
     /*
-     * Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates would be initial errors
+     * Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
      * divided by a very short time [s].
      */
     double window_start_s;
@@ -1286,36 +1318,38 @@ typedef struct sins_accuracy {
     double closure_velocity_enu_m_s[3];
     /*
      * Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
-     * the Schuler-tuned response to displacement by velocity less displacement by position; up is 0. The rest of the
-     * closure is caused by the simulator and the sensors.
+     * the Schuler-tuned response to the displacement by velocities less the displacement by positions; up is 0. The rest of
+     * the closure is caused by the simulator and the sensors.
      */
     double host_position_enu_m[3];
     /* Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s]. */
     double host_velocity_enu_m_s[3];
     /* Displacement by the host's velocities less displacement by its positions, summed over the flight [m]. */
     double inconsistency_enu_m[3];
-    /* The largest such difference in one interval [m]. */
+    /*
+     * Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
+     * [m].
+     */
     double inconsistency_max_m;
     /* Samples flagged SINS_NAVIGATION_INCONSISTENT. */
     uint64_t inconsistent_samples;
     /* Intervals flown since the start or the last reposition: one less than the samples. */
     uint64_t intervals;
     /*
-     * The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its time constants: the error
-     * of signal generator and mechanization themselves; 0 with physical signals [rad/s].
+     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of its time constants after the
+     * start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
      */
     double trim_rate_max_rad_s;
-    /* The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
+    /* Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
     double trim_force_max_m_s2;
 } sins_accuracy;
 
 /*
  * Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
- * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
- * sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
- * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
- * and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
- * found.
+ * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+ * sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+ * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+ * forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
  */
 typedef struct sins_truth_summary {
     /* sizeof(sins_truth_summary) */
@@ -1393,24 +1427,28 @@ typedef struct sins_truth_summary {
  * Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
  * are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
  *
- * The covariance is propagated along the truth with the linear error equations (error data 1). Both frames use the equations in
- * Earth-fixed axes; the result is the same. It is the covariance about the mean error of all runs. The random numbers of this run do
- * not enter it.
- * It contains: random initial errors; the misalignment that an alignment makes of sensor errors; turn-on biases, scale factors and
- * misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's
- * Gauss-Markov error and noise; quantization, as white noise of the same variance.
+ * The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
+ * sins_options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the mean
+ * error of all runs. It does not depend on the random numbers of this run.
+ * It contains: random initial errors; the misalignment that the alignment at the start derives from sensor errors; turn-on
+ * biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
+ * gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
- * One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second. A
- * second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
+ * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
+ * current second. A second with at least one height of the altimeter counts as aided
+ * throughout, so drop-outs shorter than a second do not show.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
     uint32_t struct_size;
-    /* Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is. */
+    /*
+     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
+     * deviation exceeds the limits of that flag.
+     */
     int32_t flags;
     /* Time [s]. */
     double time_s;
-    /* Covariance, 9 by 9, row by row; symmetric, and never negative by rounding. */
+    /* Covariance, 9 by 9, row by row. It is symmetric, and rounding cannot make a variance negative. */
     double covariance[81];
     /* Standard deviation of the position error [m]. */
     double position_sigma_enu_m[3];
@@ -1420,16 +1458,16 @@ typedef struct sins_covariance {
     double misalignment_sigma_enu_rad[3];
     /* Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m]. */
     double ellipse_major_m;
-    /* Semi-minor axis [m]. */
+    /* Semi-minor axis of that ellipse [m]. */
     double ellipse_minor_m;
     /* Azimuth of the major axis, from north to the east, 0 up to pi [rad]. */
     double ellipse_azimuth_rad;
     /*
-     * Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
-     * this ellipse with the mean 0 [m].
+     * Radius of the circle that contains the horizontal error with a probability of 50 % [m]. The error has the normal
+     * distribution of this ellipse, with the mean 0.
      */
     double cep50_m;
-    /* The same of 95 % [m]. */
+    /* Radius of the circle that contains the horizontal error with a probability of 95 % [m]. */
     double radial_95_m;
 } sins_covariance;
 
@@ -1460,27 +1498,27 @@ typedef struct sins_imu_increment {
 /*
  * Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the same bits however
  * they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without pointers: send it, store it,
- * compare its bytes. Its numbers have the byte order of the machine. A struct that is all zero but for struct_size has no run.
- * sins_statistics_figures() computes means, covariances and radii.
+ * compare its bytes. Its numbers have the byte order of the machine. A struct that is zero except for struct_size holds no
+ * runs. sins_statistics_figures() computes means, covariances and radii.
  *
  * The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment about east, north,
  * up, as in sins_errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s),
  * 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262 km/s) and 4 rad, which are 2^47 resolutions;
- * the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs: their sums cannot overflow.
- * Integers of 128 bits are two words, the low one first, in two's complement.
+ * the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs, so the sums cannot
+ * overflow. Integers of 128 bits are two words, the low one first, in two's complement.
  */
 typedef struct sins_statistics {
     /* sizeof(sins_statistics) */
     uint32_t struct_size;
-    /* Version of what follows: 1; 0 while there is no run. */
+    /* Version of the layout of the fields below: 1; 0 while there is no run. */
     uint32_t layout;
-    /* Runs, those that were left out of the sums too. */
+    /* Number of runs, including those that are left out of the sums. */
     uint64_t runs;
-    /* Runs that have diverged, left out of the sums. */
+    /* Number of runs that have diverged. They are left out of the sums. */
     uint64_t diverged;
-    /* Runs with a state or a horizontal radial position error outside its range, left out of the sums. */
+    /* Number of runs with a state or a horizontal radial position error outside its range. They are left out of the sums. */
     uint64_t out_of_range;
-    /* Runs within the sums whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. */
+    /* Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are in the sums. */
     uint64_t outside_validity;
     /* Largest horizontal radial position error, rounded down [2^-22 m]. */
     uint64_t largest_radial;
@@ -1489,8 +1527,9 @@ typedef struct sins_statistics {
     /* Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row by row. */
     uint64_t products[90];
     /*
-     * Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i + k, for i from 0 to 34 and k
-     * from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+     * Numbers of runs by their horizontal radial position error. Element 0 counts those below 2^-10 m (1 mm). Element 1 +
+     * 100 i + k, with i from 0 to 34 and k from 0 to 99, counts those from 2^(i-10) (1 + k/100) m up to 2^(i-10) (1 +
+     * (k+1)/100) m.
      */
     uint32_t histogram[3501];
     /* 0 */
@@ -1503,13 +1542,13 @@ typedef struct sins_figures {
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
-    /* Runs, those that were left out too. */
+    /* Number of runs, including those that are left out of the other figures. */
     uint64_t runs;
-    /* Runs that have diverged, left out. */
+    /* Number of runs that have diverged. They are left out. */
     uint64_t diverged;
-    /* Runs with an error outside its range, left out. */
+    /* Number of runs with an error outside its range. They are left out. */
     uint64_t out_of_range;
-    /* Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out. */
+    /* Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are not left out. */
     uint64_t outside_validity;
     /* Mean position error [m]. */
     double mean_position_enu_m[3];
@@ -1530,18 +1569,18 @@ typedef struct sins_figures {
     /* Root mean square of the misalignment [rad]. */
     double rms_misalignment_enu_rad[3];
     /*
-     * Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is that of the states i
-     * and j, in m, m/s and rad.
+     * Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is the
+     * covariance of the states i and j, in m, m/s and rad.
      */
     double covariance[81];
     /* Root mean square of the horizontal radial position error [m]. */
     double rms_radial_m;
     /*
-     * Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank, read from the histogram
-     * to 0.5 % of itself, below 1 mm to 0.5 mm.
+     * Horizontal radius that contains the positions of half of the runs [m]. It is read from the histogram, to 0.5 % of its
+     * value, or to 0.5 mm if it is below 1 mm.
      */
     double cep50_m;
-    /* Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m. */
+    /* Horizontal radius that contains the positions of 95 % of the runs [m]. It is read from the histogram as cep50_m is. */
     double r95_m;
     /* Largest horizontal radial position error [m]. */
     double largest_radial_m;
@@ -1596,7 +1635,7 @@ typedef struct sins_manoeuvre {
     double height_change_m;
     /* Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad]. */
     double heading_change_rad;
-    /* Bank of a turn, 1e-3 to 1.5 [rad]. */
+    /* Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank. */
     double bank_rad;
     /* Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6. */
     double turns;
@@ -1716,7 +1755,10 @@ typedef struct sins_requirement {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length of the piece. */
+    /*
+     * Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
+     * sins_recommend(): that length.
+     */
     double duration_s;
     /* Limit of the distance from the exact solution on the same signals [m]; 0: none. */
     double position_m;
@@ -1749,13 +1791,13 @@ typedef struct sins_cost {
     /* Part of attitude_rad that is the uncertainty of the reference [rad]. */
     double reference_attitude_rad;
     /*
-     * Predicted error times margin divided by its limit, the largest of the three. The requirement is met up to 1. A limit
-     * below 1e-100 counts as 1e-100.
+     * Predicted error times margin divided by its limit, the largest of the three. The requirement is met if this is at most
+     * 1. A limit below 1e-100 counts as 1e-100.
      */
     double share;
     /*
-     * Instructions of the part of a step that depends on the algorithm, the same on every machine. The algorithms are
-     * ordered by this figure.
+     * Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
+     * machine. The algorithms are ordered by this figure.
      */
     double instructions_per_step;
     /*
@@ -1763,7 +1805,7 @@ typedef struct sins_cost {
      * mounting, and ideal sensors [ns].
      */
     double ns_per_step;
-    /* Algorithms that were tried, including the recommended one. */
+    /* Number of algorithms that were tried, including the recommended one. */
     uint64_t tried;
 } sins_cost;
 
@@ -1773,10 +1815,10 @@ typedef struct sins_budget_request {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Runs of all together, if anything is random, 8 to 1000; 0: 16. */
+    /* Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16. */
     uint64_t runs;
     /*
-     * Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+     * Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
      * 0: none.
      */
     double position_m;
@@ -1787,8 +1829,8 @@ typedef struct sins_budget_request {
 } sins_budget_request;
 
 /*
- * An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and the
- * samples, with nothing set.
+ * An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and of the
+ * samples, with no effect set.
  */
 typedef struct sins_budget_row {
     /* sizeof(sins_budget_row) */
@@ -1802,24 +1844,24 @@ typedef struct sins_budget_row {
      * out. Empty in the first row.
      */
     char field[48];
-    /* Length of the contribution to the position error, the largest in the scene [m]. */
+    /* Length of the contribution to the position error, the largest in the flight [m]. */
     double position_m;
-    /* Length of the contribution to the velocity error, the largest in the scene [m/s]. */
+    /* Length of the contribution to the velocity error, the largest in the flight [m/s]. */
     double velocity_m_s;
-    /* Length of the contribution to the misalignment, the largest in the scene [rad]. */
+    /* Length of the contribution to the misalignment, the largest in the flight [rad]. */
     double attitude_rad;
-    /* Length of the contribution to the position error at the end of the scene [m]. */
+    /* Length of the contribution to the position error at the end of the flight [m]. */
     double end_position_m;
-    /* Length of the contribution to the velocity error at the end of the scene [m/s]. */
+    /* Length of the contribution to the velocity error at the end of the flight [m/s]. */
     double end_velocity_m_s;
-    /* Length of the contribution to the misalignment at the end of the scene [rad]. */
+    /* Length of the contribution to the misalignment at the end of the flight [rad]. */
     double end_attitude_rad;
     /* The contribution divided by its limit, the largest of the three; 0 without limits. */
     double share;
     /*
-     * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with nothing
-     * set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may
-     * be negative.
+     * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
+     * set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
+     * negative.
      */
     double ns_per_step;
 } sins_budget_row;
@@ -1832,18 +1874,18 @@ typedef struct sins_budget {
     uint32_t reserved;
     /* Duration of the evaluation: from the end of the first interval to the end of the last [s]. */
     double duration_s;
-    /* Runs of all together; 1 if nothing is random. */
+    /* Number of runs with all effects together; 1 if nothing is random. */
     uint64_t runs;
-    /* Flights that were flown. */
+    /* Number of flights that the call made. */
     uint64_t flights;
     /*
-     * Lower end of the 95 % interval of the root mean square of the random part of all together, as a factor to that of
-     * these runs; 1 if nothing is random.
+     * Lower end of the 95 % confidence interval of the root mean square of the random errors with all effects together,
+     * divided by the root mean square over these runs; 1 if nothing is random.
      */
     double sigma_low;
-    /* Upper end of that interval, likewise. */
+    /* Upper end of that interval, divided likewise; 1 if nothing is random. */
     double sigma_high;
-    /* Position error with all effects together, root mean square over the runs, the largest in the scene [m]. */
+    /* Position error with all effects together, root mean square over the runs, the largest in the flight [m]. */
     double position_m;
     /* Velocity error with all effects together, likewise [m/s]. */
     double velocity_m_s;
@@ -1855,11 +1897,11 @@ typedef struct sins_budget {
     double remainder_velocity_m_s;
     /* Part of the misalignment that the sum of all rows does not explain [rad]. */
     double remainder_attitude_rad;
-    /* Change of the position error when the marked rows are left out, as flown [m]. */
+    /* Change of the position error without the marked effects, by flights of all runs without them [m]. */
     double left_out_position_m;
-    /* Change of the velocity error when the marked rows are left out, as flown [m/s]. */
+    /* Change of the velocity error without the marked effects, likewise [m/s]. */
     double left_out_velocity_m_s;
-    /* Change of the misalignment when the marked rows are left out, as flown [rad]. */
+    /* Change of the misalignment without the marked effects, likewise [rad]. */
     double left_out_attitude_rad;
     /* Time of a step with all effects, measured in this call on this machine [ns]. */
     double ns_per_step;
@@ -1935,7 +1977,7 @@ SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
 
 /*
- * Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
+ * Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
  * SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
@@ -1943,9 +1985,9 @@ SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_optio
  * SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
  * before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
  * on, call sins_move_time() before this push; a push cannot be undone.
- * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
- * samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
- * (for a jump).
+ * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
+ * sample. Later samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or
+ * sins_reposition() (for a jump).
  * SINS_ERROR_QUEUE_FULL: step first.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  */
@@ -1958,8 +2000,8 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  *
  * SINS_NEED_SAMPLE: no complete interval is waiting.
  * SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
- * 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
- * navigator.
+ * 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+ * navigator of SINS_SIGNAL_CLOSED_LOOP.
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
@@ -2043,8 +2085,8 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
- * of which sins_last_error() gives the sentence.
+ * Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
+ * sins_last_error() gives the sentence.
  */
 SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
 
@@ -2073,8 +2115,8 @@ SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_a
 SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_params *params);
 
 /*
- * Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
- * on.
+ * Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+ * interval on.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
@@ -2090,9 +2132,9 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  *
  * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
  * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
- * Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
- * not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
- * begins anew with working sensors; failures that are set again at the same intervals give the same bits.
+ * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
+ * data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+ * so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
  * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -2124,8 +2166,8 @@ SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const stru
 SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sins_initial_errors *errors);
 
 /*
- * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
- * mounting does not affect a navigator on increments: its solution is that of the block.
+ * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+ * reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: steps have been made.
@@ -2162,10 +2204,10 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * Any error of sins_push_sample() or sins_step() stops the run at the
- * sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
- * not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
- * as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+ * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
+ * names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+ * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
+ * sins_reset() empty the queue.
  */
 SINS_API sins_status SINS_CALL sins_run(
     sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
@@ -2225,8 +2267,7 @@ SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accu
 SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
 
 /*
- * Reads the covariance of the navigation errors at the last sample that was flown to; before the first step, at the start. The call
- * changes no other output.
+ * Reads the covariance of the navigation errors at the end of the last interval; before the first step, that of the start.
  *
  * SINS_NEED_SAMPLE: no sample yet.
  * SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
@@ -2262,7 +2303,7 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
  * updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
- * SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+ * SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
  * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
  * readable, and sins_reset() and sins_start_navigation() start anew.
@@ -2273,7 +2314,7 @@ SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_im
  * Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
  * waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
  * altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
- * bytes.
+ * bytes, and sins_options.covariance up to 9.2 KiB.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 
@@ -2303,17 +2344,16 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
- * Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options, sensors, initial
- * errors, mounting, gravity and failures, which has taken no sample. The call copies it, and does not change it. The run with number
- * k gives the same bits as a simulator with the same settings and sins_options.run = k. sins_options.run, truth_summary and
- * covariance of configured have no effect.
+ * Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
+ * sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not change
+ * it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins_options.run = k. In the
+ * options of configured, run, truth_summary and covariance have no effect.
  *
- * What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
- * and machines, and their statistics merged. The library starts no thread.
+ * No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
+ * statistics can be merged. The library starts no thread.
  *
- * Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set: geographic
- * axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
- * is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+ * All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+ * of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
  *
  * After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
@@ -2325,14 +2365,14 @@ SINS_API sins_status SINS_CALL sins_ensemble_create(
     const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble);
 
 /*
- * Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+ * Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_destroy(sins_ensemble *ensemble);
 
 /*
- * Takes one flight-control sample into the queue (16 samples) of all runs.
+ * Puts one flight sample into the queue (16 samples) of all runs.
  *
  * SINS_GAP and the errors: as sins_push_sample().
  */
@@ -2342,70 +2382,73 @@ SINS_API sins_status SINS_CALL sins_ensemble_push_sample(
 /*
  * Flies one sample interval with all runs that have not diverged. No allocation, no system call.
  *
- * A run that cannot make the step, for which sins_step() would answer SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR, has diverged:
- * it keeps its solution before the step, takes no further part, and is reported by sins_ensemble_get_diverged() and counted by
- * sins_ensemble_get_statistics(). The others go on, and so does the truth, even if no run is left. sins_ensemble_reposition() and
- * sins_ensemble_reset() start all runs again.
+ * A run has diverged if sins_step() would return SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR for it. A diverged run keeps the
+ * solution before that step, and is not flown any further. sins_ensemble_get_diverged() reports it, and
+ * sins_ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
+ * sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
  *
- * SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_SINGULAR: the truth is within reach of a pole, in geographic axes or
- * where the alignment is a gyrocompass; the step is not made.
+ * SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
+ * axes or for an alignment by gyrocompass; the step is not made.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
 
 /*
- * Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
- * samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+ * Pushes and steps an array of samples, count of them. Any split of a flight into calls gives the same bits as pushing and
+ * stepping sample by sample. samples[0].struct_size is the distance between samples; struct_size of the other samples may be
+ * 0.
  *
  * SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
- * sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it have been
- * flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+ * sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
+ * were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the queue.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_run(
     sins_ensemble *ensemble, const struct sins_flight_sample *samples, size_t count);
 
 /*
- * Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
- * sins_reposition().
+ * Restarts all runs, as sins_reposition() does: the truth jumps to the sample, and every run, diverged or not, starts again
+ * there with its initial errors.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
  */
 SINS_API sins_status SINS_CALL sins_ensemble_reposition(
     sins_ensemble *ensemble, const struct sins_flight_sample *sample);
 
-/* Back to before the first sample: same parameters, no failures, the same draws again from their start, no run diverged. */
+/*
+ * Returns to the state before the first sample, as sins_reset() does: the same parameters, no failures, no diverged run, and
+ * the random streams at their start.
+ */
 SINS_API sins_status SINS_CALL sins_ensemble_reset(sins_ensemble *ensemble);
 
 /*
- * Lets one output of every run fail, or clears its failure: as sins_set_failure(). The first failure of an ensemble whose runs go
- * side by side makes each run a simulator (see sins_ensemble_create()): that call allocates.
+ * Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
- * SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_set_failure(
     sins_ensemble *ensemble, int32_t sensor, int32_t axis, const struct sins_failure *failure);
 
-/* Reads the numbers of the first run and of the runs; either may be NULL. */
+/* Reads the number of the first run, and how many runs there are; either pointer may be NULL. */
 SINS_API sins_status SINS_CALL sins_ensemble_get_runs(sins_ensemble *ensemble, uint64_t *first_run, size_t *runs);
 
 /*
- * Reads the truth, which all runs share: as sins_get_truth().
+ * Reads the truth, which all runs share, as sins_get_truth() does.
  *
  * SINS_NEED_SAMPLE: no sample yet.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_get_truth(sins_ensemble *ensemble, struct sins_navigation *truth);
 
 /*
- * Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+ * Reads the navigated solution of a run, as sins_get_navigation() does. run is from first_run to first_run + runs - 1.
  *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
- * sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+ * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged (the
+ * sentence of sins_last_error() states the time of its last good solution); or as sins_get_navigation().
+ * SINS_ERROR_SINGULAR: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_ensemble_get_navigation(
     sins_ensemble *ensemble, uint64_t run, struct sins_navigation *navigation);
 
 /*
- * Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+ * Reads the errors of the navigated solution of a run, as sins_get_errors() does; source is of enum sins_errors_source.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
  * while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
@@ -2414,16 +2457,17 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_errors(
     sins_ensemble *ensemble, uint64_t run, int32_t source, struct sins_errors *errors);
 
 /*
- * Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+ * Reads ideal and measured signals of the last interval of a run, as sins_get_imu() does.
  *
  * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, uint64_t run, struct sins_imu *imu);
 
 /*
- * Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+ * Reads the number of a run that has diverged. The numbers are in ascending order, from index 0; sins_statistics.diverged is
+ * their count.
  *
- * SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+ * SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensemble, size_t index, uint64_t *run);
 
@@ -2439,12 +2483,12 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_statistics(
     sins_ensemble *ensemble, int32_t source, struct sins_statistics *statistics);
 
 /*
- * Adds the runs of other to those of into. No run may be in both. The sums are exact: any order and any grouping of merges gives the
- * same bits, so the work can be split over threads, processes, machines and restarts in any way. If into is all zero except for
- * struct_size, it has no run.
+ * Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any order and
+ * any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any
+ * way. An into that is zero except for struct_size holds no runs.
  *
- * SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs. into
- * is unchanged.
+ * SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
+ * runs. into is then unchanged.
  */
 SINS_API sins_status SINS_CALL sins_statistics_merge(
     struct sins_statistics *into, const struct sins_statistics *other);
@@ -2457,25 +2501,26 @@ SINS_API sins_status SINS_CALL sins_statistics_merge(
 SINS_API sins_status SINS_CALL sins_statistics_figures(
     const struct sins_statistics *statistics, struct sins_figures *figures);
 
-/* The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator. */
+/* Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator. */
 SINS_API sins_status SINS_CALL sins_ensemble_snapshot_size(sins_ensemble *ensemble, size_t *size);
 
 /*
- * Saves the whole ensemble, at any moment: as sins_snapshot_save(). written (may be NULL) gets the size. The same state gives the
- * same bytes. No allocation, no system call.
+ * Saves the whole ensemble, at any moment, as sins_snapshot_save() does for a simulator. written (may be NULL) gets the
+ * size. The same state gives the same bytes. No allocation, no system call.
  *
- * SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are as they were.
+ * SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are unchanged.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_snapshot_save(
     sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written);
 
 /*
- * Replaces the ensemble by the saved one, with its runs and options. It does not matter what the ensemble was before: one of any
- * simulator with one run is enough. It continues to the same bits as the saved one. size is what sins_ensemble_snapshot_save()
- * wrote. Not for a real-time frame: it allocates.
+ * Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator is
+ * enough. It continues to the same bits as the saved one. size is the size that sins_ensemble_snapshot_save() wrote. Not for
+ * a real-time frame: it allocates.
  *
- * SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed, and
- * sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.
+ * SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
+ * has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
+ * ensemble.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(
     sins_ensemble *ensemble, const void *snapshot, size_t size);
@@ -2539,9 +2584,9 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  *
  * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
  * of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
- * sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If it runs
- * out later within the call, because another thread takes it, the process ends. The same holds for sins_log_parse(),
- * except for the samples.
+ * sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
+ * runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
+ * that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
  */
 SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
@@ -2596,8 +2641,8 @@ SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capaci
 
 /*
  * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
- * sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
- * rate.
+ * sins_scene_prepare() sets the failures at their times. If the flight is not a log, sins_options.sample_period_s of the
+ * simulator is 1 / rate_hz.
  *
  * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
  * SINS_ERROR_BAD_STATE: as sins_scene_parse().
@@ -2627,7 +2672,7 @@ SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
  * after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
  * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
  *
- * SINS_ERROR_BAD_HANDLE: of scene or sim.
+ * SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
  * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
  * SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
@@ -2635,9 +2680,10 @@ SINS_API sins_status SINS_CALL sins_scene_prepare(
     const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
 
 /*
- * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator.
+ * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+ * system call.
  *
- * SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
+ * SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(
     const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, struct sins_flight_sample *sample);
@@ -2836,29 +2882,29 @@ SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
  * cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
  *
- * configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
- * the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
- * point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready for
- * sins_create(). The previous values of these three do not matter.
+ * configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
+ * at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
+ * point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
+ * sins_create(). The values of these three in configured do not matter.
  *
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
  * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
- * with half as many updates) is added to the error. So the error is that of the algorithm only. Errors of sensors,
- * altimeter, start, gravity and believed mounting are left out, because they act on both solutions alike; so are
- * contradictions within the host's samples. The signals are without SINS_SIGNAL_CLOSED_LOOP, which would hide the error.
- * For a duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. This predicts
- * more than the flight will show, as long as the flight continues like the piece. With SINS_VERTICAL_FREE each error
- * counts as a height error, which grows e-fold every 569 s.
+ * with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
+ * start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
+ * the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+ * duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
+ * continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+ * as a height error, which grows e-fold every 569 s.
  *
- * The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every day;
- * only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
+ * The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
+ * ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
  * nothing meets the requirement.
  *
  * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
  * closest.
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
- * SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  * SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
  * SINS_ERROR_OUT_OF_MEMORY: no memory.
  *
@@ -2869,7 +2915,7 @@ SINS_API sins_status SINS_CALL sins_recommend(
     const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
 
 /*
- * Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+ * Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
  * can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
  * struct_size of the other samples may be 0, that of the other rows anything.
  *
@@ -2878,36 +2924,36 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
  * limits. written and budget may be NULL.
  *
- * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two things are
- * no effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect that causes it.
+ * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
+ * not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
  * lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
- * (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the
- * length of this vector in position, velocity and misalignment: the largest of up to 1000 instants, equally spaced, and
- * the one at the last sample. For a random effect it is one standard deviation by the covariance of a flight with
- * this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All effects together are flown with
- * the random numbers of the runs sins_options.run, run + 1 and so on.
+ * (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+ * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+ * length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
+ * with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
+ * flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
  *
  * rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
  * position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
  * the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
  * effects that act on each other, and is of second order in their sizes.
  *
- * With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It collects effects
- * from the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of squares of their random
- * contributions. The call stops when the root sum of squares of D and R exceeds a limit. Then it
- * flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts the largest of them
- * back.
+ * With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
+ * effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
+ * the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
+ * root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
+ * change (left_out) exceeds a limit, it puts the largest of them back.
  *
- * The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame:
- * it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1, plus one for
- * each effect, plus runs for all effects together, plus runs for the random effects if there are any. With limits it is
- * runs more, and again more if effects do not add up.
+ * The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
+ * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+ * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+ * these. With limits it flies them once more in each run, and further times if effects do not add up.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
  * (To ask for the number, give NULL for rows and a capacity of 0.)
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
- * SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+ * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes or for gyrocompassing.
  * SINS_ERROR_DIVERGED: a solution diverged.
  * SINS_ERROR_OUT_OF_MEMORY: no memory.
  *

@@ -25,7 +25,8 @@ need llvm llvm-dlltool
 has_nightly
 
 linker=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
-export RELATIVE_LINKER=$mingw-gcc "$linker=$PWD/release/relative_linker.sh"
+# That of the unit for all: cargo builds everything again, the standard library too, for another linker.
+export RELATIVE_LINKER=$mingw-gcc UNIT_LINKER=$PWD/release/relative_linker.sh "$linker=$PWD/release/fmu_linker.sh"
 built=target/$target/release
 work=target/release-windows/$arch
 mkdir -p "$work"
@@ -77,7 +78,6 @@ build() {
 
 if [ "${3:-}" = unit ]; then
     resource sins_fmu.dll 2 "Functional Mock-up Unit of the strapdown inertial navigation system simulator"
-    export UNIT_LINKER=$PWD/release/relative_linker.sh "$linker=$PWD/release/fmu_linker.sh"
     build sins_fmu.dll --package sins-fmu --lib --crate-type cdylib
     cp "$built/sins_fmu.dll" "$out"
     exit

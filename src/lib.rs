@@ -32,11 +32,20 @@
 //!     [error data 2]       [error data 1, (4)-(6)]
 //! ```
 //!
-//! Each block is a module, and each arrow is a type. All blocks use [`earth`] (ellipsoid, gravity) and [`math`]. [`flight`] makes
-//! samples from manoeuvres, `simulator` connects the blocks, and [`snapshot`] saves the state of all of them. With the feature
-//! `scenes`, `scene` reads and writes a whole scene as text, and `log` reads flight logs. With [`Options::covariance`],
-//! [`covariance`] propagates the covariance of the errors along the same truth, with the equations of `errors::model`. [`allan`]
-//! estimates the noise of a sensor from its record.
+//! Each block is a module, and each arrow is a type. All blocks use [`earth`] (ellipsoid, gravity) and [`math`]. `simulator` connects
+//! the blocks. Other modules:
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`flight`] | makes samples from manoeuvres |
+//! | [`covariance`] | propagates the covariance of the errors along the same truth, with the equations of `errors::model` |
+//! | [`ensemble`], [`statistics`] | many runs of one simulator over the same samples, and the statistics of their errors |
+//! | [`recommend`] | finds the cheapest options that meet a required accuracy |
+//! | [`budget`] | finds the contribution of each effect to the errors |
+//! | [`allan`] | estimates the noise of a sensor from its record |
+//! | [`snapshot`] | saves the state of all blocks |
+//! | `scene`, `log` | read and write a whole scene as text, and read flight logs (feature `scenes`) |
+//! | [`abi`] | the C interface |
 //!
 //! # Notation
 //!
@@ -57,15 +66,15 @@
 //! | W, g, RM, RN | Earth rate, gravity, radii of the meridian and of the prime vertical |
 //!
 //! SI units and radians throughout, spelled in the names of plain numbers (`height_m`); latitude is geodetic, height above
-//! the ellipsoid. Roll right wing down, pitch nose up, heading clockwise from north; from the axes of north, the sequence
-//! is heading, pitch, roll.
+//! the ellipsoid. Roll right wing down, pitch nose up, heading clockwise from north; the rotation sequence is heading,
+//! pitch, roll.
 //!
 //! # Claims and their proofs
 //!
 //! | claim | test |
 //! |---|---|
 //! | increments are the integrals of rate and force | `tests/reference_signals.rs` |
-//! | the response of the damped vertical channel is that of its three poles, to second order in the interval | `tests/vertical_loop.rs` |
+//! | the damped vertical channel has the response of its three poles, to second order in the interval | `tests/vertical_loop.rs` |
 //! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/logged_flights.rs` |
 //! | error data 1 and error data 2 agree to second order, and both agree with the closed form | `tests/simulation2.rs` |
 //! | every term of the error equations is the derivative of the mechanization | `tests/error_equations.rs` |
@@ -74,7 +83,7 @@
 //! | poles, the date line, vertical flight and irregular samples cost no accuracy | `tests/hard_poles.rs`, `tests/hard_places.rs`, `tests/hard_attitude.rs`, `tests/hard_samples.rs` |
 //! | a bad sample is rejected with a message that names field, value and limit, and changes nothing | `tests/samples.rs`, `tests/hard_samples.rs` |
 //! | each sensor effect equals its closed form, and acts on both error data | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
-//! | so do temperature and failures; a failure that is cleared has changed no random number | `tests/temperature.rs`, `tests/failures.rs` |
+//! | temperature and failures equal their closed forms; a failure that is cleared has changed no random number | `tests/temperature.rs`, `tests/failures.rs` |
 //! | a sensor block away from the reference point navigates as accurately as one at it | `tests/mounting.rs` |
 //! | a start in motion causes no spike of force, and does not disturb the navigation | `tests/start_in_motion.rs` |
 //! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/alignment.rs` |
@@ -84,15 +93,15 @@
 //! | the same bits on every platform and for any sequence of calls | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | no host can damage the library, and the library does not damage its host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
-//! | whatever a host does within the rules: no accepted step leaves a solution beyond the limits, a rejected call changes nothing, each snapshot loads | `tests/any_use.rs` |
+//! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/any_use.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/host_time.rs` |
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/moved.rs` |
-//! | run k of an ensemble is the single simulator of that number, whatever becomes of the others | `tests/ensemble.rs`, `tests/c_side.rs` |
-//! | statistics are the same bits for any split of the runs, and correct where means are large and scatter small | `tests/statistics.rs` |
+//! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/ensemble.rs`, `tests/c_side.rs` |
+//! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/statistics.rs` |
 //! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/covariance.rs`, `tests/covariance_runs.rs` |
-//! | contributions of effects equal their closed forms, and effects marked so can be left out | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
+//! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
 //! | geodetic conversions are accurate to a nanometre | `tests/earth.rs` |
 //! | every getter returns what its setter was given | `tests/read_back.rs` |
 //! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/scene_text.rs`, `tests/scene_settings.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |

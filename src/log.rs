@@ -65,13 +65,13 @@ pub struct FlightLog {
 /// Why a text is not a valid log.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LogError {
-    /// What is wrong with its text, and where.
+    /// The text has a fault.
     Fault(Fault),
-    /// No memory for its samples.
+    /// There is no memory for the samples.
     Memory(Error),
 }
 
-/// Where a quantity stands in a row, and its unit.
+/// Place of a quantity in a row, and its unit.
 #[derive(Clone, Copy)]
 struct Column {
     place: usize,
@@ -83,7 +83,7 @@ fn fault(line: u64, column: usize, sentence: String) -> LogError {
 }
 
 impl FlightLog {
-    /// The log of a text; at least two samples, in the order of time. The samples are checked where they are pushed.
+    /// Reads the log in a text: at least two samples, in the order of time. The ranges of the samples are checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         if let Some(at) = text.iter().position(|byte| *byte == 0) {
@@ -197,7 +197,7 @@ fn title(text: &[u8]) -> String {
 }
 
 fn in_degrees(quantity: &str) -> Option<String> {
-    // Rates are in radians alone.
+    // Rates can be given only in radians.
     let stem = quantity.strip_suffix("_rad")?;
     Some(format!("{stem}_deg"))
 }
@@ -235,7 +235,7 @@ fn columns(header: &StringRecord, line: u64) -> Result<[Option<Column>; QUANTITI
     }
 }
 
-/// The name of a column that is missing, with the degrees that would do and the name that may have been meant.
+/// The name of a missing column, with the name of its form in degrees and the name that may have been meant.
 fn missing_column(quantity: &str, header: &StringRecord) -> String {
     let degrees = in_degrees(quantity).map_or(String::new(), |name| format!(" or {name}"));
     let unknown = header.iter().filter(|name| !QUANTITIES.contains(name));

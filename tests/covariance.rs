@@ -8,7 +8,7 @@ use sins::earth::Earth;
 use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::{ErrorSource, Options, Simulator};
+use sins::{ErrorParameters, ErrorSource, Options, Simulator};
 use support::{DEG, DEG_PER_HOUR, G, resting_sample};
 
 const MICRO_G: f64 = 1e-6 * G;
@@ -277,30 +277,11 @@ fn flights() -> [(&'static str, Vec<FlightSample>); 2] {
     ]
 }
 
-/// What the host sets of a run.
-#[derive(Default)]
-struct Setting {
-    gyro: TriadParameters,
-    accel: TriadParameters,
-    initial: InitialErrorParameters,
-}
-
-impl Setting {
-    fn simulator(&self, samples: &[FlightSample], covariance: bool) -> Simulator {
-        let intake = IntakeLimits { period_s: Some(samples[1].time_s), ..IntakeLimits::default() };
-        let mut simulator = Simulator::new(&Options { covariance, intake, ..Options::default() }).unwrap();
-        simulator.set_gyro(&self.gyro).unwrap();
-        simulator.set_accel(&self.accel).unwrap();
-        simulator.set_initial_errors(&self.initial).unwrap();
-        simulator
-    }
-}
-
 /// An effect by its constant, by its standard deviation, and how large.
 struct Effect {
     name: &'static str,
-    constant: fn(&mut Setting) -> &mut f64,
-    sigma: fn(&mut Setting) -> &mut f64,
+    constant: fn(&mut ErrorParameters) -> &mut f64,
+    sigma: fn(&mut ErrorParameters) -> &mut f64,
     size: f64,
 }
 
@@ -309,8 +290,8 @@ const EFFECTS: [Effect; 11] = {
         ($part:ident . $constant:ident, $sigma:ident $at:tt, $size:expr) => {
             Effect {
                 name: concat!(stringify!($part), ".", stringify!($constant), stringify!($at)),
-                constant: |setting| &mut setting.$part.$constant$at,
-                sigma: |setting| &mut setting.$part.$sigma$at,
+                constant: |errors| &mut errors.$part.$constant$at,
+                sigma: |errors| &mut errors.$part.$sigma$at,
                 size: $size,
             }
         };
@@ -336,10 +317,14 @@ const EFFECTS: [Effect; 11] = {
 fn a_sigma_is_half_the_difference_of_two_runs() {
     for (name, samples) in &flights() {
         for Effect { name: effect, constant, sigma, size } in &EFFECTS {
-            let set = |of: fn(&mut Setting) -> &mut f64, size: f64, covariance| {
-                let mut setting = Setting::default();
-                *of(&mut setting) = size;
-                setting.simulator(samples, covariance)
+            let set = |of: fn(&mut ErrorParameters) -> &mut f64, size: f64, covariance| {
+                let intake = IntakeLimits { period_s: Some(samples[1].time_s), ..IntakeLimits::default() };
+                let options = Options { covariance, intake, ..Options::default() };
+                let mut simulator = Simulator::new(&options).unwrap();
+                let mut errors = ErrorParameters::default();
+                *of(&mut errors) = size;
+                errors.set_to(&mut simulator).unwrap();
+                simulator
             };
             let mut with = set(*constant, *size, false);
             let mut opposite = set(*constant, -size, false);

@@ -3,96 +3,23 @@
 //!
 //! The ordinary test flies 200 runs, and an hour of the patrol; `--features long-tests` 2000 runs, and all of its 48 hours.
 
+#[path = "covariance_runs/scenes.rs"]
+mod scenes;
 mod support;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::SMatrix;
+use scenes::{Scene, built_in, everything, scenes};
 use sins::ensemble::Ensemble;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
-use sins::sensors::{
-    Alignment, AltimeterParameters, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
-    StreamKey, TriadParameters,
-};
+use sins::sensors::TriadParameters;
 use sins::statistics::Statistics;
-use sins::truth::{FlightSample, IntakeLimits};
-use sins::{ErrorSource, Options, Simulator};
-use support::{DEG, DEG_PER_HOUR, G};
+use sins::{ErrorParameters, ErrorSource};
 
-const MICRO_G: f64 = 1e-6 * G;
 const INSTANTS: usize = 20;
 /// Runs of an ensemble.
 const BLOCK: u64 = 64;
 type Matrix = SMatrix<f64, 9, 9>;
-
-/// What a simulator is set to.
-#[derive(Clone, Copy)]
-struct Setting {
-    gyro: TriadParameters,
-    accel: TriadParameters,
-    altimeter: AltimeterParameters,
-    initial: InitialErrorParameters,
-    gravity: GravityDisturbanceParameters,
-}
-
-impl Setting {
-    fn simulator(&self, options: &Options) -> Simulator {
-        let mut simulator = Simulator::new(options).unwrap();
-        simulator.set_gyro(&self.gyro).unwrap();
-        simulator.set_accel(&self.accel).unwrap();
-        simulator.set_altimeter(&self.altimeter).unwrap();
-        simulator.set_initial_errors(&self.initial).unwrap();
-        simulator.set_gravity_disturbance(&self.gravity).unwrap();
-        simulator
-    }
-
-    /// Everything that is random, of navigation grade.
-    fn of_everything() -> Self {
-        let off_diagonal = |size| SMatrix::from_fn(|row, column| if row == column { 0.0 } else { size });
-        let triad = |unit: f64, walk: f64| TriadParameters {
-            bias_sigma: Vector3::new(1.0, 0.7, 1.3) * unit,
-            markov_sigma: Vector3::new(0.5, 0.8, 0.3) * unit,
-            markov_time_s: Vector3::new(300.0, 1000.0, 40.0),
-            flicker: Vector3::new(0.6, 0.4, 0.5) * unit,
-            rate_random_walk: Vector3::repeat(0.5 * unit / 60.0),
-            random_walk: Vector3::repeat(walk),
-            scale_factor_sigma: Vector3::new(10e-6, 5e-6, 8e-6),
-            misalignment_sigma: off_diagonal(1e-5),
-            ..Default::default()
-        };
-        let field = |sigma| GravityField { mean: 0.0, sigma, distance_m: 20e3 };
-        Self {
-            gyro: triad(0.01 * DEG_PER_HOUR, 0.002 * DEG / 60.0),
-            accel: triad(20.0 * MICRO_G, 10.0 * MICRO_G),
-            altimeter: AltimeterParameters {
-                markov_sigma_m: 10.0,
-                markov_time_s: 600.0,
-                noise_m: 1.0,
-                ..Default::default()
-            },
-            initial: InitialErrorParameters {
-                position_sigma_n: Vector3::new(5.0, 8.0, 10.0),
-                velocity_sigma_n: Vector3::new(0.02, 0.03, 0.01),
-                misalignment_sigma_n: Vector3::new(2e-5, 3e-5, 2e-4),
-                ..Default::default()
-            },
-            gravity: GravityDisturbanceParameters {
-                deflection_north: field(3e-5),
-                deflection_east: field(2e-5),
-                anomaly: field(3e-4),
-            },
-        }
-    }
-}
-
-/// A flight with what is looked at.
-struct Scene {
-    name: &'static str,
-    samples: Vec<FlightSample>,
-    setting: Setting,
-    /// What the covariance is told, which is `setting` unless it is to be wrong.
-    believed: Setting,
-}
 
 /// Number of the standard normal distribution that is exceeded with the probability `p` on one side.
 fn quantile(p: f64) -> f64 {
@@ -128,22 +55,6 @@ struct Found {
 }
 
 impl Scene {
-    fn new(name: &'static str, samples: Vec<FlightSample>, setting: Setting) -> Self {
-        Self { name, samples, setting, believed: setting }
-    }
-
-    fn options(&self, covariance: bool) -> Options {
-        let period_s = self.samples[1].time_s - self.samples[0].time_s;
-        let is_polar = self.samples.iter().any(|sample| sample.place.latitude_rad > 89.8 * DEG);
-        Options {
-            covariance,
-            error_model: is_polar,
-            intake: IntakeLimits { period_s: Some(period_s), ..IntakeLimits::default() },
-            key: StreamKey { seed: 7, run: 0 },
-            ..Options::default()
-        }
-    }
-
     /// Whether sample `k` is one of the instants that are looked at.
     fn is_looked_at(&self, k: usize) -> bool {
         let every = (self.samples.len() - 1) / INSTANTS;
@@ -152,7 +63,7 @@ impl Scene {
 
     /// The covariance at each instant.
     fn covariances(&self) -> Vec<Matrix> {
-        let mut simulator = self.believed.simulator(&self.options(true));
+        let mut simulator = self.simulator(&self.believed, true);
         let mut covariances = Vec::new();
         for (k, sample) in self.samples.iter().enumerate() {
             simulator.push_sample(sample).unwrap();
@@ -166,7 +77,7 @@ impl Scene {
 
     /// Statistics of `runs` runs from `first` on, at each instant.
     fn statistics(&self, first: u64, runs: usize) -> Vec<Statistics> {
-        let template = self.setting.simulator(&self.options(false));
+        let template = self.simulator(&self.setting, false);
         let mut ensemble = Ensemble::new(&template, first, runs).unwrap();
         let mut statistics = Vec::new();
         for (k, sample) in self.samples.iter().enumerate() {
@@ -263,52 +174,6 @@ fn outside(scenes: &[Scene], runs: u64) -> usize {
     outside
 }
 
-fn sampled(flight: &Flight, length_s: f64, period_s: f64) -> Vec<FlightSample> {
-    let count = (length_s.min(flight.duration_s()) / period_s) as usize;
-    (0..=count).map(|k| flight.sample_at(k as f64 * period_s).unwrap()).collect()
-}
-
-fn built_in(name: &str, length_s: f64, period_s: f64) -> Vec<FlightSample> {
-    sampled(&sins::scene::builtin(name).unwrap().flight().unwrap(), length_s, period_s)
-}
-
-/// Turns, climbs and stops of a small aircraft.
-fn drone() -> Flight {
-    let start = FlightStart { latitude_rad: 0.8, height_m: 100.0, speed_m_s: 15.0, ..Default::default() };
-    let turn = |heading_change_rad| Manoeuvre::Turn { heading_change_rad, bank_rad: 0.5, ramp_s: 0.5 };
-    let climb = |height_change_m| Manoeuvre::Climb { duration_s: 20.0, height_change_m, ramp_s: 2.0 };
-    let straight = Manoeuvre::Straight { duration_s: 10.0 };
-    let legs = [straight, turn(3.0), climb(50.0), turn(-5.0), straight, climb(-40.0), turn(9.0), straight];
-    Flight::new(&start, &[legs, legs].concat()).unwrap()
-}
-
-/// The scenes: patrol, aerobatics, airliner, pole passage, drone.
-fn scenes(is_long: bool) -> Vec<Scene> {
-    let everything = Setting::of_everything();
-    let mut aligned = everything;
-    aligned.initial.alignment = Alignment::LevelAndGyrocompass;
-    aligned.initial.misalignment_sigma_n = Vector3::repeat(1e-6);
-    let mut small = everything;
-    (small.gyro.bias_sigma, small.gyro.random_walk) =
-        (Vector3::repeat(5.0 * DEG_PER_HOUR), Vector3::repeat(0.1 * DEG / 60.0));
-    (small.accel.bias_sigma, small.accel.random_walk) =
-        (Vector3::repeat(1000.0 * MICRO_G), Vector3::repeat(50.0 * MICRO_G));
-    // Of the terms that grow over days none is gravity's own: it drives the errors as a Markov process of the accelerometers does.
-    let without_gravity = Setting { gravity: GravityDisturbanceParameters::default(), ..everything };
-    let airliner = support::Table::csv("c_examples/flights/airliner_cruise.csv").samples(false);
-    let airliner: Vec<_> = airliner.into_iter().step_by(5).collect();
-    let (patrol_s, in_field_s) = if is_long { (48.0 * 3600.0, 6.0 * 3600.0) } else { (3600.0, 3600.0) };
-    vec![
-        Scene::new("patrol", built_in("patrol", patrol_s, 0.5), without_gravity),
-        Scene::new("patrol, gravity disturbed", built_in("patrol", in_field_s, 0.5), everything),
-        Scene::new("patrol, aligned", built_in("patrol", 1200.0, 0.5), aligned),
-        Scene::new("aerobatics", built_in("aerobatics", 600.0, 0.05), everything),
-        Scene::new("airliner", airliner, everything),
-        Scene::new("pole passage", built_in("over_the_pole", 3600.0, 0.5), everything),
-        Scene::new("drone", sampled(&drone(), 600.0, 0.05), small),
-    ]
-}
-
 /// 200 runs, the patrol of an hour; `--features long-tests`: 2000 runs, the patrol of 48 hours.
 #[test]
 fn the_spread_of_many_runs_is_the_covariance() {
@@ -319,13 +184,14 @@ fn the_spread_of_many_runs_is_the_covariance() {
 /// White noise alone, the covariance told of a spectral density that is 10 % larger: the same test fails.
 #[test]
 fn a_density_that_is_wrong_by_a_tenth_is_found() {
-    let mut noise = Setting::of_everything();
-    for triad in [&mut noise.gyro, &mut noise.accel] {
-        *triad = TriadParameters { random_walk: triad.random_walk, ..TriadParameters::default() };
-    }
-    noise.initial = InitialErrorParameters::default();
-    noise.gravity = GravityDisturbanceParameters::default();
-    noise.altimeter = AltimeterParameters::default();
+    let everything = everything();
+    let of_noise =
+        |triad: TriadParameters| TriadParameters { random_walk: triad.random_walk, ..Default::default() };
+    let noise = ErrorParameters {
+        gyro: of_noise(everything.gyro),
+        accel: of_noise(everything.accel),
+        ..Default::default()
+    };
     let mut more = noise;
     for triad in [&mut more.gyro, &mut more.accel] {
         triad.random_walk *= 1.1f64.sqrt();

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the library into an empty prefix, moves it, and builds and runs two examples against it as C and C++ programs do: by
 # pkg-config and by CMake, shared and static; then with the source tree as a part of a CMake project. What cannot be had is told
-# at the end.
+# at the end. SINS_LIB_DIR: as in c_examples/build.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -47,8 +47,7 @@ for example in minimal cpp_host; do
     "target/c_examples/$example" >"$out/$example.txt"
 done
 
-echo "== installed, and moved" # not optimised, which takes a quarter of the time: tests/packages.sh has the optimised one
-export CARGO_PROFILE_RELEASE_{OPT_LEVEL=1,LTO=off,CODEGEN_UNITS=16}
+echo "== installed, and moved"
 rm -rf "$first" "$moved" "$hosts"
 cmake -S . -B "$out/build"
 cmake --build "$out/build"
@@ -110,7 +109,7 @@ echo "== find_package"
 cmake_hosts "$hosts/installed" -DCMAKE_PREFIX_PATH="$moved"
 grep -F "sins_DIR:PATH=$moved/" "$hosts/installed/CMakeCache.txt" || fail "find_package found another sins"
 
-echo "== add_subdirectory" # with the dependencies that cargo built above
+echo "== add_subdirectory" # with what cargo built above
 cmake_hosts "$hosts/together" -DSINS_SOURCE="$PWD" -DSINS_CARGO_TARGET_DIR="$out/build/cargo"
 
 echo "== Windows by a cross compiler: configured"

@@ -51,11 +51,11 @@ module sins
   !> Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
   !> when something is removed or changes its meaning. Additions at the end do not change it.
   integer(c_int), parameter :: SINS_HEADER_ABI = 1
-  !> Release of the library, semantic versioning.
+  !> Major number of this release of the library, by semantic versioning.
   integer(c_int), parameter :: SINS_VERSION_MAJOR = 0
-  !> See SINS_VERSION_MAJOR.
+  !> Minor number of this release.
   integer(c_int), parameter :: SINS_VERSION_MINOR = 1
-  !> See SINS_VERSION_MAJOR.
+  !> Patch number of this release.
   integer(c_int), parameter :: SINS_VERSION_PATCH = 0
   !> A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
   !> sins_snapshot_size().
@@ -91,7 +91,8 @@ module sins
   integer(c_int32_t), parameter :: SINS_ERROR_BAD_STATE = -5
   !> A sample that is not later than the one before, or off the stated sample period.
   integer(c_int32_t), parameter :: SINS_ERROR_TIME_ORDER = -6
-  !> The truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
+  !> The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude, or a turn of 170 degrees or more
+  !> between two samples. See sins_move_truth().
   integer(c_int32_t), parameter :: SINS_ERROR_DISCONTINUITY = -7
   !> The queue of samples is full: step first.
   integer(c_int32_t), parameter :: SINS_ERROR_QUEUE_FULL = -8
@@ -103,7 +104,7 @@ module sins
   integer(c_int32_t), parameter :: SINS_ERROR_BUFFER_TOO_SMALL = -11
   !> No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
   integer(c_int32_t), parameter :: SINS_ERROR_OUT_OF_MEMORY = -12
-  !> The snapshot is damaged, foreign or newer.
+  !> The bytes are not a snapshot, or are one that is damaged or of a newer release.
   integer(c_int32_t), parameter :: SINS_ERROR_SNAPSHOT = -13
   !> A defect inside the library was caught. This handle returns this status from now on; other handles still work.
   integer(c_int32_t), parameter :: SINS_ERROR_INTERNAL = -99
@@ -188,7 +189,7 @@ module sins
   integer(c_int32_t), parameter :: SINS_SIGNAL_PHYSICAL = 0
   !> As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
   !> free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-  !> trim. If no sensor has errors, the simulator's own navigator is that navigator, and nothing is computed twice.
+  !> trim. If no sensor has errors, the trim costs no second navigator.
   integer(c_int32_t), parameter :: SINS_SIGNAL_CLOSED_LOOP = 1
 
   !> Flags of a sins_error_info.
@@ -216,7 +217,7 @@ module sins
   !> No failure: clears the failure that is set.
   integer(c_int32_t), parameter :: SINS_FAILURE_NONE = 0
   !> The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-  !> its first value. Not flagged, because it looks like data.
+  !> its first value. It is not flagged, because it looks like data.
   integer(c_int32_t), parameter :: SINS_FAILURE_STUCK = 1
   !> No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
   !> altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
@@ -237,9 +238,9 @@ module sins
   !> The INS starts with the true attitude, turned by the given and the drawn misalignment.
   integer(c_int32_t), parameter :: SINS_ALIGNMENT_GIVEN = 0
   !> The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-  !> turned by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal
-  !> force. Then the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN is set if
-  !> north could not be found.
+  !> turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
+  !> no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
+  !> SINS_NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
   integer(c_int32_t), parameter :: SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
 
   !> Flags of a sins_flight_sample.
@@ -262,8 +263,8 @@ module sins
   !> Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
   !> every 569 s.
   integer(c_int32_t), parameter :: SINS_NAVIGATION_VERTICAL_UNAIDED = 2
-  !> Of the truth: the displacement since the previous sample differs from the one that the velocities give by more than the
-  !> root sum of squares of 1 % and 1 cm.
+  !> A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
+  !> the root sum of squares of 1 % and 1 cm.
   integer(c_int32_t), parameter :: SINS_NAVIGATION_INCONSISTENT = 4
   !> The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
   !> force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
@@ -274,9 +275,9 @@ module sins
 
   !> Flags of a sins_imu.
   integer, parameter :: sins_imu_flags = c_int32_t
-  !> The mean rate of a sub-increment was beyond the range of a gyro.
+  !> The mean rate of a subsample was beyond the range of a gyro.
   integer(c_int32_t), parameter :: SINS_IMU_GYRO_SATURATED = 1
-  !> The mean force of a sub-increment was beyond the range of an accelerometer.
+  !> The mean force of a subsample was beyond the range of an accelerometer.
   integer(c_int32_t), parameter :: SINS_IMU_ACCEL_SATURATED = 2
   !> A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
   integer(c_int32_t), parameter :: SINS_IMU_GYRO_INVALID = 4
@@ -292,10 +293,10 @@ module sins
 
   !> Flags of a sins_errors.
   integer, parameter :: sins_errors_flags = c_int32_t
-  !> Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
-  !> error have no meaning.
+  !> The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up misalignment, and the east and
+  !> north components of the velocity error have no meaning.
   integer(c_int32_t), parameter :: SINS_ERRORS_NEAR_POLE = 1
-  !> Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+  !> A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
   !> displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
   integer(c_int32_t), parameter :: SINS_ERRORS_OUTSIDE_VALIDITY = 2
   !> In a sins_record: not computed, all zero.
@@ -386,7 +387,7 @@ module sins
   integer, parameter :: sins_budget_flags = c_int32_t
   !> The row's figures are standard deviations (1 sigma), exact to first order.
   integer(c_int32_t), parameter :: SINS_BUDGET_RANDOM = 1
-  !> The effect can be left out together with the others that are marked so.
+  !> The effect can be left out, together with all others that have this flag.
   integer(c_int32_t), parameter :: SINS_BUDGET_CAN_BE_LEFT_OUT = 2
 
   integer(c_int32_t), parameter :: SINS_SIZEOF_OPTIONS = 104
@@ -433,7 +434,7 @@ module sins
     integer(c_int32_t) :: frame = 0_c_int32_t
     !> Algorithm of the mechanization, of enum sins_scheme.
     integer(c_int32_t) :: scheme = 0_c_int32_t
-    !> Sub-increments of a mechanization update, 1 to 5; 0: 2.
+    !> Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2.
     integer(c_int32_t) :: subsamples = 0_c_int32_t
     !> Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     integer(c_int32_t) :: updates_per_sample = 0_c_int32_t
@@ -457,17 +458,17 @@ module sins
     !> another signal.
     real(c_double) :: closed_loop_time_s = 0.0_c_double
     !> Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
-    !> sample is at an exact multiple of the period from the first. The time stamps then only order the samples and check
-    !> them: each must be within 0.4 of a period of its multiple.
+    !> sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
+    !> samples: each must be within 0.4 of a period of its multiple.
     real(c_double) :: sample_period_s = 0.0_c_double
-    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest.
-    !> Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
+    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
+    !> of 100 s cause 40 m of position error in 12 h, longer ones many times that.
     real(c_double) :: max_gap_s = 0.0_c_double
     !> Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped.
     real(c_double) :: max_acceleration_m_s2 = 0.0_c_double
     !> Summary of the true motion, of enum sins_summary.
     integer(c_int32_t) :: truth_summary = 0_c_int32_t
-    !> Of enum sins_covariance_mode.
+    !> Covariance of the navigation errors, of enum sins_covariance_mode.
     integer(c_int32_t) :: covariance = 0_c_int32_t
   end type sins_options
 
@@ -539,15 +540,15 @@ module sins
   !> Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
   !> triad. Signal: the angular rate. Densities do not depend on the sample rate.
   !>
-  !> Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale factor,
-  !> misalignment, asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and temperature; then biases and
-  !> noise; then dead zone, range, quantization.
+  !> Effects act in this order, along the path of the signal: bandwidth; then errors that depend on the signal (scale factor,
+  !> misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
+  !> biases and noise; then dead zone, range, quantization.
   !>
   !> Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
-  !> sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration.
-  !> With x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1 - (sin x / x)^2. Asymmetry loses up
-  !> to 1 - cos x, if the vibration changes the sign of the signal. At a tenth of the sample rate these are 0.8 % and 1.2 % with two
-  !> sub-increments per interval, 3.3 % and 4.9 % with one.
+  !> subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
+  !> frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share 1 - (sin x / x)^2. Asymmetry is too
+  !> small by up to 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these shares are
+  !> 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9 % with one.
   type, bind(C) :: sins_gyro_params
     !> sizeof(sins_gyro_params)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_GYRO_PARAMS
@@ -563,11 +564,11 @@ module sins
     !> Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
     real(c_double) :: markov_time_s(3) = 0.0_c_double
     !> White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-    !> density of the noise [unit of the signal / sqrt(Hz)].
+    !> density of the noise, in the unit of the signal per sqrt(Hz).
     real(c_double) :: random_walk_rad_sqrt_s(3) = 0.0_c_double
     !> Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
     real(c_double) :: rate_random_walk_rad_s_sqrt_s(3) = 0.0_c_double
-    !> Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is set.
+    !> Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
     real(c_double) :: rate_ramp_rad_s2(3) = 0.0_c_double
     !> Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
     !> Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -577,54 +578,58 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+    !> of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
-    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1.
+    !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+    !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s_rad(3) = 0.0_c_double
     !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
     !> Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
     !> misalignment_rad. The diagonal is 0.
     real(c_double) :: misalignment_sigma_rad(3, 3) = 0.0_c_double
-    !> Drift by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)], -1 to 1.
-    !> The error of a gyro is the sum over the three axes of its row times the true specific force along them.
+    !> Drift caused by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)],
+    !> -1 to 1. The error of a gyro is the sum over the three axes of its row times the true specific force along
+    !> them.
     real(c_double) :: g_sensitivity_rad_s_per_m_s2(3, 3) = 0.0_c_double
-    !> Drift by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+    !> Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
     !> -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
     !> specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
-    !> sense about the axis, whatever the sign of the force. The mean force of a sub-increment is squared, as with
+    !> sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
     !> nonlinearity.
     real(c_double) :: g2_sensitivity_rad_s_per_m2_s4(3) = 0.0_c_double
     !> Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-    !> sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
-    !> temperature, and sins_push_imu() is not available.
+    !> sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
+    !> needs a temperature, and sins_push_imu() is not available.
     real(c_double) :: reference_temperature_c = 0.0_c_double
-    !> Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T.
+    !> Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this coefficient times T.
     real(c_double) :: bias_temperature_rad_s_per_k(3) = 0.0_c_double
-    !> Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times T2.
+    !> Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this coefficient times T squared.
     real(c_double) :: bias_temperature2_rad_s_per_k2(3) = 0.0_c_double
-    !> Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
+    !> Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T.
     real(c_double) :: scale_factor_temperature_per_k(3) = 0.0_c_double
-    !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
+    !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
+    !> squared.
     real(c_double) :: scale_factor_temperature2_per_k2(3) = 0.0_c_double
-    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
-    !> the first interval.
+    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
+    !> without a transient at the first interval.
     real(c_double) :: bandwidth_hz(3) = 0.0_c_double
     !> Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
     real(c_double) :: dead_zone_rad_s(3) = 0.0_c_double
     !> Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
     real(c_double) :: range_rad_s(3) = 0.0_c_double
-    !> Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
-    !> pulse/sqrt(12).
+    !> Pulse of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
+    !> quantization noise Q is pulse/sqrt(12).
     real(c_double) :: quantization_rad(3) = 0.0_c_double
   end type sins_gyro_params
 
   !> Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
   !> an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
   !>
-  !> Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far (scale
-  !> factor, misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and noise; then dead
-  !> zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a sub-increment.
+  !> Effects act in this order, along the path of the signal: size effect, bandwidth; then errors that depend on the signal (scale
+  !> factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then biases and noise; then dead
+  !> zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a subsample.
   type, bind(C) :: sins_accel_params
     !> sizeof(sins_accel_params)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_ACCEL_PARAMS
@@ -640,11 +645,11 @@ module sins
     !> Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
     real(c_double) :: markov_time_s(3) = 0.0_c_double
     !> White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-    !> spectral density of the noise [unit of the signal / sqrt(Hz)].
+    !> spectral density of the noise, in the unit of the signal per sqrt(Hz).
     real(c_double) :: velocity_random_walk_m_s_sqrt_s(3) = 0.0_c_double
     !> Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
     real(c_double) :: acceleration_random_walk_m_s2_sqrt_s(3) = 0.0_c_double
-    !> Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set.
+    !> Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
     real(c_double) :: ramp_m_s3(3) = 0.0_c_double
     !> Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
     !> the Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -654,47 +659,52 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1.
+    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
+    !> of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
-    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+    !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+    !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s2_m(3) = 0.0_c_double
     !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
     !> Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
     !> misalignment_rad. The diagonal is 0.
     real(c_double) :: misalignment_sigma_rad(3, 3) = 0.0_c_double
-    !> Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r makes a bias of this times r2.
+    !> Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration with the root mean square r causes a bias
+    !> of this times r squared.
     real(c_double) :: vibration_rectification_s2_m(3) = 0.0_c_double
     !> Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-    !> -100 to 100. The block's own point is where the lever arm of sins_mounting ends. For the start of a flight
-    !> in motion see sins_mounting; the measured velocity never recovers the change of rate in the first interval.
-    !> With sins_push_imu() the angular acceleration follows from the previous increments.
+    !> -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At a start in motion,
+    !> samples do not show the angular acceleration of the first interval (see sins_mounting): the measured velocity
+    !> then lacks lever arm times that change of rate for the rest of the flight. With sins_push_imu() the angular
+    !> acceleration follows from the previous increments.
     real(c_double) :: lever_arm_m(3, 3) = 0.0_c_double
     !> Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-    !> sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a
-    !> temperature, and sins_push_imu() is not available.
+    !> sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
+    !> needs a temperature, and sins_push_imu() is not available.
     real(c_double) :: reference_temperature_c = 0.0_c_double
-    !> Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T.
+    !> Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this coefficient times T.
     real(c_double) :: bias_temperature_m_s2_per_k(3) = 0.0_c_double
-    !> Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times T2.
+    !> Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this coefficient times T squared.
     real(c_double) :: bias_temperature2_m_s2_per_k2(3) = 0.0_c_double
-    !> Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this times T.
+    !> Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T.
     real(c_double) :: scale_factor_temperature_per_k(3) = 0.0_c_double
-    !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this times T2.
+    !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
+    !> squared.
     real(c_double) :: scale_factor_temperature2_per_k2(3) = 0.0_c_double
-    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter is settled at
-    !> the first interval.
+    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
+    !> without a transient at the first interval.
     real(c_double) :: bandwidth_hz(3) = 0.0_c_double
     !> Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
     real(c_double) :: dead_zone_m_s2(3) = 0.0_c_double
     !> Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
     real(c_double) :: range_m_s2(3) = 0.0_c_double
-    !> Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The quantization noise Q is
-    !> pulse/sqrt(12).
+    !> Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
+    !> quantization noise Q is pulse/sqrt(12).
     real(c_double) :: quantization_m_s(3) = 0.0_c_double
   end type sins_accel_params
 
-  !> Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+  !> Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter.
   type, bind(C) :: sins_altimeter_params
     !> sizeof(sins_altimeter_params)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_ALTIMETER_PARAMS
@@ -737,9 +747,9 @@ module sins
     real(c_double) :: probability = 0.0_c_double
   end type sins_failure
 
-  !> Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
-  !> Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
-  !> standard deviations up to 1e5 m and 1e3 m/s.
+  !> Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
+  !> (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
+  !> to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
   type, bind(C) :: sins_initial_errors
     !> sizeof(sins_initial_errors)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_INITIAL_ERRORS
@@ -749,8 +759,9 @@ module sins
     real(c_double) :: position_enu_m(3) = 0.0_c_double
     !> Velocity error [m/s].
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
-    !> east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+    !> Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
+    !> axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
+    !> the alignment finds.
     real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
     !> Standard deviation of position [m].
     real(c_double) :: position_sigma_enu_m(3) = 0.0_c_double
@@ -797,10 +808,10 @@ module sins
     real(c_double) :: boresight_error_rad(3) = 0.0_c_double
   end type sins_mounting
 
-  !> True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
-  !> gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
-  !> first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At
-  !> rest it does not change. All zero is normal gravity.
+  !> True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+  !> disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
+  !> part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
+  !> ground. At rest it does not change. All zero is normal gravity.
   !>
   !> Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
   !> accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
@@ -869,8 +880,8 @@ module sins
     real(c_double) :: height_m = 0.0_c_double
     !> Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-    !> error model it is of first order: computed C = (I - [phi x]) C.
+    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+    !> to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
     real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
     !> Error of roll, wrapped to -pi to pi [rad].
     real(c_double) :: roll_rad = 0.0_c_double
@@ -979,8 +990,8 @@ module sins
     real(c_double) :: height_m = 0.0_c_double
     !> Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-    !> error model it is of first order: computed C = (I - [phi x]) C.
+    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+    !> to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
     real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
     !> Error of roll, wrapped to -pi to pi [rad].
     real(c_double) :: roll_rad = 0.0_c_double
@@ -1006,7 +1017,7 @@ module sins
     real(c_double) :: time_s = 0.0_c_double
     !> Time since the start [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates would be initial errors
+    !> Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
     !> divided by a very short time [s].
     real(c_double) :: window_start_s = 0.0_c_double
     !> Samples in the window of the radial error rates. While there are none, the rates are 0.
@@ -1027,32 +1038,32 @@ module sins
     !> Velocity closure: navigation minus truth now [m/s].
     real(c_double) :: closure_velocity_enu_m_s(3) = 0.0_c_double
     !> Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
-    !> the Schuler-tuned response to displacement by velocity less displacement by position; up is 0. The rest of the
-    !> closure is caused by the simulator and the sensors.
+    !> the Schuler-tuned response to the displacement by velocities less the displacement by positions; up is 0. The rest of
+    !> the closure is caused by the simulator and the sensors.
     real(c_double) :: host_position_enu_m(3) = 0.0_c_double
     !> Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s].
     real(c_double) :: host_velocity_enu_m_s(3) = 0.0_c_double
     !> Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
     real(c_double) :: inconsistency_enu_m(3) = 0.0_c_double
-    !> The largest such difference in one interval [m].
+    !> Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
+    !> [m].
     real(c_double) :: inconsistency_max_m = 0.0_c_double
     !> Samples flagged SINS_NAVIGATION_INCONSISTENT.
     integer(c_int64_t) :: inconsistent_samples = 0_c_int64_t
     !> Intervals flown since the start or the last reposition: one less than the samples.
     integer(c_int64_t) :: intervals = 0_c_int64_t
-    !> The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its time constants: the error
-    !> of signal generator and mechanization themselves; 0 with physical signals [rad/s].
+    !> Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of its time constants after the
+    !> start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
     real(c_double) :: trim_rate_max_rad_s = 0.0_c_double
-    !> The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
+    !> Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     real(c_double) :: trim_force_max_m_s2 = 0.0_c_double
   end type sins_accuracy
 
   !> Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give any
-  !> sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations
-  !> and forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was
-  !> found.
+  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
+  !> sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
+  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
+  !> forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
   type, bind(C) :: sins_truth_summary
     !> sizeof(sins_truth_summary)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_TRUTH_SUMMARY
@@ -1122,22 +1133,25 @@ module sins
   !> Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
   !> are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
   !>
-  !> The covariance is propagated along the truth with the linear error equations (error data 1). Both frames use the equations in
-  !> Earth-fixed axes; the result is the same. It is the covariance about the mean error of all runs. The random numbers of this run
-  !> do not enter it. It contains: random initial errors; the misalignment that an alignment makes of sensor errors; turn-on biases,
-  !> scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the
-  !> altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not contain: given errors
-  !> and failures, which change the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of
-  !> flight. A parameter that is set in flight counts from the start of its second. A second with at least one height of the
-  !> altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
+  !> The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
+  !> sins_options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the mean
+  !> error of all runs. It does not depend on the random numbers of this run.
+  !> It contains: random initial errors; the misalignment that the alignment at the start derives from sensor errors; turn-on
+  !> biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
+  !> gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
+  !> It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
+  !> One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
+  !> current second. A second with at least one height of the altimeter counts as aided
+  !> throughout, so drop-outs shorter than a second do not show.
   type, bind(C) :: sins_covariance
     !> sizeof(sins_covariance)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_COVARIANCE
-    !> Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is.
+    !> Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
+    !> deviation exceeds the limits of that flag.
     integer(c_int32_t) :: flags = 0_c_int32_t
     !> Time [s].
     real(c_double) :: time_s = 0.0_c_double
-    !> Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    !> Covariance, 9 by 9, row by row. It is symmetric, and rounding cannot make a variance negative.
     real(c_double) :: covariance(9, 9) = 0.0_c_double
     !> Standard deviation of the position error [m].
     real(c_double) :: position_sigma_enu_m(3) = 0.0_c_double
@@ -1147,14 +1161,14 @@ module sins
     real(c_double) :: misalignment_sigma_enu_rad(3) = 0.0_c_double
     !> Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
     real(c_double) :: ellipse_major_m = 0.0_c_double
-    !> Semi-minor axis [m].
+    !> Semi-minor axis of that ellipse [m].
     real(c_double) :: ellipse_minor_m = 0.0_c_double
     !> Azimuth of the major axis, from north to the east, 0 up to pi [rad].
     real(c_double) :: ellipse_azimuth_rad = 0.0_c_double
-    !> Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
-    !> this ellipse with the mean 0 [m].
+    !> Radius of the circle that contains the horizontal error with a probability of 50 % [m]. The error has the normal
+    !> distribution of this ellipse, with the mean 0.
     real(c_double) :: cep50_m = 0.0_c_double
-    !> The same of 95 % [m].
+    !> Radius of the circle that contains the horizontal error with a probability of 95 % [m].
     real(c_double) :: radial_95_m = 0.0_c_double
   end type sins_covariance
 
@@ -1180,26 +1194,26 @@ module sins
 
   !> Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the same bits
   !> however they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without pointers: send it,
-  !> store it, compare its bytes. Its numbers have the byte order of the machine. A struct that is all zero but for struct_size has
-  !> no run. sins_statistics_figures() computes means, covariances and radii.
+  !> store it, compare its bytes. Its numbers have the byte order of the machine. A struct that is zero except for struct_size holds
+  !> no runs. sins_statistics_figures() computes means, covariances and radii.
   !>
   !> The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment about east,
   !> north, up, as in sins_errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24 um), 2^-29 m/s (1.9
   !> nm/s), 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262 km/s) and 4 rad, which are 2^47
-  !> resolutions; the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs: their sums
+  !> resolutions; the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs, so the sums
   !> cannot overflow. Integers of 128 bits are two words, the low one first, in two's complement.
   type, bind(C) :: sins_statistics
     !> sizeof(sins_statistics)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_STATISTICS
-    !> Version of what follows: 1; 0 while there is no run.
+    !> Version of the layout of the fields below: 1; 0 while there is no run.
     integer(c_int32_t) :: layout = 0_c_int32_t
-    !> Runs, those that were left out of the sums too.
+    !> Number of runs, including those that are left out of the sums.
     integer(c_int64_t) :: runs = 0_c_int64_t
-    !> Runs that have diverged, left out of the sums.
+    !> Number of runs that have diverged. They are left out of the sums.
     integer(c_int64_t) :: diverged = 0_c_int64_t
-    !> Runs with a state or a horizontal radial position error outside its range, left out of the sums.
+    !> Number of runs with a state or a horizontal radial position error outside its range. They are left out of the sums.
     integer(c_int64_t) :: out_of_range = 0_c_int64_t
-    !> Runs within the sums whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY.
+    !> Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are in the sums.
     integer(c_int64_t) :: outside_validity = 0_c_int64_t
     !> Largest horizontal radial position error, rounded down [2^-22 m].
     integer(c_int64_t) :: largest_radial = 0_c_int64_t
@@ -1207,8 +1221,9 @@ module sins
     integer(c_int64_t) :: sums(18) = 0_c_int64_t
     !> Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row by row.
     integer(c_int64_t) :: products(90) = 0_c_int64_t
-    !> Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i + k, for i from 0 to 34 and k
-    !> from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+    !> Numbers of runs by their horizontal radial position error. Element 0 counts those below 2^-10 m (1 mm). Element 1 +
+    !> 100 i + k, with i from 0 to 34 and k from 0 to 99, counts those from 2^(i-10) (1 + k/100) m up to 2^(i-10) (1 +
+    !> (k+1)/100) m.
     integer(c_int32_t) :: histogram(3501) = 0_c_int32_t
     !> 0
     integer(c_int32_t) :: reserved = 0_c_int32_t
@@ -1220,13 +1235,13 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_FIGURES
     !> 0
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Runs, those that were left out too.
+    !> Number of runs, including those that are left out of the other figures.
     integer(c_int64_t) :: runs = 0_c_int64_t
-    !> Runs that have diverged, left out.
+    !> Number of runs that have diverged. They are left out.
     integer(c_int64_t) :: diverged = 0_c_int64_t
-    !> Runs with an error outside its range, left out.
+    !> Number of runs with an error outside its range. They are left out.
     integer(c_int64_t) :: out_of_range = 0_c_int64_t
-    !> Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out.
+    !> Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are not left out.
     integer(c_int64_t) :: outside_validity = 0_c_int64_t
     !> Mean position error [m].
     real(c_double) :: mean_position_enu_m(3) = 0.0_c_double
@@ -1246,15 +1261,15 @@ module sins
     real(c_double) :: rms_velocity_enu_m_s(3) = 0.0_c_double
     !> Root mean square of the misalignment [rad].
     real(c_double) :: rms_misalignment_enu_rad(3) = 0.0_c_double
-    !> Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is that of the states i
-    !> and j, in m, m/s and rad.
+    !> Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is the
+    !> covariance of the states i and j, in m, m/s and rad.
     real(c_double) :: covariance(9, 9) = 0.0_c_double
     !> Root mean square of the horizontal radial position error [m].
     real(c_double) :: rms_radial_m = 0.0_c_double
-    !> Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank, read from the histogram
-    !> to 0.5 % of itself, below 1 mm to 0.5 mm.
+    !> Horizontal radius that contains the positions of half of the runs [m]. It is read from the histogram, to 0.5 % of its
+    !> value, or to 0.5 mm if it is below 1 mm.
     real(c_double) :: cep50_m = 0.0_c_double
-    !> Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m.
+    !> Horizontal radius that contains the positions of 95 % of the runs [m]. It is read from the histogram as cep50_m is.
     real(c_double) :: r95_m = 0.0_c_double
     !> Largest horizontal radial position error [m].
     real(c_double) :: largest_radial_m = 0.0_c_double
@@ -1307,7 +1322,7 @@ module sins
     real(c_double) :: height_change_m = 0.0_c_double
     !> Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
     real(c_double) :: heading_change_rad = 0.0_c_double
-    !> Bank of a turn, 1e-3 to 1.5 [rad].
+    !> Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
     real(c_double) :: bank_rad = 0.0_c_double
     !> Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     real(c_double) :: turns = 0.0_c_double
@@ -1419,7 +1434,8 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_REQUIREMENT
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length of the piece.
+    !> Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
+    !> sins_recommend(): that length.
     real(c_double) :: duration_s = 0.0_c_double
     !> Limit of the distance from the exact solution on the same signals [m]; 0: none.
     real(c_double) :: position_m = 0.0_c_double
@@ -1451,16 +1467,16 @@ module sins
     real(c_double) :: reference_velocity_m_s = 0.0_c_double
     !> Part of attitude_rad that is the uncertainty of the reference [rad].
     real(c_double) :: reference_attitude_rad = 0.0_c_double
-    !> Predicted error times margin divided by its limit, the largest of the three. The requirement is met up to 1. A limit
-    !> below 1e-100 counts as 1e-100.
+    !> Predicted error times margin divided by its limit, the largest of the three. The requirement is met if this is at most
+    !> 1. A limit below 1e-100 counts as 1e-100.
     real(c_double) :: share = 0.0_c_double
-    !> Instructions of the part of a step that depends on the algorithm, the same on every machine. The algorithms are
-    !> ordered by this figure.
+    !> Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
+    !> machine. The algorithms are ordered by this figure.
     real(c_double) :: instructions_per_step = 0.0_c_double
     !> Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
     !> mounting, and ideal sensors [ns].
     real(c_double) :: ns_per_step = 0.0_c_double
-    !> Algorithms that were tried, including the recommended one.
+    !> Number of algorithms that were tried, including the recommended one.
     integer(c_int64_t) :: tried = 0_c_int64_t
   end type sins_cost
 
@@ -1470,9 +1486,9 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET_REQUEST
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Runs of all together, if anything is random, 8 to 1000; 0: 16.
+    !> Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
     integer(c_int64_t) :: runs = 0_c_int64_t
-    !> Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+    !> Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
     !> 0: none.
     real(c_double) :: position_m = 0.0_c_double
     !> Limit of the change of the velocity error, likewise [m/s]; 0: none.
@@ -1481,8 +1497,8 @@ module sins
     real(c_double) :: attitude_rad = 0.0_c_double
   end type sins_budget_request
 
-  !> An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and the
-  !> samples, with nothing set.
+  !> An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and of the
+  !> samples, with no effect set.
   type, bind(C) :: sins_budget_row
     !> sizeof(sins_budget_row)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_BUDGET_ROW
@@ -1493,23 +1509,23 @@ module sins
     !> The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
     !> out. Empty in the first row.
     character(kind=c_char) :: field(48) = c_null_char
-    !> Length of the contribution to the position error, the largest in the scene [m].
+    !> Length of the contribution to the position error, the largest in the flight [m].
     real(c_double) :: position_m = 0.0_c_double
-    !> Length of the contribution to the velocity error, the largest in the scene [m/s].
+    !> Length of the contribution to the velocity error, the largest in the flight [m/s].
     real(c_double) :: velocity_m_s = 0.0_c_double
-    !> Length of the contribution to the misalignment, the largest in the scene [rad].
+    !> Length of the contribution to the misalignment, the largest in the flight [rad].
     real(c_double) :: attitude_rad = 0.0_c_double
-    !> Length of the contribution to the position error at the end of the scene [m].
+    !> Length of the contribution to the position error at the end of the flight [m].
     real(c_double) :: end_position_m = 0.0_c_double
-    !> Length of the contribution to the velocity error at the end of the scene [m/s].
+    !> Length of the contribution to the velocity error at the end of the flight [m/s].
     real(c_double) :: end_velocity_m_s = 0.0_c_double
-    !> Length of the contribution to the misalignment at the end of the scene [rad].
+    !> Length of the contribution to the misalignment at the end of the flight [rad].
     real(c_double) :: end_attitude_rad = 0.0_c_double
     !> The contribution divided by its limit, the largest of the three; 0 without limits.
     real(c_double) :: share = 0.0_c_double
-    !> Time of a step with all effects, less that of a step without this one; in the first row, time of a step with nothing
-    !> set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may
-    !> be negative.
+    !> Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
+    !> set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
+    !> negative.
     real(c_double) :: ns_per_step = 0.0_c_double
   end type sins_budget_row
 
@@ -1521,16 +1537,16 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Duration of the evaluation: from the end of the first interval to the end of the last [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Runs of all together; 1 if nothing is random.
+    !> Number of runs with all effects together; 1 if nothing is random.
     integer(c_int64_t) :: runs = 0_c_int64_t
-    !> Flights that were flown.
+    !> Number of flights that the call made.
     integer(c_int64_t) :: flights = 0_c_int64_t
-    !> Lower end of the 95 % interval of the root mean square of the random part of all together, as a factor to that of
-    !> these runs; 1 if nothing is random.
+    !> Lower end of the 95 % confidence interval of the root mean square of the random errors with all effects together,
+    !> divided by the root mean square over these runs; 1 if nothing is random.
     real(c_double) :: sigma_low = 0.0_c_double
-    !> Upper end of that interval, likewise.
+    !> Upper end of that interval, divided likewise; 1 if nothing is random.
     real(c_double) :: sigma_high = 0.0_c_double
-    !> Position error with all effects together, root mean square over the runs, the largest in the scene [m].
+    !> Position error with all effects together, root mean square over the runs, the largest in the flight [m].
     real(c_double) :: position_m = 0.0_c_double
     !> Velocity error with all effects together, likewise [m/s].
     real(c_double) :: velocity_m_s = 0.0_c_double
@@ -1542,11 +1558,11 @@ module sins
     real(c_double) :: remainder_velocity_m_s = 0.0_c_double
     !> Part of the misalignment that the sum of all rows does not explain [rad].
     real(c_double) :: remainder_attitude_rad = 0.0_c_double
-    !> Change of the position error when the marked rows are left out, as flown [m].
+    !> Change of the position error without the marked effects, by flights of all runs without them [m].
     real(c_double) :: left_out_position_m = 0.0_c_double
-    !> Change of the velocity error when the marked rows are left out, as flown [m/s].
+    !> Change of the velocity error without the marked effects, likewise [m/s].
     real(c_double) :: left_out_velocity_m_s = 0.0_c_double
-    !> Change of the misalignment when the marked rows are left out, as flown [rad].
+    !> Change of the misalignment without the marked effects, likewise [rad].
     real(c_double) :: left_out_attitude_rad = 0.0_c_double
     !> Time of a step with all effects, measured in this call on this machine [ns].
     real(c_double) :: ns_per_step = 0.0_c_double
@@ -1604,7 +1620,7 @@ module sins
       integer(sins_status) :: sins_get_options
     end function sins_get_options
 
-    !> Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
+    !> Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
     !> SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
@@ -1612,9 +1628,9 @@ module sins
     !> SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
     !> before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
     !> on, call sins_move_time() before this push; a push cannot be undone.
-    !> SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
-    !> samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
-    !> (for a jump).
+    !> SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
+    !> sample. Later samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or
+    !> sins_reposition() (for a jump).
     !> SINS_ERROR_QUEUE_FULL: step first.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     function sins_push_sample(sim, sample) bind(C, name="sins_push_sample")
@@ -1630,8 +1646,8 @@ module sins
     !>
     !> SINS_NEED_SAMPLE: no complete interval is waiting.
     !> SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-    !> 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
-    !> navigator.
+    !> 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+    !> navigator of SINS_SIGNAL_CLOSED_LOOP.
     !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
@@ -1733,8 +1749,8 @@ module sins
       integer(sins_status) :: sins_last_error
     end function sins_last_error
 
-    !> Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
-    !> of which sins_last_error() gives the sentence.
+    !> Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
+    !> sins_last_error() gives the sentence.
     function sins_last_error_info(sim, info) bind(C, name="sins_last_error_info")
       import
       type(c_ptr), value :: sim
@@ -1782,8 +1798,8 @@ module sins
       integer(sins_status) :: sins_get_accel
     end function sins_get_accel
 
-    !> Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
-    !> on.
+    !> Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+    !> interval on.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     function sins_set_altimeter(sim, params) bind(C, name="sins_set_altimeter")
@@ -1807,9 +1823,9 @@ module sins
     !>
     !> sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
     !> zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-    !> Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
-    !> not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
-    !> begins anew with working sensors; failures that are set again at the same intervals give the same bits.
+    !> Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
+    !> data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+    !> so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
     !> solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -1855,8 +1871,8 @@ module sins
       integer(sins_status) :: sins_get_initial_errors
     end function sins_get_initial_errors
 
-    !> Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
-    !> mounting does not affect a navigator on increments: its solution is that of the block.
+    !> Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+    !> reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_BAD_STATE: steps have been made.
@@ -1909,10 +1925,10 @@ module sins
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
-    !> Any error of sins_push_sample() or sins_step() stops the run at the
-    !> sample that it concerns, which sins_last_error() names: the samples before it were flown, this one and the rest were
-    !> not; sins_accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the queue,
-    !> as after sins_step(); sins_reposition() and sins_reset() empty the queue.
+    !> Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
+    !> names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+    !> intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
+    !> sins_reset() empty the queue.
     function sins_run(sim, samples, count, every, records, capacity, written) bind(C, name="sins_run")
       import
       type(c_ptr), value :: sim
@@ -1997,8 +2013,7 @@ module sins
       integer(sins_status) :: sins_get_truth_summary
     end function sins_get_truth_summary
 
-    !> Reads the covariance of the navigation errors at the last sample that was flown to; before the first step, at the start. The
-    !> call changes no other output.
+    !> Reads the covariance of the navigation errors at the end of the last interval; before the first step, that of the start.
     !>
     !> SINS_NEED_SAMPLE: no sample yet.
     !> SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
@@ -2043,7 +2058,7 @@ module sins
     !> advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
     !> updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
     !>
-    !> SINS_ERROR_BAD_STATE: sins_start_navigation() first.
+    !> SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
     !> SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
     !> readable, and sins_reset() and sins_start_navigation() start anew.
@@ -2057,7 +2072,7 @@ module sins
     !> Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
     !> waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
     !> altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
-    !> bytes.
+    !> bytes, and sins_options.covariance up to 9.2 KiB.
     function sins_snapshot_size(sim, size) bind(C, name="sins_snapshot_size")
       import
       type(c_ptr), value :: sim
@@ -2099,17 +2114,16 @@ module sins
       integer(sins_status) :: sins_snapshot_load
     end function sins_snapshot_load
 
-    !> Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options, sensors,
-    !> initial errors, mounting, gravity and failures, which has taken no sample. The call copies it, and does not change it. The
-    !> run with number k gives the same bits as a simulator with the same settings and sins_options.run = k. sins_options.run,
-    !> truth_summary and covariance of configured have no effect.
+    !> Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
+    !> sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not change
+    !> it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins_options.run = k. In the
+    !> options of configured, run, truth_summary and covariance have no effect.
     !>
-    !> What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
-    !> and machines, and their statistics merged. The library starts no thread.
+    !> No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
+    !> statistics can be merged. The library starts no thread.
     !>
-    !> Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set: geographic
-    !> axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
-    !> is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+    !> All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+    !> of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
     !>
     !> After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
     !>
@@ -2125,7 +2139,7 @@ module sins
       integer(sins_status) :: sins_ensemble_create
     end function sins_ensemble_create
 
-    !> Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+    !> Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
     !>
     !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
     function sins_ensemble_destroy(ensemble) bind(C, name="sins_ensemble_destroy")
@@ -2134,7 +2148,7 @@ module sins
       integer(sins_status) :: sins_ensemble_destroy
     end function sins_ensemble_destroy
 
-    !> Takes one flight-control sample into the queue (16 samples) of all runs.
+    !> Puts one flight sample into the queue (16 samples) of all runs.
     !>
     !> SINS_GAP and the errors: as sins_push_sample().
     function sins_ensemble_push_sample(ensemble, sample) bind(C, name="sins_ensemble_push_sample")
@@ -2146,25 +2160,26 @@ module sins
 
     !> Flies one sample interval with all runs that have not diverged. No allocation, no system call.
     !>
-    !> A run that cannot make the step, for which sins_step() would answer SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR, has diverged:
-    !> it keeps its solution before the step, takes no further part, and is reported by sins_ensemble_get_diverged() and counted by
-    !> sins_ensemble_get_statistics(). The others go on, and so does the truth, even if no run is left. sins_ensemble_reposition()
-    !> and sins_ensemble_reset() start all runs again.
+    !> A run has diverged if sins_step() would return SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR for it. A diverged run keeps the
+    !> solution before that step, and is not flown any further. sins_ensemble_get_diverged() reports it, and
+    !> sins_ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
+    !> sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
     !>
-    !> SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_SINGULAR: the truth is within reach of a pole, in geographic axes or
-    !> where the alignment is a gyrocompass; the step is not made.
+    !> SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
+    !> axes or for an alignment by gyrocompass; the step is not made.
     function sins_ensemble_step(ensemble) bind(C, name="sins_ensemble_step")
       import
       type(c_ptr), value :: ensemble
       integer(sins_status) :: sins_ensemble_step
     end function sins_ensemble_step
 
-    !> Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by
-    !> sample. samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+    !> Pushes and steps an array of samples, count of them. Any split of a flight into calls gives the same bits as pushing and
+    !> stepping sample by sample. samples[0].struct_size is the distance between samples; struct_size of the other samples may be
+    !> 0.
     !>
     !> SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
-    !> sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it have
-    !> been flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+    !> sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
+    !> were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the queue.
     function sins_ensemble_run(ensemble, samples, count) bind(C, name="sins_ensemble_run")
       import
       type(c_ptr), value :: ensemble
@@ -2173,8 +2188,8 @@ module sins
       integer(sins_status) :: sins_ensemble_run
     end function sins_ensemble_run
 
-    !> Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
-    !> sins_reposition().
+    !> Restarts all runs, as sins_reposition() does: the truth jumps to the sample, and every run, diverged or not, starts again
+    !> there with its initial errors.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
     function sins_ensemble_reposition(ensemble, sample) bind(C, name="sins_ensemble_reposition")
@@ -2184,18 +2199,17 @@ module sins
       integer(sins_status) :: sins_ensemble_reposition
     end function sins_ensemble_reposition
 
-    !> Back to before the first sample: same parameters, no failures, the same draws again from their start, no run diverged.
+    !> Returns to the state before the first sample, as sins_reset() does: the same parameters, no failures, no diverged run, and
+    !> the random streams at their start.
     function sins_ensemble_reset(ensemble) bind(C, name="sins_ensemble_reset")
       import
       type(c_ptr), value :: ensemble
       integer(sins_status) :: sins_ensemble_reset
     end function sins_ensemble_reset
 
-    !> Lets one output of every run fail, or clears its failure: as sins_set_failure(). The first failure of an ensemble whose runs
-    !> go side by side makes each run a simulator (see sins_ensemble_create()): that call allocates.
+    !> Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-    !> SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
     function sins_ensemble_set_failure(ensemble, sensor, axis, failure) bind(C, name="sins_ensemble_set_failure")
       import
       type(c_ptr), value :: ensemble
@@ -2205,7 +2219,7 @@ module sins
       integer(sins_status) :: sins_ensemble_set_failure
     end function sins_ensemble_set_failure
 
-    !> Reads the numbers of the first run and of the runs; either may be NULL.
+    !> Reads the number of the first run, and how many runs there are; either pointer may be NULL.
     function sins_ensemble_get_runs(ensemble, first_run, runs) bind(C, name="sins_ensemble_get_runs")
       import
       type(c_ptr), value :: ensemble
@@ -2214,7 +2228,7 @@ module sins
       integer(sins_status) :: sins_ensemble_get_runs
     end function sins_ensemble_get_runs
 
-    !> Reads the truth, which all runs share: as sins_get_truth().
+    !> Reads the truth, which all runs share, as sins_get_truth() does.
     !>
     !> SINS_NEED_SAMPLE: no sample yet.
     function sins_ensemble_get_truth(ensemble, truth) bind(C, name="sins_ensemble_get_truth")
@@ -2224,10 +2238,11 @@ module sins
       integer(sins_status) :: sins_ensemble_get_truth
     end function sins_ensemble_get_truth
 
-    !> Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+    !> Reads the navigated solution of a run, as sins_get_navigation() does. run is from first_run to first_run + runs - 1.
     !>
-    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
-    !> sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+    !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged (the
+    !> sentence of sins_last_error() states the time of its last good solution); or as sins_get_navigation().
+    !> SINS_ERROR_SINGULAR: as sins_get_navigation().
     function sins_ensemble_get_navigation(ensemble, run, navigation) bind(C, name="sins_ensemble_get_navigation")
       import
       type(c_ptr), value :: ensemble
@@ -2236,7 +2251,7 @@ module sins
       integer(sins_status) :: sins_ensemble_get_navigation
     end function sins_ensemble_get_navigation
 
-    !> Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+    !> Reads the errors of the navigated solution of a run, as sins_get_errors() does; source is of enum sins_errors_source.
     !>
     !> SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
     !> while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
@@ -2249,7 +2264,7 @@ module sins
       integer(sins_status) :: sins_ensemble_get_errors
     end function sins_ensemble_get_errors
 
-    !> Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+    !> Reads ideal and measured signals of the last interval of a run, as sins_get_imu() does.
     !>
     !> SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
     function sins_ensemble_get_imu(ensemble, run, imu) bind(C, name="sins_ensemble_get_imu")
@@ -2260,9 +2275,10 @@ module sins
       integer(sins_status) :: sins_ensemble_get_imu
     end function sins_ensemble_get_imu
 
-    !> Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+    !> Reads the number of a run that has diverged. The numbers are in ascending order, from index 0; sins_statistics.diverged is
+    !> their count.
     !>
-    !> SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+    !> SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
     function sins_ensemble_get_diverged(ensemble, index, run) bind(C, name="sins_ensemble_get_diverged")
       import
       type(c_ptr), value :: ensemble
@@ -2285,12 +2301,12 @@ module sins
       integer(sins_status) :: sins_ensemble_get_statistics
     end function sins_ensemble_get_statistics
 
-    !> Adds the runs of other to those of into. No run may be in both. The sums are exact: any order and any grouping of merges
-    !> gives the same bits, so the work can be split over threads, processes, machines and restarts in any way. If into is all zero
-    !> except for struct_size, it has no run.
+    !> Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any order and
+    !> any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any
+    !> way. An into that is zero except for struct_size holds no runs.
     !>
-    !> SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs.
-    !> into is unchanged.
+    !> SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
+    !> runs. into is then unchanged.
     function sins_statistics_merge(into, other) bind(C, name="sins_statistics_merge")
       import
       type(sins_statistics), intent(inout) :: into
@@ -2308,7 +2324,7 @@ module sins
       integer(sins_status) :: sins_statistics_figures
     end function sins_statistics_figures
 
-    !> The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator.
+    !> Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator.
     function sins_ensemble_snapshot_size(ensemble, size) bind(C, name="sins_ensemble_snapshot_size")
       import
       type(c_ptr), value :: ensemble
@@ -2316,10 +2332,10 @@ module sins
       integer(sins_status) :: sins_ensemble_snapshot_size
     end function sins_ensemble_snapshot_size
 
-    !> Saves the whole ensemble, at any moment: as sins_snapshot_save(). written (may be NULL) gets the size. The same state gives
-    !> the same bytes. No allocation, no system call.
+    !> Saves the whole ensemble, at any moment, as sins_snapshot_save() does for a simulator. written (may be NULL) gets the
+    !> size. The same state gives the same bytes. No allocation, no system call.
     !>
-    !> SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are as they were.
+    !> SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are unchanged.
     function sins_ensemble_snapshot_save(ensemble, buffer, capacity, written) bind(C, name="sins_ensemble_snapshot_save")
       import
       type(c_ptr), value :: ensemble
@@ -2329,12 +2345,13 @@ module sins
       integer(sins_status) :: sins_ensemble_snapshot_save
     end function sins_ensemble_snapshot_save
 
-    !> Replaces the ensemble by the saved one, with its runs and options. It does not matter what the ensemble was before: one of
-    !> any simulator with one run is enough. It continues to the same bits as the saved one. size is what
-    !> sins_ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
+    !> Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator is
+    !> enough. It continues to the same bits as the saved one. size is the size that sins_ensemble_snapshot_save() wrote. Not for
+    !> a real-time frame: it allocates.
     !>
-    !> SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed,
-    !> and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.
+    !> SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
+    !> has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
+    !> ensemble.
     function sins_ensemble_snapshot_load(ensemble, snapshot, size) bind(C, name="sins_ensemble_snapshot_load")
       import
       type(c_ptr), value :: ensemble
@@ -2420,9 +2437,9 @@ module sins
     !>
     !> On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
     !> of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-    !> sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If it runs
-    !> out later within the call, because another thread takes it, the process ends. The same holds for sins_log_parse(),
-    !> except for the samples.
+    !> sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
+    !> runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
+    !> that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
     function sins_scene_create(scene) bind(C, name="sins_scene_create")
       import
       type(c_ptr), intent(inout) :: scene
@@ -2503,8 +2520,8 @@ module sins
     end function sins_scene_write_keys
 
     !> Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-    !> sins_scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1 /
-    !> rate.
+    !> sins_scene_prepare() sets the failures at their times. If the flight is not a log, sins_options.sample_period_s of the
+    !> simulator is 1 / rate_hz.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
     !> SINS_ERROR_BAD_STATE: as sins_scene_parse().
@@ -2542,7 +2559,7 @@ module sins
     !> after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
     !> flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
     !>
-    !> SINS_ERROR_BAD_HANDLE: of scene or sim.
+    !> SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
     !> SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
     !> SINS_ERROR_BAD_STATE: as sins_scene_parse().
     function sins_scene_prepare(scene, sim, flight_start_s, sample) bind(C, name="sins_scene_prepare")
@@ -2554,9 +2571,10 @@ module sins
       integer(sins_status) :: sins_scene_prepare
     end function sins_scene_prepare
 
-    !> Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator.
+    !> Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+    !> system call.
     !>
-    !> SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
+    !> SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
     function sins_scene_prepare_ensemble(scene, ensemble, flight_start_s, sample) bind(C, name="sins_scene_prepare_ensemble")
       import
       type(c_ptr), value :: scene
@@ -2864,29 +2882,29 @@ module sins
     !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
     !> cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
     !>
-    !> configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
-    !> the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
-    !> point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready for
-    !> sins_create(). The previous values of these three do not matter.
+    !> configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
+    !> at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
+    !> point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
+    !> sins_create(). The values of these three in configured do not matter.
     !>
     !> Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
     !> reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
-    !> with half as many updates) is added to the error. So the error is that of the algorithm only. Errors of sensors,
-    !> altimeter, start, gravity and believed mounting are left out, because they act on both solutions alike; so are
-    !> contradictions within the host's samples. The signals are without SINS_SIGNAL_CLOSED_LOOP, which would hide the error.
-    !> For a duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. This predicts
-    !> more than the flight will show, as long as the flight continues like the piece. With SINS_VERTICAL_FREE each error
-    !> counts as a height error, which grows e-fold every 569 s.
+    !> with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
+    !> start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
+    !> the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+    !> duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
+    !> continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+    !> as a height error, which grows e-fold every 569 s.
     !>
-    !> The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every day;
-    !> only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
+    !> The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
+    !> ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
     !> nothing meets the requirement.
     !>
     !> SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
     !> closest.
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
-    !> SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+    !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
     !> SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
     !> SINS_ERROR_OUT_OF_MEMORY: no memory.
     !>
@@ -2902,7 +2920,7 @@ module sins
       integer(sins_status) :: sins_recommend
     end function sins_recommend
 
-    !> Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+    !> Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
     !> can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
     !> struct_size of the other samples may be 0, that of the other rows anything.
     !>
@@ -2911,35 +2929,36 @@ module sins
     !> neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
     !> limits. written and budget may be NULL.
     !>
-    !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two things are
-    !> no effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect that causes it.
+    !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
+    !> not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
     !> lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
-    !> (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the
-    !> length of this vector in position, velocity and misalignment: the largest of up to 1000 instants, equally spaced, and
-    !> the one at the last sample. For a random effect it is one standard deviation by the covariance of a flight with
-    !> this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All effects together are flown with
-    !> the random numbers of the runs sins_options.run, run + 1 and so on.
+    !> (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+    !> this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+    !> length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
+    !> with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
+    !> flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
     !>
     !> rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
     !> position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
     !> the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
     !> effects that act on each other, and is of second order in their sizes.
     !>
-    !> With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It collects effects from
-    !> the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of squares of their random
-    !> contributions. The call stops when the root sum of squares of D and R exceeds a limit. Then it flies all runs again without
-    !> these effects. While the change (left_out) exceeds a limit, it puts the largest of them back.
+    !> With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
+    !> effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
+    !> the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
+    !> root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
+    !> change (left_out) exceeds a limit, it puts the largest of them back.
     !>
-    !> The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame:
-    !> it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1, plus one for
-    !> each effect, plus runs for all effects together, plus runs for the random effects if there are any. With limits it is
-    !> runs more, and again more if effects do not add up.
+    !> The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
+    !> allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+    !> for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+    !> these. With limits it flies them once more in each run, and further times if effects do not add up.
     !>
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
     !> (To ask for the number, give NULL for rows and a capacity of 0.)
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
-    !> SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+    !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes or for gyrocompassing.
     !> SINS_ERROR_DIVERGED: a solution diverged.
     !> SINS_ERROR_OUT_OF_MEMORY: no memory.
     !>

@@ -26,8 +26,12 @@ if ! [ -e "$archive" ]; then
     mv "$out/fetched/jsbsim-$version.tar.gz" "$archive" # last: what is here is whole
 fi
 
-# SKBUILD: as the Python package is built, without what the source distribution leaves out.
-cmake -S "$out/source" -B "$out/build" -DSKBUILD=ON -DBUILD_DOCS=OFF -DBUILD_PYTHON_MODULE=OFF -DCMAKE_BUILD_TYPE=Release >"$out/log"
+# It leaves a macro "min" behind, to the files that are compiled with it as one.
+output=$out/source/src/input_output/FGOutputFG.cpp
+grep -qx '#undef min' "$output" || echo '#undef min' >>"$output"
+# SKBUILD: as the Python package is built, without what the source distribution leaves out. Files of a folder as one: half the time.
+cmake -S "$out/source" -B "$out/build" -DSKBUILD=ON -DBUILD_DOCS=OFF -DBUILD_PYTHON_MODULE=OFF -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_UNITY_BUILD=ON >"$out/log"
 cmake --build "$out/build" --target libJSBSim --parallel "$(nproc)" >>"$out/log" 2>&1 || { tail "$out/log"; exit 1; }
 
 if [ -z "${SINS_LIB_DIR:-}" ]; then

@@ -35,11 +35,11 @@ from ctypes import POINTER, c_char, c_double, c_int32, c_int64, c_size_t, c_uint
 # Version of the interface that this header declares: a host compares it with what sins.abi_version() gives. It changes
 # when something is removed or changes its meaning. Additions at the end do not change it.
 HEADER_ABI = 1
-# Release of the library, semantic versioning.
+# Major number of this release of the library, by semantic versioning.
 VERSION_MAJOR = 0
-# See sins.VERSION_MAJOR.
+# Minor number of this release.
 VERSION_MINOR = 1
-# See sins.VERSION_MAJOR.
+# Patch number of this release.
 VERSION_PATCH = 0
 # A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
 # sins.snapshot_size().
@@ -165,14 +165,14 @@ class status_code(enum.IntEnum):
     ERROR_BAD_STATE: A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds
         (see Threads).
     ERROR_TIME_ORDER: A sample that is not later than the one before, or off the stated sample period.
-    ERROR_DISCONTINUITY: The truth jumped: a gap, a teleport, half a turn between two samples. See
-        sins.move_truth().
+    ERROR_DISCONTINUITY: The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude,
+        or a turn of 170 degrees or more between two samples. See sins.move_truth().
     ERROR_QUEUE_FULL: The queue of samples is full: step first.
     ERROR_DIVERGED: The solution diverged: it left its limits. The last good solution stays readable.
     ERROR_SINGULAR: The mechanization in geographic axes came too close to a pole.
     ERROR_BUFFER_TOO_SMALL: A buffer is too small for the result.
     ERROR_OUT_OF_MEMORY: No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
-    ERROR_SNAPSHOT: The snapshot is damaged, foreign or newer.
+    ERROR_SNAPSHOT: The bytes are not a snapshot, or are one that is damaged or of a newer release.
     ERROR_INTERNAL: A defect inside the library was caught. This handle returns this status from now on; other
         handles still work.
     """
@@ -327,8 +327,7 @@ class signal(enum.IntEnum):
         navigation shows the mechanization's own error.
     SIGNAL_CLOSED_LOOP: As sins.SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth
         for any time, even with a free vertical channel. It is for hosts that want the errors of the sensors only.
-        sins.accuracy reports the size of the trim. If no sensor has errors, the simulator's own navigator is that
-        navigator, and nothing is computed twice.
+        sins.accuracy reports the size of the trim. If no sensor has errors, the trim costs no second navigator.
     """
 
     SIGNAL_PHYSICAL = 0
@@ -371,7 +370,7 @@ class failure_kind(enum.IntEnum):
 
     FAILURE_NONE: No failure: clears the failure that is set.
     FAILURE_STUCK: The output stays at its mean over the interval before the failure, as sins.imu reported it;
-        without such an interval, at its first value. Not flagged, because it looks like data.
+        without such an interval, at its first value. It is not flagged, because it looks like data.
     FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as by a
         built-in test. Without the altimeter nothing stabilizes the vertical channel, which is flagged
         sins.NAVIGATION_VERTICAL_UNAIDED.
@@ -401,9 +400,10 @@ class alignment(enum.IntEnum):
 
     ALIGNMENT_GIVEN: The INS starts with the true attitude, turned by the given and the drawn misalignment.
     ALIGNMENT_LEVEL_AND_GYROCOMPASS: The INS starts with the attitude that levelling and gyrocompassing at rest
-        find with the sensor errors of the start, turned by the given and the drawn misalignment. Level first: the
-        tilt at which the accelerometers sense no horizontal force. Then the heading at which the levelled rate of the
-        gyros points north. sins.NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
+        find with the sensor errors of the start, turned by the given and the drawn misalignment. Levelling comes
+        first: it finds the tilt at which the accelerometers sense no horizontal force. Gyrocompassing then finds the
+        heading at which the levelled rate of the gyros points north. sins.NAVIGATION_NORTH_UNKNOWN is set if north
+        could not be found.
     """
 
     ALIGNMENT_GIVEN = 0
@@ -435,8 +435,8 @@ class navigation_flags(enum.IntFlag):
         pole they are undefined. Quaternion, height and the errors in metres stay correct.
     NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, because of the options or because the
         altimeter has no signal: any error grows e-fold every 569 s.
-    NAVIGATION_INCONSISTENT: Of the truth: the displacement since the previous sample differs from the one that
-        the velocities give by more than the root sum of squares of 1 % and 1 cm.
+    NAVIGATION_INCONSISTENT: A flag of the truth: the displacement since the previous sample differs from the one
+        that the velocities give by more than the root sum of squares of 1 % and 1 cm.
     NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so any heading error is possible.
         Either the accelerometers show no force, or the horizontal error of the levelled rates is at least as large as
         the north component of the Earth rate. (If it is smaller, the heading error is below 90 degrees.) The
@@ -454,8 +454,8 @@ class navigation_flags(enum.IntFlag):
 class imu_flags(enum.IntFlag):
     """Flags of a sins.imu.
 
-    IMU_GYRO_SATURATED: The mean rate of a sub-increment was beyond the range of a gyro.
-    IMU_ACCEL_SATURATED: The mean force of a sub-increment was beyond the range of an accelerometer.
+    IMU_GYRO_SATURATED: The mean rate of a subsample was beyond the range of a gyro.
+    IMU_ACCEL_SATURATED: The mean force of a subsample was beyond the range of an accelerometer.
     IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with
         its output of 0.
     IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out.
@@ -483,11 +483,11 @@ class errors_source(enum.IntEnum):
 class errors_flags(enum.IntFlag):
     """Flags of a sins.errors.
 
-    ERRORS_NEAR_POLE: Near a pole: the errors of longitude and heading, the up misalignment, and the east and
-        north components of the velocity error have no meaning.
-    ERRORS_OUTSIDE_VALIDITY: Of the error model: the terms that it neglects are no longer small. The misalignment
-        is above 2 degrees, or the displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to
-        the pole.
+    ERRORS_NEAR_POLE: The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up
+        misalignment, and the east and north components of the velocity error have no meaning.
+    ERRORS_OUTSIDE_VALIDITY: A flag of the error model: the terms that it neglects are no longer small. The
+        misalignment is above 2 degrees, or the displacement is above 100 km, or, at high latitude, above 3.5 % of the
+        distance to the pole.
     ERRORS_NOT_COMPUTED: In a sins.record: not computed, all zero.
     """
 
@@ -613,7 +613,7 @@ class budget_flags(enum.IntFlag):
     """Flags of a sins.budget_row.
 
     BUDGET_RANDOM: The row's figures are standard deviations (1 sigma), exact to first order.
-    BUDGET_CAN_BE_LEFT_OUT: The effect can be left out together with the others that are marked so.
+    BUDGET_CAN_BE_LEFT_OUT: The effect can be left out, together with all others that have this flag.
     """
 
     BUDGET_RANDOM = 1
@@ -648,7 +648,8 @@ class options(_Struct):
 
     frame: Axes of the mechanization, of enum sins.frame.
     scheme: Algorithm of the mechanization, of enum sins.scheme.
-    subsamples: Sub-increments of a mechanization update, 1 to 5; 0: 2.
+    subsamples: Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0:
+        2.
     updates_per_sample: Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see
         "Gaps" above).
     vertical: Vertical channel, of enum sins.vertical.
@@ -662,14 +663,14 @@ class options(_Struct):
     closed_loop_time_s: Time constant of sins.SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0:
         30 s. Must be 0 with another signal.
     sample_period_s: Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a
-        stated period, each sample is at an exact multiple of the period from the first. The time stamps then only
-        order the samples and check them: each must be within 0.4 of a period of its multiple.
+        stated period, each sample is at an exact multiple of the period from the first. The time stamps then serve
+        only to order and to check the samples: each must be within 0.4 of a period of its multiple.
     max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
-        at rest. Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
+        at rest. Intervals of 100 s cause 40 m of position error in 12 h, longer ones many times that.
     max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond
         it the truth has jumped.
     truth_summary: Summary of the true motion, of enum sins.summary.
-    covariance: Of enum sins.covariance_mode.
+    covariance: Covariance of the navigation errors, of enum sins.covariance_mode.
     """
 
     __slots__ = ()
@@ -779,15 +780,16 @@ class gyro_params(_Struct):
     """Errors of the gyros; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by row. All
     zero is an ideal triad. Signal: the angular rate. Densities do not depend on the sample rate.
 
-    Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale
-    factor, misalignment, asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and
+    Effects act in this order, along the path of the signal: bandwidth; then errors that depend on the signal (scale
+    factor, misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on
     temperature; then biases and noise; then dead zone, range, quantization.
 
     Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean
-    signal of a sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
-    effect of a vibration. With x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1
-    - (sin x / x)^2. Asymmetry loses up to 1 - cos x, if the vibration changes the sign of the signal. At a tenth of
-    the sample rate these are 0.8 % and 1.2 % with two sub-increments per interval, 3.3 % and 4.9 % with one.
+    signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
+    effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share
+    1 - (sin x / x)^2. Asymmetry is too small by up to 1 - cos x, if the vibration changes the sign of the signal. If
+    f is a tenth of the sample rate, these shares are 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9
+    % with one.
 
     bias_rad_s[3]: Constant bias, measured less true [rad/s], -100 to 100.
     bias_sigma_rad_s[3]: Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
@@ -796,48 +798,49 @@ class gyro_params(_Struct):
     markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s
         is not 0.
     random_walk_rad_sqrt_s[3]: White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the
-        square root of the spectral density of the noise [unit of the signal / sqrt(Hz)].
+        square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
     rate_random_walk_rad_s_sqrt_s[3]: Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts
         at 0 at the start of a run.
-    rate_ramp_rad_s2[3]: Ramp R: bias that grows with the time [rad/s2], -100 to 100. It starts at 0 when it is
-        set.
+    rate_ramp_rad_s2[3]: Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
     flicker_rad_s[3]: Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
+    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
+        error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s_rad[3]: Scale factor error that grows with the size of the signal [s/rad], -1 to
-        1.
+        1. The error of a signal s is this times s |s|.
     misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
         diagonal is 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
         is added to misalignment_rad. The diagonal is 0.
-    g_sensitivity_rad_s_per_m_s2[9]: Drift by specific force, g-sensitivity: row = gyro, column = axis of the
-        force [(rad/s)/(m/s2)], -1 to 1. The error of a gyro is the sum over the three axes of its row times the true
-        specific force along them.
-    g2_sensitivity_rad_s_per_m2_s4[3]: Drift by the square of the specific force along the gyro's own axis,
+    g_sensitivity_rad_s_per_m_s2[9]: Drift caused by specific force, g-sensitivity: row = gyro, column = axis of
+        the force [(rad/s)/(m/s2)], -1 to 1. The error of a gyro is the sum over the three axes of its row times the
+        true specific force along them.
+    g2_sensitivity_rad_s_per_m2_s4[3]: Drift caused by the square of the specific force along the gyro's own axis,
         g2-sensitivity [(rad/s)/(m/s2)^2], -1 to 1. The rate that gyro i measures is too large by element i times the
         square of component i of the true specific force at the block's own point, in sensor axes: a positive element
         makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of a
-        sub-increment is squared, as with nonlinearity.
+        subsample is squared, as with nonlinearity.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
-        -273.15 to 1000. T is sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0,
-        every sample needs a temperature, and sins.push_imu() is not available.
-    bias_temperature_rad_s_per_k[3]: Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this times T.
-    bias_temperature2_rad_s_per_k2[3]: Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this times
-        T2.
+        -273.15 to 1000. T is sins.flight_sample.temperature_c less this temperature. If one of the coefficients is
+        not 0, every sample needs a temperature, and sins.push_imu() is not available.
+    bias_temperature_rad_s_per_k[3]: Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this coefficient times
+        T.
+    bias_temperature2_rad_s_per_k2[3]: Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this
+        coefficient times T squared.
     scale_factor_temperature_per_k[3]: Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is
-        this times T.
+        this coefficient times T.
     scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor
-        error is this times T2.
+        error is this coefficient times T squared.
     bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter
-        is settled at the first interval.
+        starts settled: without a transient at the first interval.
     dead_zone_rad_s[3]: Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
     range_rad_s[3]: Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in
         sins.imu.
-    quantization_rad[3]: Pulse of the output increments [rad], 1e-15 to 1; 0: none. The rest is carried. The
-        quantization noise Q is pulse/sqrt(12).
+    quantization_rad[3]: Pulse of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the
+        next increment. The quantization noise Q is pulse/sqrt(12).
     """
 
     __slots__ = ()
@@ -876,10 +879,10 @@ class accel_params(_Struct):
     """Errors of the accelerometers; each array is x, y, z of the sensor axes (sins.options.axes), each matrix row by
     row. All zero is an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
 
-    Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far
-    (scale factor, misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and
-    noise; then dead zone, range, quantization. sins.gyro_params describes the effects that act on the mean of a
-    sub-increment.
+    Effects act in this order, along the path of the signal: size effect, bandwidth; then errors that depend on the
+    signal (scale factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then
+    biases and noise; then dead zone, range, quantization. sins.gyro_params describes the effects that act on the mean
+    of a subsample.
 
     bias_m_s2[3]: Constant bias, measured less true [m/s2], -10000 to 10000.
     bias_sigma_m_s2[3]: Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000.
@@ -888,44 +891,48 @@ class accel_params(_Struct):
     markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2
         is not 0.
     velocity_random_walk_m_s_sqrt_s[3]: White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000.
-        It is the square root of the spectral density of the noise [unit of the signal / sqrt(Hz)].
+        It is the square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
     acceleration_random_walk_m_s2_sqrt_s[3]: Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000.
         It starts at 0 at the start of a run.
-    ramp_m_s3[3]: Ramp R: bias that grows with the time [m/s3], -10000 to 10000. It starts at 0 when it is set.
+    ramp_m_s3[3]: Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
     flicker_m_s2[3]: Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1.
+    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
+        error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s2_m[3]: Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
+        The error of a signal s is this times s |s|.
     misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
         diagonal is 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
         is added to misalignment_rad. The diagonal is 0.
-    vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration of RMS r
-        makes a bias of this times r2.
+    vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration with the
+        root mean square r causes a bias of this times r squared.
     lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size
-        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. For the start of
-        a flight in motion see sins.mounting; the measured velocity never recovers the change of rate in the first
-        interval. With sins.push_imu() the angular acceleration follows from the previous increments.
+        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At a start in
+        motion, samples do not show the angular acceleration of the first interval (see sins.mounting): the measured
+        velocity then lacks lever arm times that change of rate for the rest of the flight. With sins.push_imu() the
+        angular acceleration follows from the previous increments.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
-        -273.15 to 1000. T is sins.flight_sample.temperature_c less this. Where one of the coefficients is not 0,
-        every sample needs a temperature, and sins.push_imu() is not available.
-    bias_temperature_m_s2_per_k[3]: Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this times T.
-    bias_temperature2_m_s2_per_k2[3]: Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this times
-        T2.
+        -273.15 to 1000. T is sins.flight_sample.temperature_c less this temperature. If one of the coefficients is
+        not 0, every sample needs a temperature, and sins.push_imu() is not available.
+    bias_temperature_m_s2_per_k[3]: Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this coefficient
+        times T.
+    bias_temperature2_m_s2_per_k2[3]: Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this
+        coefficient times T squared.
     scale_factor_temperature_per_k[3]: Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is
-        this times T.
+        this coefficient times T.
     scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor
-        error is this times T2.
+        error is this coefficient times T squared.
     bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter
-        is settled at the first interval.
+        starts settled: without a transient at the first interval.
     dead_zone_m_s2[3]: Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
     range_m_s2[3]: Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in
         sins.imu.
-    quantization_m_s[3]: Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The rest is carried. The
-        quantization noise Q is pulse/sqrt(12).
+    quantization_m_s[3]: Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the
+        next increment. The quantization noise Q is pulse/sqrt(12).
     """
 
     __slots__ = ()
@@ -961,7 +968,7 @@ class accel_params(_Struct):
 
 
 class altimeter_params(_Struct):
-    """Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+    """Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter.
 
     bias_m: Constant bias, up to 1e5 m [m].
     markov_sigma_m: Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on,
@@ -1013,15 +1020,15 @@ class failure(_Struct):
 
 
 class initial_errors(_Struct):
-    """Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and
-    added. Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up
-    to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
+    """Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard
+    deviations (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start
+    at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
 
     position_enu_m[3]: Position error [m].
     velocity_enu_m_s[3]: Velocity error [m/s].
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x])
-        C, C from sensor axes to east-north-up, the true one or with sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that
-        the alignment finds.
+        C. C turns vectors from sensor axes to east-north-up. The C on the right is the true one, or, with
+        sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that the alignment finds.
     position_sigma_enu_m[3]: Standard deviation of position [m].
     velocity_sigma_enu_m_s[3]: Standard deviation of velocity [m/s].
     misalignment_sigma_enu_rad[3]: Standard deviation of misalignment, 0 to 1 [rad].
@@ -1084,9 +1091,9 @@ class mounting(_Struct):
 
 class gravity_params(_Struct):
     """True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
-    gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
-    first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
-    ground. At rest it does not change. All zero is normal gravity.
+    gravity disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random
+    part. The random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the
+    distance d flown over ground. At rest it does not change. All zero is normal gravity.
 
     Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins.imu. In the INS it acts like
     an accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between
@@ -1167,8 +1174,9 @@ class record_errors(_Struct):
     height_m: Error of height [m].
     velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
         own position.
-    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from
-        sensor axes to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) C.
+    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
+        turns vectors from sensor axes to east-north-up. In the error model it is of first order: computed C = (I -
+        [phi x]) true C.
     roll_rad: Error of roll, wrapped to -pi to pi [rad].
     pitch_rad: Error of pitch [rad].
     heading_rad: Error of heading, wrapped to -pi to pi [rad].
@@ -1294,8 +1302,9 @@ class errors(_Struct):
     height_m: Error of height [m].
     velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
         own position.
-    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from
-        sensor axes to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) C.
+    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
+        turns vectors from sensor axes to east-north-up. In the error model it is of first order: computed C = (I -
+        [phi x]) true C.
     roll_rad: Error of roll, wrapped to -pi to pi [rad].
     pitch_rad: Error of pitch [rad].
     heading_rad: Error of heading, wrapped to -pi to pi [rad].
@@ -1328,7 +1337,7 @@ class accuracy(_Struct):
 
     time_s: Time [s].
     duration_s: Time since the start [s].
-    window_start_s: Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates
+    window_start_s: Start of the window of the radial error rates, in time since the start: 300 s. Rates before it
         would be initial errors divided by a very short time [s].
     window_samples: Samples in the window of the radial error rates. While there are none, the rates are 0.
     radial_error_rate_rms_m_s: sqrt(mean RER^2); radial error rate RER = horizontal position error / time since
@@ -1341,19 +1350,20 @@ class accuracy(_Struct):
     closure_position_enu_m[3]: Position closure: navigation minus truth now [m].
     closure_velocity_enu_m_s[3]: Velocity closure: navigation minus truth now [m/s].
     host_position_enu_m[3]: Part of the horizontal position closure that the host causes, because its velocities
-        contradict its positions [m]: the Schuler-tuned response to displacement by velocity less displacement by
-        position; up is 0. The rest of the closure is caused by the simulator and the sensors.
+        contradict its positions [m]: the Schuler-tuned response to the displacement by velocities less the
+        displacement by positions; up is 0. The rest of the closure is caused by the simulator and the sensors.
     host_velocity_enu_m_s[3]: Part of the horizontal velocity closure that the host causes in this way; up is 0
         [m/s].
     inconsistency_enu_m[3]: Displacement by the host's velocities less displacement by its positions, summed over
         the flight [m].
-    inconsistency_max_m: The largest such difference in one interval [m].
+    inconsistency_max_m: Largest difference, in one interval, between the displacement by the host's velocities
+        and the one by its positions [m].
     inconsistent_samples: Samples flagged sins.NAVIGATION_INCONSISTENT.
     intervals: Intervals flown since the start or the last reposition: one less than the samples.
-    trim_rate_max_rad_s: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its
-        time constants: the error of signal generator and mechanization themselves; 0 with physical signals [rad/s].
-    trim_force_max_m_s2: The largest trim that sins.SIGNAL_CLOSED_LOOP added to the specific force, likewise
-        [m/s2].
+    trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of
+        its time constants after the start [rad/s]. It shows the error of the signal generator and the mechanization
+        themselves. 0 with physical signals.
+    trim_force_max_m_s2: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     """
 
     __slots__ = ()
@@ -1385,10 +1395,10 @@ class accuracy(_Struct):
 class truth_summary(_Struct):
     """Extreme values of the true motion over all intervals since the create or the last sins.reset(). They reveal wrong
     units and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and
-    give any sideslip. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots
-    instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large.
-    Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of the
-    sample at which the value was found.
+    give arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions.
+    Knots instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too
+    large. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of
+    the sample at which the value was found.
 
     intervals: Intervals flown.
     gaps: Intervals that are gaps (see sins.GAP).
@@ -1463,29 +1473,30 @@ class covariance(_Struct):
     ellipse. The errors are those of sins.errors: east, north, up of position [m], velocity [m/s] and misalignment
     [rad], in this order.
 
-    The covariance is propagated along the truth with the linear error equations (error data 1). Both frames use the
-    equations in Earth-fixed axes; the result is the same. It is the covariance about the mean error of all runs. The
-    random numbers of this run do not enter it. It contains: random initial errors; the misalignment that an alignment
-    makes of sensor errors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk
-    and white noise; the random fields of gravity; the altimeter's Gauss-Markov error and noise; quantization, as
-    white noise of the same variance. It does not contain: given errors and failures, which change the mean; dead
-    zones and ranges, which are not linear. One step of the propagation is one second of flight. A parameter that is
-    set in flight counts from the start of its second. A second with at least one height of the altimeter counts as
-    aided throughout, so drop-outs shorter than a second do not show.
+    The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
+    sins.options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the
+    mean error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors;
+    the misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and
+    misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the
+    altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not contain:
+    given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
+    propagation is one second of flight. A parameter that is set in flight takes effect from the start of the current
+    second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
+    second do not show.
 
-    flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE; sins.ERRORS_OUTSIDE_VALIDITY where a
-        standard deviation is.
+    flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE, and sins.ERRORS_OUTSIDE_VALIDITY if a
+        standard deviation exceeds the limits of that flag.
     time_s: Time [s].
-    covariance[81]: Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    covariance[81]: Covariance, 9 by 9, row by row. It is symmetric, and rounding cannot make a variance negative.
     position_sigma_enu_m[3]: Standard deviation of the position error [m].
     velocity_sigma_enu_m_s[3]: Standard deviation of the velocity error [m/s].
     misalignment_sigma_enu_rad[3]: Standard deviation of the misalignment [rad].
     ellipse_major_m: Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
-    ellipse_minor_m: Semi-minor axis [m].
+    ellipse_minor_m: Semi-minor axis of that ellipse [m].
     ellipse_azimuth_rad: Azimuth of the major axis, from north to the east, 0 up to pi [rad].
-    cep50_m: Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of
-        the normal density of this ellipse with the mean 0 [m].
-    radial_95_m: The same of 95 % [m].
+    cep50_m: Radius of the circle that contains the horizontal error with a probability of 50 % [m]. The error has
+        the normal distribution of this ellipse, with the mean 0.
+    radial_95_m: Radius of the circle that contains the horizontal error with a probability of 95 % [m].
     """
 
     __slots__ = ()
@@ -1532,26 +1543,29 @@ class statistics(_Struct):
     """Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the
     same bits however they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without
     pointers: send it, store it, compare its bytes. Its numbers have the byte order of the machine. A struct that is
-    all zero but for struct_size has no run. sins.statistics_figures() computes means, covariances and radii.
+    zero except for struct_size holds no runs. sins.statistics_figures() computes means, covariances and radii.
 
     The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment
     about east, north, up, as in sins.errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24
     um), 2^-29 m/s (1.9 nm/s), 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262
     km/s) and 4 rad, which are 2^47 resolutions; the horizontal radial position error is in range below 2^25 m. There
-    are at most 4294967295 runs: their sums cannot overflow. Integers of 128 bits are two words, the low one first, in
-    two's complement.
+    are at most 4294967295 runs, so the sums cannot overflow. Integers of 128 bits are two words, the low one first,
+    in two's complement.
 
-    layout: Version of what follows: 1; 0 while there is no run.
-    runs: Runs, those that were left out of the sums too.
-    diverged: Runs that have diverged, left out of the sums.
-    out_of_range: Runs with a state or a horizontal radial position error outside its range, left out of the sums.
-    outside_validity: Runs within the sums whose error model is flagged sins.ERRORS_OUTSIDE_VALIDITY.
+    layout: Version of the layout of the fields below: 1; 0 while there is no run.
+    runs: Number of runs, including those that are left out of the sums.
+    diverged: Number of runs that have diverged. They are left out of the sums.
+    out_of_range: Number of runs with a state or a horizontal radial position error outside its range. They are
+        left out of the sums.
+    outside_validity: Number of runs whose error model is flagged sins.ERRORS_OUTSIDE_VALIDITY. They are in the
+        sums.
     largest_radial: Largest horizontal radial position error, rounded down [2^-22 m].
     sums[18]: Sum of each state, integers of 128 bits.
     products[90]: Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row
         by row.
-    histogram[3501]: Runs by horizontal radial position error: element 0 those below 2^-10 m (1 mm), and 1 + 100 i
-        + k, for i from 0 to 34 and k from 0 to 99, those from 2^(i-10) (1 + k/100) up to 2^(i-10) (1 + (k+1)/100) m.
+    histogram[3501]: Numbers of runs by their horizontal radial position error. Element 0 counts those below 2^-10
+        m (1 mm). Element 1 + 100 i + k, with i from 0 to 34 and k from 0 to 99, counts those from 2^(i-10) (1 +
+        k/100) m up to 2^(i-10) (1 + (k+1)/100) m.
     """
 
     __slots__ = ()
@@ -1573,10 +1587,11 @@ class statistics(_Struct):
 class figures(_Struct):
     """Figures that are computed from a sins.statistics. Without a run all are 0, and the covariance of one run is 0.
 
-    runs: Runs, those that were left out too.
-    diverged: Runs that have diverged, left out.
-    out_of_range: Runs with an error outside its range, left out.
-    outside_validity: Runs whose error model is flagged sins.ERRORS_OUTSIDE_VALIDITY, not left out.
+    runs: Number of runs, including those that are left out of the other figures.
+    diverged: Number of runs that have diverged. They are left out.
+    out_of_range: Number of runs with an error outside its range. They are left out.
+    outside_validity: Number of runs whose error model is flagged sins.ERRORS_OUTSIDE_VALIDITY. They are not left
+        out.
     mean_position_enu_m[3]: Mean position error [m].
     mean_velocity_enu_m_s[3]: Mean velocity error [m/s].
     mean_misalignment_enu_rad[3]: Mean misalignment [rad].
@@ -1587,11 +1602,12 @@ class figures(_Struct):
     rms_velocity_enu_m_s[3]: Root mean square of the velocity error [m/s].
     rms_misalignment_enu_rad[3]: Root mean square of the misalignment [rad].
     covariance[81]: Covariance of the nine states of sins.statistics, with the divisor n - 1, row by row: element
-        9 i + j is that of the states i and j, in m, m/s and rad.
+        9 i + j is the covariance of the states i and j, in m, m/s and rad.
     rms_radial_m: Root mean square of the horizontal radial position error [m].
-    cep50_m: Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank,
-        read from the histogram to 0.5 % of itself, below 1 mm to 0.5 mm.
-    r95_m: Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m.
+    cep50_m: Horizontal radius that contains the positions of half of the runs [m]. It is read from the histogram,
+        to 0.5 % of its value, or to 0.5 mm if it is below 1 mm.
+    r95_m: Horizontal radius that contains the positions of 95 % of the runs [m]. It is read from the histogram as
+        cep50_m is.
     largest_radial_m: Largest horizontal radial position error [m].
     """
 
@@ -1663,7 +1679,7 @@ class manoeuvre(_Struct):
     height_change_m: Change of height; the climb angle must stay below 64 degrees [m].
     heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad
         [rad].
-    bank_rad: Bank of a turn, 1e-3 to 1.5 [rad].
+    bank_rad: Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
     turns: Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     channel[6]: What each sinusoid moves, of enum sins.channel.
     amplitude[6]: Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of
@@ -1802,8 +1818,8 @@ class requirement(_Struct):
     """Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a
     duration. At least one limit is needed.
 
-    duration_s: Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length
-        of the piece.
+    duration_s: Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of
+        flight that is given to sins.recommend(): that length.
     position_m: Limit of the distance from the exact solution on the same signals [m]; 0: none.
     velocity_m_s: Limit of the length of the velocity difference from that solution [m/s]; 0: none.
     attitude_rad: Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
@@ -1832,13 +1848,13 @@ class cost(_Struct):
     reference_position_m: Part of position_m that is the uncertainty of the reference [m].
     reference_velocity_m_s: Part of velocity_m_s that is the uncertainty of the reference [m/s].
     reference_attitude_rad: Part of attitude_rad that is the uncertainty of the reference [rad].
-    share: Predicted error times margin divided by its limit, the largest of the three. The requirement is met up
-        to 1. A limit below 1e-100 counts as 1e-100.
-    instructions_per_step: Instructions of the part of a step that depends on the algorithm, the same on every
-        machine. The algorithms are ordered by this figure.
+    share: Predicted error times margin divided by its limit, the largest of the three. The requirement is met if
+        this is at most 1. A limit below 1e-100 counts as 1e-100.
+    instructions_per_step: Processor instructions of the part of a step that depends on the algorithm: a figure
+        that is the same on every machine. The algorithms are ordered by this figure.
     ns_per_step: Time of push and step of one sample, measured in this call on this machine, with the options that
         were written, the mounting, and ideal sensors [ns].
-    tried: Algorithms that were tried, including the recommended one.
+    tried: Number of algorithms that were tried, including the recommended one.
     """
 
     __slots__ = ()
@@ -1862,8 +1878,8 @@ class cost(_Struct):
 class budget_request(_Struct):
     """Request for an error budget. All zero is 16 runs and no limits.
 
-    runs: Runs of all together, if anything is random, 8 to 1000; 0: 16.
-    position_m: Limit of the change of the position error, at any time of the scene, by all effects that are left
+    runs: Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
+    position_m: Limit of the change of the position error, at any time of the flight, by all effects that are left
         out together [m]; 0: none.
     velocity_m_s: Limit of the change of the velocity error, likewise [m/s]; 0: none.
     attitude_rad: Limit of the change of the misalignment, likewise [rad]; 0: none.
@@ -1881,23 +1897,23 @@ class budget_request(_Struct):
 
 
 class budget_row(_Struct):
-    """An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and
-    the samples, with nothing set.
+    """An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and of
+    the samples, with no effect set.
 
     flags: Flags of enum sins.budget_flags, or'ed.
     effect[32]: Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization".
     field[48]: The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there
         leaves the effect out. Empty in the first row.
-    position_m: Length of the contribution to the position error, the largest in the scene [m].
-    velocity_m_s: Length of the contribution to the velocity error, the largest in the scene [m/s].
-    attitude_rad: Length of the contribution to the misalignment, the largest in the scene [rad].
-    end_position_m: Length of the contribution to the position error at the end of the scene [m].
-    end_velocity_m_s: Length of the contribution to the velocity error at the end of the scene [m/s].
-    end_attitude_rad: Length of the contribution to the misalignment at the end of the scene [rad].
+    position_m: Length of the contribution to the position error, the largest in the flight [m].
+    velocity_m_s: Length of the contribution to the velocity error, the largest in the flight [m/s].
+    attitude_rad: Length of the contribution to the misalignment, the largest in the flight [rad].
+    end_position_m: Length of the contribution to the position error at the end of the flight [m].
+    end_velocity_m_s: Length of the contribution to the velocity error at the end of the flight [m/s].
+    end_attitude_rad: Length of the contribution to the misalignment at the end of the flight [rad].
     share: The contribution divided by its limit, the largest of the three; 0 without limits.
     ns_per_step: Time of a step with all effects, less that of a step without this one; in the first row, time of
-        a step with nothing set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on
-        a busy machine, so it may be negative.
+        a step with no effect set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more
+        on a busy machine, so it may be negative.
     """
 
     __slots__ = ()
@@ -1921,21 +1937,22 @@ class budget(_Struct):
     """Figures of a budget as a whole.
 
     duration_s: Duration of the evaluation: from the end of the first interval to the end of the last [s].
-    runs: Runs of all together; 1 if nothing is random.
-    flights: Flights that were flown.
-    sigma_low: Lower end of the 95 % interval of the root mean square of the random part of all together, as a
-        factor to that of these runs; 1 if nothing is random.
-    sigma_high: Upper end of that interval, likewise.
-    position_m: Position error with all effects together, root mean square over the runs, the largest in the scene
-        [m].
+    runs: Number of runs with all effects together; 1 if nothing is random.
+    flights: Number of flights that the call made.
+    sigma_low: Lower end of the 95 % confidence interval of the root mean square of the random errors with all
+        effects together, divided by the root mean square over these runs; 1 if nothing is random.
+    sigma_high: Upper end of that interval, divided likewise; 1 if nothing is random.
+    position_m: Position error with all effects together, root mean square over the runs, the largest in the
+        flight [m].
     velocity_m_s: Velocity error with all effects together, likewise [m/s].
     attitude_rad: Misalignment with all effects together, likewise [rad].
     remainder_position_m: Part of the position error that the sum of all rows does not explain [m].
     remainder_velocity_m_s: Part of the velocity error that the sum of all rows does not explain [m/s].
     remainder_attitude_rad: Part of the misalignment that the sum of all rows does not explain [rad].
-    left_out_position_m: Change of the position error when the marked rows are left out, as flown [m].
-    left_out_velocity_m_s: Change of the velocity error when the marked rows are left out, as flown [m/s].
-    left_out_attitude_rad: Change of the misalignment when the marked rows are left out, as flown [rad].
+    left_out_position_m: Change of the position error without the marked effects, by flights of all runs without
+        them [m].
+    left_out_velocity_m_s: Change of the velocity error without the marked effects, likewise [m/s].
+    left_out_attitude_rad: Change of the misalignment without the marked effects, likewise [rad].
     ns_per_step: Time of a step with all effects, measured in this call on this machine [ns].
     """
 
@@ -2109,18 +2126,17 @@ def get_options(sim, options):
 
 @_function(status, sim, POINTER(flight_sample))
 def push_sample(sim, sample):
-    """Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one
-    before.
+    """Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
     sins.ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated
     period by more than 0.4 of the period. sins.GAP: the sample was accepted, and the interval before it is a gap,
     more than 2.5 times as long as each of the two before. sins.step() flies the gap as motion, velocity times its
     length. After a pause of the host in which its clock ran on, call sins.move_time() before this push; a push cannot
-    be undone. sins.ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted
-    sample. Later samples are rejected too, until one fits, or until sins.move_time() (for a gap), sins.move_truth()
-    or sins.reposition() (for a jump). sins.ERROR_QUEUE_FULL: step first. sins.ERROR_BAD_STATE: navigating on
-    increments.
+    be undone. sins.ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since
+    the last accepted sample. Later samples are rejected too, until one fits, or until sins.move_time() (for a gap),
+    sins.move_truth() or sins.reposition() (for a jump). sins.ERROR_QUEUE_FULL: step first. sins.ERROR_BAD_STATE:
+    navigating on increments.
     """
 
 
@@ -2131,9 +2147,9 @@ def step(sim):
     is flown like any other, as velocity times its length; sins.push_sample() returns sins.GAP for it.
 
     sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_DIVERGED: after the interval the solution would be
-    below -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solutions of the block and
-    of the reference point, and for the closed loop's error-free navigator. sins.ERROR_SINGULAR: too close to a pole,
-    in geographic axes. sins.ERROR_BAD_STATE: navigating on increments.
+    below -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solution of the sensor
+    block, for that of the reference point, and for the error-free navigator of sins.SIGNAL_CLOSED_LOOP.
+    sins.ERROR_SINGULAR: too close to a pole, in geographic axes. sins.ERROR_BAD_STATE: navigating on increments.
 
     After sins.ERROR_DIVERGED and sins.ERROR_SINGULAR the step is not made, and the solution before it stays readable;
     sins.reposition() or sins.reset() start anew.
@@ -2222,8 +2238,8 @@ def last_error(sim, buffer, needed):
 
 @_function(status, sim, POINTER(error_info))
 def last_error_info(sim, info):
-    """Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same
-    failure of which sins.last_error() gives the sentence.
+    """Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure
+    of which sins.last_error() gives the sentence.
     """
 
 
@@ -2259,8 +2275,8 @@ def get_accel(sim, params):
 
 @_function(status, sim, POINTER(altimeter_params))
 def set_altimeter(sim, params):
-    """Sets the errors of the barometric height that damps the vertical channel (sins.VERTICAL_DAMPED), from the next
-    interval on.
+    """Sets the errors of the barometric altimeter, whose height damps the vertical channel (sins.VERTICAL_DAMPED), from
+    the next interval on.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     """
@@ -2279,10 +2295,10 @@ def set_failure(sim, sensor, axis, failure):
 
     sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before
     dead zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not
-    change. Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error
-    data. It does not act on the alignment at the start. sins.reposition() keeps failures. sins.reset() clears all of
-    them, so an exercise begins anew with working sensors; failures that are set again at the same intervals give the
-    same bits.
+    change. Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts
+    on both error data. It does not act on the alignment at the start. sins.reposition() keeps failures. sins.reset()
+    clears all failures, so an exercise starts again with working sensors; failures that are set again at the same
+    intervals give the same bits.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes
     the solution diverge, sins.step() returns sins.ERROR_DIVERGED.
@@ -2316,8 +2332,9 @@ def get_initial_errors(sim, errors):
 
 @_function(status, sim, POINTER(mounting))
 def set_mounting(sim, mounting):
-    """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it.
-    The mounting does not affect a navigator on increments: its solution is that of the block.
+    """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+    reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the
+    block.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: steps have been made.
@@ -2363,9 +2380,9 @@ def run(sim, samples, every, records, written):
     sins.ERROR_BAD_STATE: navigating on increments.
 
     Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns, which
-    sins.last_error() names: the samples before it were flown, this one and the rest were not; sins.accuracy.intervals
-    counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
-    sins.reposition() and sins.reset() empty the queue.
+    sins.last_error() names: the samples before it were flown, this sample and the rest were not;
+    sins.accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the
+    queue, as after sins.step(); sins.reposition() and sins.reset() empty the queue.
     """
 
 
@@ -2428,8 +2445,8 @@ def get_truth_summary(sim, summary):
 
 @_function(status, sim, POINTER(covariance))
 def get_covariance(sim, covariance):
-    """Reads the covariance of the navigation errors at the last sample that was flown to; before the first step, at the
-    start. The call changes no other output.
+    """Reads the covariance of the navigation errors at the end of the last interval; before the first step, that of the
+    start.
 
     sins.NEED_SAMPLE: no sample yet.
     sins.ERROR_BAD_STATE: sins.options.covariance is off, or navigating on increments.
@@ -2469,7 +2486,7 @@ def push_imu(sim, increment):
     sins.options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one
     update.
 
-    sins.ERROR_BAD_STATE: sins.start_navigation() first.
+    sins.ERROR_BAD_STATE: sins.start_navigation() was not called.
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
     sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the solution before it stays
     readable, and sins.reset() and sins.start_navigation() start anew.
@@ -2481,7 +2498,7 @@ def snapshot_size(sim, size):
     """Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples.
     Without waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros,
     accelerometers and altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each
-    waiting sample adds up to 154 bytes.
+    waiting sample adds up to 154 bytes, and sins.options.covariance up to 9.2 KiB.
     """
 
 
@@ -2515,17 +2532,16 @@ def snapshot_load(sim, snapshot):
 
 @_function(status, sim, c_uint64, c_size_t, _New(ensemble))
 def ensemble_create(configured, first_run, runs, ensemble):
-    """Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options,
-    sensors, initial errors, mounting, gravity and failures, which has taken no sample. The call copies it, and does
-    not change it. The run with number k gives the same bits as a simulator with the same settings and
-    sins.options.run = k. sins.options.run, truth_summary and covariance of configured have no effect.
+    """Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
+    sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not
+    change it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins.options.run =
+    k. In the options of configured, run, truth_summary and covariance have no effect.
 
-    What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads,
-    processes and machines, and their statistics merged. The library starts no thread.
+    No run depends on another run. So different threads, processes and machines may fly ensembles of different runs,
+    and their statistics can be merged. The library starts no thread.
 
-    Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set:
-    geographic axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a
-    failure. Then each run is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+    All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the
+    time and of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
 
     After an error *ensemble is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
 
@@ -2537,7 +2553,7 @@ def ensemble_create(configured, first_run, runs, ensemble):
 
 @_function(status, ensemble)
 def ensemble_destroy(ensemble):
-    """Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+    """Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
     """
@@ -2545,7 +2561,7 @@ def ensemble_destroy(ensemble):
 
 @_function(status, ensemble, POINTER(flight_sample))
 def ensemble_push_sample(ensemble, sample):
-    """Takes one flight-control sample into the queue (16 samples) of all runs.
+    """Puts one flight sample into the queue (16 samples) of all runs.
 
     sins.GAP and the errors: as sins.push_sample().
     """
@@ -2555,31 +2571,33 @@ def ensemble_push_sample(ensemble, sample):
 def ensemble_step(ensemble):
     """Flies one sample interval with all runs that have not diverged. No allocation, no system call.
 
-    A run that cannot make the step, for which sins.step() would answer sins.ERROR_DIVERGED or sins.ERROR_SINGULAR,
-    has diverged: it keeps its solution before the step, takes no further part, and is reported by
-    sins.ensemble_get_diverged() and counted by sins.ensemble_get_statistics(). The others go on, and so does the
-    truth, even if no run is left. sins.ensemble_reposition() and sins.ensemble_reset() start all runs again.
+    A run has diverged if sins.step() would return sins.ERROR_DIVERGED or sins.ERROR_SINGULAR for it. A diverged run
+    keeps the solution before that step, and is not flown any further. sins.ensemble_get_diverged() reports it, and
+    sins.ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
+    sins.ensemble_reposition() and sins.ensemble_reset() start all runs again.
 
-    sins.NEED_SAMPLE: no complete interval waits. sins.ERROR_SINGULAR: the truth is within reach of a pole, in
-    geographic axes or where the alignment is a gyrocompass; the step is not made.
+    sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_SINGULAR: the truth is too close to a pole, in
+    geographic axes or for an alignment by gyrocompass; the step is not made.
     """
 
 
 @_function(status, ensemble, _Array(flight_sample, is_input=True))
 def ensemble_run(ensemble, samples):
-    """Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping
-    sample by sample. samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+    """Pushes and steps an array of samples, count of them. Any split of a flight into calls gives the same bits as
+    pushing and stepping sample by sample. samples[0].struct_size is the distance between samples; struct_size of the
+    other samples may be 0.
 
     sins.GAP: all samples were flown, and at least one of them ended a gap. Any error of sins.ensemble_push_sample()
     or sins.ensemble_step() stops the run at the sample that it concerns, which sins.last_error() names: the samples
-    before it have been flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+    before it were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the
+    queue.
     """
 
 
 @_function(status, ensemble, POINTER(flight_sample))
 def ensemble_reposition(ensemble, sample):
-    """Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
-    sins.reposition().
+    """Restarts all runs, as sins.reposition() does: the truth jumps to the sample, and every run, diverged or not,
+    starts again there with its initial errors.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
     """
@@ -2587,29 +2605,27 @@ def ensemble_reposition(ensemble, sample):
 
 @_function(status, ensemble)
 def ensemble_reset(ensemble):
-    """Back to before the first sample: same parameters, no failures, the same draws again from their start, no run
-    diverged.
+    """Returns to the state before the first sample, as sins.reset() does: the same parameters, no failures, no diverged
+    run, and the random streams at their start.
     """
 
 
 @_function(status, ensemble, c_int32, c_int32, POINTER(failure))
 def ensemble_set_failure(ensemble, sensor, axis, failure):
-    """Lets one output of every run fail, or clears its failure: as sins.set_failure(). The first failure of an ensemble
-    whose runs go side by side makes each run a simulator (see sins.ensemble_create()): that call allocates.
+    """Sets or clears a failure of one output in every run, as sins.set_failure() does. No allocation, no system call.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.set_failure().
-    sins.ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
     """
 
 
 @_function(status, ensemble, POINTER(c_uint64), POINTER(c_size_t))
 def ensemble_get_runs(ensemble, first_run, runs):
-    """Reads the numbers of the first run and of the runs; either may be NULL."""
+    """Reads the number of the first run, and how many runs there are; either pointer may be NULL."""
 
 
 @_function(status, ensemble, POINTER(navigation))
 def ensemble_get_truth(ensemble, truth):
-    """Reads the truth, which all runs share: as sins.get_truth().
+    """Reads the truth, which all runs share, as sins.get_truth() does.
 
     sins.NEED_SAMPLE: no sample yet.
     """
@@ -2617,17 +2633,19 @@ def ensemble_get_truth(ensemble, truth):
 
 @_function(status, ensemble, c_uint64, POINTER(navigation))
 def ensemble_get_navigation(ensemble, run, navigation):
-    """Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins.get_navigation().
+    """Reads the navigated solution of a run, as sins.get_navigation() does. run is from first_run to first_run + runs -
+    1.
 
     sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such run. sins.ERROR_DIVERGED: the run has
-    diverged, and the sentence has the time of its last good solution; or as sins.get_navigation().
-    sins.ERROR_SINGULAR: as sins.get_navigation().
+    diverged (the sentence of sins.last_error() states the time of its last good solution); or as
+    sins.get_navigation(). sins.ERROR_SINGULAR: as sins.get_navigation().
     """
 
 
 @_function(status, ensemble, c_uint64, c_int32, POINTER(errors))
 def ensemble_get_errors(ensemble, run, source, errors):
-    """Reads the errors of the navigated solution of a run: as sins.get_errors(); source is of enum sins.errors_source.
+    """Reads the errors of the navigated solution of a run, as sins.get_errors() does; source is of enum
+    sins.errors_source.
 
     sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such run or source. sins.ERROR_BAD_STATE:
     sins.ERRORS_MODEL while the error model is off. sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as
@@ -2637,7 +2655,7 @@ def ensemble_get_errors(ensemble, run, source, errors):
 
 @_function(status, ensemble, c_uint64, POINTER(imu))
 def ensemble_get_imu(ensemble, run, imu):
-    """Reads ideal and measured signals of the last interval of a run: as sins.get_imu().
+    """Reads ideal and measured signals of the last interval of a run, as sins.get_imu() does.
 
     sins.NEED_SAMPLE: no interval yet. sins.ERROR_INVALID_ARGUMENT: no such run. sins.ERROR_DIVERGED: the run has
     diverged.
@@ -2646,10 +2664,10 @@ def ensemble_get_imu(ensemble, run, imu):
 
 @_function(status, ensemble, c_size_t, POINTER(c_uint64))
 def ensemble_get_diverged(ensemble, index, run):
-    """Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins.statistics.diverged
-    counts them.
+    """Reads the number of a run that has diverged. The numbers are in ascending order, from index 0;
+    sins.statistics.diverged is their count.
 
-    sins.ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+    sins.ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
     """
 
 
@@ -2667,12 +2685,12 @@ def ensemble_get_statistics(ensemble, source, statistics):
 
 @_function(status, POINTER(statistics), POINTER(statistics))
 def statistics_merge(into, other):
-    """Adds the runs of other to those of into. No run may be in both. The sums are exact: any order and any grouping of
-    merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any way. If
-    into is all zero except for struct_size, it has no run.
+    """Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any
+    order and any grouping of merges gives the same bits, so the work can be split over threads, processes, machines
+    and restarts in any way. An into that is zero except for struct_size holds no runs.
 
-    sins.ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than
-    4294967295 runs. into is unchanged.
+    sins.ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than
+    4294967295 runs. into is then unchanged.
     """
 
 
@@ -2686,27 +2704,27 @@ def statistics_figures(statistics, figures):
 
 @_function(status, ensemble, POINTER(c_size_t))
 def ensemble_snapshot_size(ensemble, size):
-    """The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator."""
+    """Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator."""
 
 
 @_function(status, ensemble, _Array(c_char), POINTER(c_size_t))
 def ensemble_snapshot_save(ensemble, buffer, written):
-    """Saves the whole ensemble, at any moment: as sins.snapshot_save(). written (may be NULL) gets the size. The same
-    state gives the same bytes. No allocation, no system call.
+    """Saves the whole ensemble, at any moment, as sins.snapshot_save() does for a simulator. written (may be NULL) gets
+    the size. The same state gives the same bytes. No allocation, no system call.
 
-    sins.ERROR_BUFFER_TOO_SMALL: see sins.ensemble_snapshot_size(); buffer and written are as they were.
+    sins.ERROR_BUFFER_TOO_SMALL: see sins.ensemble_snapshot_size(); buffer and written are unchanged.
     """
 
 
 @_function(status, ensemble, _Array(c_char, is_input=True))
 def ensemble_snapshot_load(ensemble, snapshot):
-    """Replaces the ensemble by the saved one, with its runs and options. It does not matter what the ensemble was
-    before: one of any simulator with one run is enough. It continues to the same bits as the saved one. size is what
-    sins.ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
+    """Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator
+    is enough. It continues to the same bits as the saved one. size is the size that sins.ensemble_snapshot_save()
+    wrote. Not for a real-time frame: it allocates.
 
-    sins.ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing
-    has changed, and sins.last_error(NULL, ...) reports which it is. sins.ERROR_OUT_OF_MEMORY: no memory for a second
-    ensemble.
+    sins.ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release;
+    nothing has changed, and sins.last_error(NULL, ...) reports which it is. sins.ERROR_OUT_OF_MEMORY: no memory for a
+    second ensemble.
     """
 
 
@@ -2776,8 +2794,8 @@ def scene_create(scene):
     On an error *scene is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason, as for every
     function of scenes. sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
     sins.scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If
-    it runs out later within the call, because another thread takes it, the process ends. The same holds for
-    sins.log_parse(), except for the samples.
+    memory runs out later within the call, because another thread takes it, the process ends. sins.log_parse() does
+    the same, except that running out of memory for the samples is always sins.ERROR_OUT_OF_MEMORY.
     """
 
 
@@ -2839,8 +2857,8 @@ def scene_write_keys(buffer, needed):
 @_function(status, scene, _New(sim))
 def scene_create_simulator(scene, sim):
     """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-    sins.scene_prepare() sets the failures at their times. If the flight is not a log, the sample period is stated: 1
-    / rate.
+    sins.scene_prepare() sets the failures at their times. If the flight is not a log, sins.options.sample_period_s of
+    the simulator is 1 / rate_hz.
 
     sins.ERROR_INVALID_ARGUMENT: settings that do not go together.
     sins.ERROR_BAD_STATE: as sins.scene_parse().
@@ -2874,7 +2892,7 @@ def scene_prepare(scene, sim, flight_start_s, sample):
     failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
     call.
 
-    sins.ERROR_BAD_HANDLE: of scene or sim.
+    sins.ERROR_BAD_HANDLE: scene or sim is not a valid handle.
     sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
     sins.ERROR_BAD_STATE: as sins.scene_parse().
     """
@@ -2882,9 +2900,10 @@ def scene_prepare(scene, sim, flight_start_s, sample):
 
 @_function(status, scene, ensemble, c_double, POINTER(flight_sample))
 def scene_prepare_ensemble(scene, ensemble, flight_start_s, sample):
-    """Prepares the next interval of all runs of an ensemble, as sins.scene_prepare() does for a simulator.
+    """Prepares the next interval of all runs of an ensemble, as sins.scene_prepare() does for a simulator. No
+    allocation, no system call.
 
-    sins.ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins.scene_prepare().
+    sins.ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins.scene_prepare().
     """
 
 
@@ -3106,27 +3125,28 @@ def recommend(configured, samples, requirement, options, cost):
     """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
     No cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 
-    configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads
-    it at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the
-    reference point. options gets the options of configured with scheme, subsamples and updates_per_sample of the
-    answer, ready for sins.create(). The previous values of these three do not matter.
+    configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call
+    reads it at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block
+    at the reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample
+    of the answer, ready for sins.create(). The values of these three in configured do not matter.
 
     Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample
     with a reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference
-    from a solution with half as many updates) is added to the error. So the error is that of the algorithm only.
-    Errors of sensors, altimeter, start, gravity and believed mounting are left out, because they act on both
-    solutions alike; so are contradictions within the host's samples. The signals are without sins.SIGNAL_CLOSED_LOOP,
-    which would hide the error. For a duration beyond the piece, the call continues the errors as steady rates through
-    Schuler's pendulum. This predicts more than the flight will show, as long as the flight continues like the piece.
-    With sins.VERTICAL_FREE each error counts as a height error, which grows e-fold every 569 s.
+    from a solution with half as many updates) is added to the error. The error is that of the algorithm only. Errors
+    of sensors, altimeter, start, gravity and believed mounting are left out, because they act on both solutions
+    alike; so do contradictions within the host's samples. The signals are without the trim of
+    sins.SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the piece, the call continues the
+    errors as steady rates through Schuler's pendulum. As long as the flight continues like the piece, this predicts
+    larger errors than the flight will show. With sins.VERTICAL_FREE each error counts as a height error, which grows
+    e-fold every 569 s.
 
-    The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every
+    The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every
     day; only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up
     to 0.4 ms if nothing meets the requirement.
 
     sins.REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that
     comes closest. sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER,
-    sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: geographic axes too close to a pole.
+    sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: too close to a pole, in geographic axes.
     sins.ERROR_DIVERGED: the solution of every algorithm diverged. sins.ERROR_OUT_OF_MEMORY: no memory.
 
     sins.last_error(NULL, ...) on this thread gives the reason and the sample.
@@ -3135,7 +3155,7 @@ def recommend(configured, samples, requirement, options, cost):
 
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(budget_request), _Array(budget_row), POINTER(c_size_t), POINTER(budget))
 def error_budget(configured, samples, request, rows, written, budget):
-    """Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and
+    """Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and
     which can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between
     rows. struct_size of the other samples may be 0, that of the other rows anything.
 
@@ -3145,34 +3165,36 @@ def error_budget(configured, samples, request, rows, written, budget):
     runs and no limits. written and budget may be NULL.
 
     Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two
-    things are no effects. sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect
-    that causes it. lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an
-    effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with nothing
-    set. The row has the length of this vector in position, velocity and misalignment: the largest of up to 1000
-    instants, equally spaced, and the one at the last sample. For a random effect it is one standard deviation by the
-    covariance of a flight with this effect alone, exact to first order (sins.BUDGET_RANDOM; see sins.covariance). All
-    effects together are flown with the random numbers of the runs sins.options.run, run + 1 and so on.
+    settings are not effects. sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the
+    effect that causes it. lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of
+    an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
+    effect. The row has the length of this vector for position, velocity and misalignment: the largest length at up to
+    1000 instants, equally spaced, and the length at the last sample. The contribution of a random effect is one
+    standard deviation, by the covariance of a flight with this effect alone (sins.BUDGET_RANDOM; see
+    sins.covariance); it is exact to first order. All effects together are flown in several runs, with the random
+    numbers of the runs sins.options.run, run + 1 and so on.
 
     rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered
     by position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The
     remainder is the difference between the error with all effects and the sum of the rows, with the same random
     numbers. It comes from effects that act on each other, and is of second order in their sizes.
 
-    With limits, the call marks the effects that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT). It collects
-    effects from the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of
-    squares of their random contributions. The call stops when the root sum of squares of D and R exceeds a limit.
-    Then it flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts the
-    largest of them back.
+    With limits, the call marks the effects that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT). It goes
+    through the effects in the order of their shares, the smallest first, and collects each effect that still fits. A
+    collection fits if the root sum of squares of D and R is within each limit: D is the sum of its deterministic
+    contributions, and R is the root sum of squares of its random contributions. Then the call flies all runs again
+    without these effects. While the change (left_out) exceeds a limit, it puts the largest of them back.
 
-    The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time
-    frame: it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1,
-    plus one for each effect, plus runs for all effects together, plus runs for the random effects if there are any.
-    With limits it is runs more, and again more if effects do not add up.
+    The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time
+    frame: it allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once
+    with no effect, once for each effect, once in each run with all effects together, and, if there are random
+    effects, once in each run with these. With limits it flies them once more in each run, and further times if
+    effects do not add up.
 
     sins.ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is
     flown. (To ask for the number, give NULL for rows and a capacity of 0.) sins.ERROR_INVALID_ARGUMENT: a value out
-    of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR:
-    geographic axes, or gyrocompassing, too close to a pole. sins.ERROR_DIVERGED: a solution diverged.
+    of its range. sins.ERROR_TIME_ORDER, sins.ERROR_DISCONTINUITY: as sins.push_sample(). sins.ERROR_SINGULAR: too
+    close to a pole, in geographic axes or for gyrocompassing. sins.ERROR_DIVERGED: a solution diverged.
     sins.ERROR_OUT_OF_MEMORY: no memory.
 
     sins.last_error(NULL, ...) on this thread gives the reason and the sample.

@@ -21,7 +21,7 @@ pub struct sins_accuracy {
     pub time_s: f64,
     /// Time since the start [s].
     pub duration_s: f64,
-    /// Start of the window of the radial error rates, in time since the start: 300 s. Earlier rates would be initial errors
+    /// Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
     /// divided by a very short time [s].
     pub window_start_s: f64,
     /// Samples in the window of the radial error rates. While there are none, the rates are 0.
@@ -42,23 +42,24 @@ pub struct sins_accuracy {
     /// Velocity closure: navigation minus truth now [m/s].
     pub closure_velocity_enu_m_s: [f64; 3],
     /// Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
-    /// the Schuler-tuned response to displacement by velocity less displacement by position; up is 0. The rest of the
-    /// closure is caused by the simulator and the sensors.
+    /// the Schuler-tuned response to the displacement by velocities less the displacement by positions; up is 0. The rest of
+    /// the closure is caused by the simulator and the sensors.
     pub host_position_enu_m: [f64; 3],
     /// Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s].
     pub host_velocity_enu_m_s: [f64; 3],
     /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
     pub inconsistency_enu_m: [f64; 3],
-    /// The largest such difference in one interval [m].
+    /// Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
+    /// [m].
     pub inconsistency_max_m: f64,
     /// Samples flagged SINS_NAVIGATION_INCONSISTENT.
     pub inconsistent_samples: u64,
     /// Intervals flown since the start or the last reposition: one less than the samples.
     pub intervals: u64,
-    /// The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, after ten of its time constants: the error
-    /// of signal generator and mechanization themselves; 0 with physical signals [rad/s].
+    /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of its time constants after the
+    /// start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
     pub trim_rate_max_rad_s: f64,
-    /// The largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
+    /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     pub trim_force_max_m_s2: f64,
 }
 

@@ -6,7 +6,7 @@ use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::AltimeterParameters;
 
-/// Errors of the barometric height that damps the vertical channel. All zero is an ideal altimeter.
+/// Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_altimeter_params {
@@ -52,8 +52,8 @@ impl sins_altimeter_params {
     }
 }
 
-/// Sets the errors of the barometric height that damps the vertical channel (SINS_VERTICAL_DAMPED), from the next interval
-/// on.
+/// Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+/// interval on.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]

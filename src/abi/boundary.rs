@@ -1,5 +1,5 @@
-//! What stands between the host and the library: no panic leaves, nothing is printed, the host's floating-point state is
-//! left as it was.
+//! The boundary between host and library: no panic leaves the library, nothing is printed, and the host's floating-point state is
+//! restored.
 
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::OnceLock;
@@ -28,7 +28,7 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(SINS_ERROR_INTERNAL)
 }
 
-/// Runs the inside of a function that has no simulator to remember its failure: it is kept for this thread.
+/// Runs the inside of a function without a simulator. Its failure is kept for this thread.
 pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
     if !is_prepared() {
         refusal::forget();
@@ -49,8 +49,8 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
     status
 }
 
-/// Runs `body` as the inside of a C function that another shared library makes of this crate: with the default floating-point
-/// control state, and with the host's put back behind it. `None`: `body` panicked; nothing is printed.
+/// Runs `body` as the inside of a C function of another shared library that contains this crate: with the default floating-point
+/// control state, and afterwards with that of the host. `None`: `body` panicked; nothing is printed.
 pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
     if !is_prepared() {
         return None;
@@ -74,7 +74,7 @@ pub(super) fn remember(failure: Failure) {
     }
 }
 
-/// The last failure on this thread that no simulator remembers.
+/// The last failure on this thread that no simulator keeps.
 pub(super) fn last_failure() -> Option<Failure> {
     if let Some(refused) = refusal::last() {
         return Some(refused);
@@ -85,8 +85,8 @@ pub(super) fn last_failure() -> Option<Failure> {
     HERE.with(|here| here.last_failure.get())
 }
 
-/// Keeps the panic hook from printing while a thread is inside the library; elsewhere the hook before it goes on. In the
-/// shared library that is the library's own copy, and nobody else's.
+/// Keeps the panic hook from printing while a thread is inside the library. In other threads the earlier hook runs. A shared library
+/// has its own copy of the hook, which no other module uses.
 fn silence_panics() {
     // Not locks to wait for: a fork may come while another thread is at it.
     static DONE: AtomicBool = AtomicBool::new(false);

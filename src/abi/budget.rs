@@ -20,9 +20,9 @@ pub struct sins_budget_request {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Runs of all together, if anything is random, 8 to 1000; 0: 16.
+    /// Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16.
     pub runs: u64,
-    /// Limit of the change of the position error, at any time of the scene, by all effects that are left out together [m];
+    /// Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
     /// 0: none.
     pub position_m: f64,
     /// Limit of the change of the velocity error, likewise [m/s]; 0: none.
@@ -33,7 +33,7 @@ pub struct sins_budget_request {
 
 interface_struct!(sins_budget_request, "request", 40);
 
-/// Computes the contribution of each effect to the errors of a scene of 2 to 1e9 samples: which effects matter, and which
+/// Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
 /// can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
 /// struct_size of the other samples may be 0, that of the other rows anything.
 ///
@@ -42,36 +42,36 @@ interface_struct!(sins_budget_request, "request", 40);
 /// neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
 /// limits. written and budget may be NULL.
 ///
-/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two things are
-/// no effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it finds belongs to the effect that causes it.
+/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
+/// not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
 /// lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
-/// (navigation less truth) of a run with this effect alone, less the error of a run with nothing set. The row has the
-/// length of this vector in position, velocity and misalignment: the largest of up to 1000 instants, equally spaced, and
-/// the one at the last sample. For a random effect it is one standard deviation by the covariance of a flight with
-/// this effect alone, exact to first order (SINS_BUDGET_RANDOM; see sins_covariance). All effects together are flown with
-/// the random numbers of the runs sins_options.run, run + 1 and so on.
+/// (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
+/// this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
+/// length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
+/// with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
+/// flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
 ///
 /// rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
 /// position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
 /// the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
 /// effects that act on each other, and is of second order in their sizes.
 ///
-/// With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It collects effects
-/// from the smallest share on. D is the sum of their deterministic contributions, and R is the root sum of squares of their random
-/// contributions. The call stops when the root sum of squares of D and R exceeds a limit. Then it
-/// flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts the largest of them
-/// back.
+/// With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
+/// effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
+/// the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
+/// root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
+/// change (left_out) exceeds a limit, it puts the largest of them back.
 ///
-/// The same samples have the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame:
-/// it allocates, and flies the scene many times, each in 0.6 to 1.5 us a sample. The number of flights is 1, plus one for
-/// each effect, plus runs for all effects together, plus runs for the random effects if there are any. With limits it is
-/// runs more, and again more if effects do not add up.
+/// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
+/// allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
+/// for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
+/// these. With limits it flies them once more in each run, and further times if effects do not add up.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
 /// (To ask for the number, give NULL for rows and a capacity of 0.)
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
-/// SINS_ERROR_SINGULAR: geographic axes, or gyrocompassing, too close to a pole.
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes or for gyrocompassing.
 /// SINS_ERROR_DIVERGED: a solution diverged.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory.
 ///

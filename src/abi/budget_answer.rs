@@ -13,11 +13,11 @@ pub type sins_budget_flags = u32;
 
 /// The row's figures are standard deviations (1 sigma), exact to first order.
 pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
-/// The effect can be left out together with the others that are marked so.
+/// The effect can be left out, together with all others that have this flag.
 pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
 
-/// An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and the
-/// samples, with nothing set.
+/// An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and of the
+/// samples, with no effect set.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_budget_row {
@@ -30,23 +30,23 @@ pub struct sins_budget_row {
     /// The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
     /// out. Empty in the first row.
     pub field: [c_char; 48],
-    /// Length of the contribution to the position error, the largest in the scene [m].
+    /// Length of the contribution to the position error, the largest in the flight [m].
     pub position_m: f64,
-    /// Length of the contribution to the velocity error, the largest in the scene [m/s].
+    /// Length of the contribution to the velocity error, the largest in the flight [m/s].
     pub velocity_m_s: f64,
-    /// Length of the contribution to the misalignment, the largest in the scene [rad].
+    /// Length of the contribution to the misalignment, the largest in the flight [rad].
     pub attitude_rad: f64,
-    /// Length of the contribution to the position error at the end of the scene [m].
+    /// Length of the contribution to the position error at the end of the flight [m].
     pub end_position_m: f64,
-    /// Length of the contribution to the velocity error at the end of the scene [m/s].
+    /// Length of the contribution to the velocity error at the end of the flight [m/s].
     pub end_velocity_m_s: f64,
-    /// Length of the contribution to the misalignment at the end of the scene [rad].
+    /// Length of the contribution to the misalignment at the end of the flight [rad].
     pub end_attitude_rad: f64,
     /// The contribution divided by its limit, the largest of the three; 0 without limits.
     pub share: f64,
-    /// Time of a step with all effects, less that of a step without this one; in the first row, time of a step with nothing
-    /// set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may
-    /// be negative.
+    /// Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
+    /// set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
+    /// negative.
     pub ns_per_step: f64,
 }
 
@@ -62,16 +62,16 @@ pub struct sins_budget {
     pub reserved: u32,
     /// Duration of the evaluation: from the end of the first interval to the end of the last [s].
     pub duration_s: f64,
-    /// Runs of all together; 1 if nothing is random.
+    /// Number of runs with all effects together; 1 if nothing is random.
     pub runs: u64,
-    /// Flights that were flown.
+    /// Number of flights that the call made.
     pub flights: u64,
-    /// Lower end of the 95 % interval of the root mean square of the random part of all together, as a factor to that of
-    /// these runs; 1 if nothing is random.
+    /// Lower end of the 95 % confidence interval of the root mean square of the random errors with all effects together,
+    /// divided by the root mean square over these runs; 1 if nothing is random.
     pub sigma_low: f64,
-    /// Upper end of that interval, likewise.
+    /// Upper end of that interval, divided likewise; 1 if nothing is random.
     pub sigma_high: f64,
-    /// Position error with all effects together, root mean square over the runs, the largest in the scene [m].
+    /// Position error with all effects together, root mean square over the runs, the largest in the flight [m].
     pub position_m: f64,
     /// Velocity error with all effects together, likewise [m/s].
     pub velocity_m_s: f64,
@@ -83,11 +83,11 @@ pub struct sins_budget {
     pub remainder_velocity_m_s: f64,
     /// Part of the misalignment that the sum of all rows does not explain [rad].
     pub remainder_attitude_rad: f64,
-    /// Change of the position error when the marked rows are left out, as flown [m].
+    /// Change of the position error without the marked effects, by flights of all runs without them [m].
     pub left_out_position_m: f64,
-    /// Change of the velocity error when the marked rows are left out, as flown [m/s].
+    /// Change of the velocity error without the marked effects, likewise [m/s].
     pub left_out_velocity_m_s: f64,
-    /// Change of the misalignment when the marked rows are left out, as flown [rad].
+    /// Change of the misalignment without the marked effects, likewise [rad].
     pub left_out_attitude_rad: f64,
     /// Time of a step with all effects, measured in this call on this machine [ns].
     pub ns_per_step: f64,

@@ -51,7 +51,7 @@ pub(super) fn one_of<T: Copy>(
     }
 }
 
-/// Refuses a reserved field that is not 0.
+/// Rejects a reserved field that is not 0.
 pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
     if value == 0 { Ok(()) } else { Err(Error::invalid(field, value, Rule::Zero("")).into()) }
 }

@@ -11,25 +11,27 @@ use crate::covariance::NavigationCovariance;
 /// Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
 /// are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
 ///
-/// The covariance is propagated along the truth with the linear error equations (error data 1). Both frames use the equations in
-/// Earth-fixed axes; the result is the same. It is the covariance about the mean error of all runs. The random numbers of this run do
-/// not enter it.
-/// It contains: random initial errors; the misalignment that an alignment makes of sensor errors; turn-on biases, scale factors and
-/// misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's
-/// Gauss-Markov error and noise; quantization, as white noise of the same variance.
+/// The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
+/// sins_options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the mean
+/// error of all runs. It does not depend on the random numbers of this run.
+/// It contains: random initial errors; the misalignment that the alignment at the start derives from sensor errors; turn-on
+/// biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
+/// gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
 /// It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
-/// One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second. A
-/// second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
+/// One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
+/// current second. A second with at least one height of the altimeter counts as aided
+/// throughout, so drop-outs shorter than a second do not show.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_covariance {
     /// sizeof(sins_covariance)
     pub struct_size: u32,
-    /// Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE; SINS_ERRORS_OUTSIDE_VALIDITY where a standard deviation is.
+    /// Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
+    /// deviation exceeds the limits of that flag.
     pub flags: i32,
     /// Time [s].
     pub time_s: f64,
-    /// Covariance, 9 by 9, row by row; symmetric, and never negative by rounding.
+    /// Covariance, 9 by 9, row by row. It is symmetric, and rounding cannot make a variance negative.
     pub covariance: [f64; 81],
     /// Standard deviation of the position error [m].
     pub position_sigma_enu_m: [f64; 3],
@@ -39,14 +41,14 @@ pub struct sins_covariance {
     pub misalignment_sigma_enu_rad: [f64; 3],
     /// Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m].
     pub ellipse_major_m: f64,
-    /// Semi-minor axis [m].
+    /// Semi-minor axis of that ellipse [m].
     pub ellipse_minor_m: f64,
     /// Azimuth of the major axis, from north to the east, 0 up to pi [rad].
     pub ellipse_azimuth_rad: f64,
-    /// Radius of the circle that holds the horizontal error with a probability of 50 %, by the integral of the normal density of
-    /// this ellipse with the mean 0 [m].
+    /// Radius of the circle that contains the horizontal error with a probability of 50 % [m]. The error has the normal
+    /// distribution of this ellipse, with the mean 0.
     pub cep50_m: f64,
-    /// The same of 95 % [m].
+    /// Radius of the circle that contains the horizontal error with a probability of 95 % [m].
     pub radial_95_m: f64,
 }
 
@@ -75,8 +77,7 @@ impl sins_covariance {
     }
 }
 
-/// Reads the covariance of the navigation errors at the last sample that was flown to; before the first step, at the start. The call
-/// changes no other output.
+/// Reads the covariance of the navigation errors at the end of the last interval; before the first step, that of the start.
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
 /// SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.

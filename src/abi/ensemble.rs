@@ -10,8 +10,8 @@ use super::simulator::{look_at, pushed, sins_sim, stepped};
 use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
 
-/// An ensemble: many runs of one simulator over the same samples. A handle is a checked key, as that of sins_sim, and never taken for
-/// one. The failures of its functions are read by sins_last_error(NULL, ...) on the same thread.
+/// An ensemble: many runs of one simulator over the same samples. A handle is a checked key, like that of a sins_sim, and is
+/// never confused with one. sins_last_error(NULL, ...) on the same thread gives the failures of its functions.
 #[repr(C)]
 pub struct sins_ensemble {
     _opaque: [u8; 0],
@@ -25,17 +25,16 @@ pub(super) fn with_ensemble(
     with_object(&ENSEMBLES, ensemble, body)
 }
 
-/// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options, sensors, initial
-/// errors, mounting, gravity and failures, which has taken no sample. The call copies it, and does not change it. The run with number
-/// k gives the same bits as a simulator with the same settings and sins_options.run = k. sins_options.run, truth_summary and
-/// covariance of configured have no effect.
+/// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
+/// sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not change
+/// it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins_options.run = k. In the
+/// options of configured, run, truth_summary and covariance have no effect.
 ///
-/// What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
-/// and machines, and their statistics merged. The library starts no thread.
+/// No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
+/// statistics can be merged. The library starts no thread.
 ///
-/// Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set: geographic
-/// axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
-/// is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+/// All runs are flown side by side: the work that they share is done once a step. So a run takes a fraction of the time and
+/// of the memory of a simulator; docs/ensembles.md has the figures. Not for a real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
@@ -60,7 +59,7 @@ pub unsafe extern "C" fn sins_ensemble_create(
     })
 }
 
-/// Destroys an ensemble. A call on it in another thread is waited for; the handle is never used again.
+/// Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
@@ -68,7 +67,7 @@ pub unsafe extern "C" fn sins_ensemble_destroy(ensemble: *mut sins_ensemble) -> 
     enter(|| ENSEMBLES.remove(ensemble.addr()))
 }
 
-/// Takes one flight-control sample into the queue (16 samples) of all runs.
+/// Puts one flight sample into the queue (16 samples) of all runs.
 ///
 /// SINS_GAP and the errors: as sins_push_sample().
 #[unsafe(no_mangle)]
@@ -85,24 +84,25 @@ pub unsafe extern "C" fn sins_ensemble_push_sample(
 
 /// Flies one sample interval with all runs that have not diverged. No allocation, no system call.
 ///
-/// A run that cannot make the step, for which sins_step() would answer SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR, has diverged:
-/// it keeps its solution before the step, takes no further part, and is reported by sins_ensemble_get_diverged() and counted by
-/// sins_ensemble_get_statistics(). The others go on, and so does the truth, even if no run is left. sins_ensemble_reposition() and
-/// sins_ensemble_reset() start all runs again.
+/// A run has diverged if sins_step() would return SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR for it. A diverged run keeps the
+/// solution before that step, and is not flown any further. sins_ensemble_get_diverged() reports it, and
+/// sins_ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
+/// sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
 ///
-/// SINS_NEED_SAMPLE: no complete interval waits. SINS_ERROR_SINGULAR: the truth is within reach of a pole, in geographic axes or
-/// where the alignment is a gyrocompass; the step is not made.
+/// SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
+/// axes or for an alignment by gyrocompass; the step is not made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sins_status {
     with_ensemble(ensemble, |ensemble| Ok(stepped(ensemble.step()?)))
 }
 
-/// Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
-/// samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+/// Pushes and steps an array of samples, count of them. Any split of a flight into calls gives the same bits as pushing and
+/// stepping sample by sample. samples[0].struct_size is the distance between samples; struct_size of the other samples may be
+/// 0.
 ///
 /// SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
-/// sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it have been
-/// flown, this and the rest not. A sample that could be pushed but not flown waits in the queue.
+/// sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
+/// were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the queue.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_run(
     ensemble: *mut sins_ensemble,
@@ -132,8 +132,8 @@ fn run(ensemble: &mut Ensemble, samples: &Array<sins_flight_sample>) -> Result<s
     Ok(answer)
 }
 
-/// Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
-/// sins_reposition().
+/// Restarts all runs, as sins_reposition() does: the truth jumps to the sample, and every run, diverged or not, starts again
+/// there with its initial errors.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
 #[unsafe(no_mangle)]
@@ -149,7 +149,8 @@ pub unsafe extern "C" fn sins_ensemble_reposition(
     })
 }
 
-/// Back to before the first sample: same parameters, no failures, the same draws again from their start, no run diverged.
+/// Returns to the state before the first sample, as sins_reset() does: the same parameters, no failures, no diverged run, and
+/// the random streams at their start.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
@@ -158,11 +159,10 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
     })
 }
 
-/// Lets one output of every run fail, or clears its failure: as sins_set_failure(). The first failure of an ensemble whose runs go
-/// side by side makes each run a simulator (see sins_ensemble_create()): that call allocates.
+/// Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-/// SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
+
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,

@@ -11,7 +11,7 @@ use super::solution::sins_navigation;
 use crate::error::{Error, Rule};
 use crate::simulator::ErrorSource;
 
-/// Reads the numbers of the first run and of the runs; either may be NULL.
+/// Reads the number of the first run, and how many runs there are; either pointer may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_get_runs(
     ensemble: *mut sins_ensemble,
@@ -31,7 +31,7 @@ pub unsafe extern "C" fn sins_ensemble_get_runs(
     })
 }
 
-/// Reads the truth, which all runs share: as sins_get_truth().
+/// Reads the truth, which all runs share, as sins_get_truth() does.
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
 #[unsafe(no_mangle)]
@@ -46,10 +46,11 @@ pub unsafe extern "C" fn sins_ensemble_get_truth(
     })
 }
 
-/// Reads the navigated solution of a run, first_run to first_run + runs - 1: as sins_get_navigation().
+/// Reads the navigated solution of a run, as sins_get_navigation() does. run is from first_run to first_run + runs - 1.
 ///
-/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged, and the
-/// sentence has the time of its last good solution; or as sins_get_navigation(). SINS_ERROR_SINGULAR: as sins_get_navigation().
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged (the
+/// sentence of sins_last_error() states the time of its last good solution); or as sins_get_navigation().
+/// SINS_ERROR_SINGULAR: as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_get_navigation(
     ensemble: *mut sins_ensemble,
@@ -64,7 +65,7 @@ pub unsafe extern "C" fn sins_ensemble_get_navigation(
     })
 }
 
-/// Reads the errors of the navigated solution of a run: as sins_get_errors(); source is of enum sins_errors_source.
+/// Reads the errors of the navigated solution of a run, as sins_get_errors() does; source is of enum sins_errors_source.
 ///
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
 /// while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
@@ -84,7 +85,7 @@ pub unsafe extern "C" fn sins_ensemble_get_errors(
     })
 }
 
-/// Reads ideal and measured signals of the last interval of a run: as sins_get_imu().
+/// Reads ideal and measured signals of the last interval of a run, as sins_get_imu() does.
 ///
 /// SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
 #[unsafe(no_mangle)]
@@ -100,9 +101,10 @@ pub unsafe extern "C" fn sins_ensemble_get_imu(
     })
 }
 
-/// Reads the number of a run that has diverged: index 0 is the lowest of them, and so on. sins_statistics.diverged counts them.
+/// Reads the number of a run that has diverged. The numbers are in ascending order, from index 0; sins_statistics.diverged is
+/// their count.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: no more than index runs have diverged.
+/// SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_get_diverged(
     ensemble: *mut sins_ensemble,

@@ -7,7 +7,7 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::put;
 use super::text::{bytes_of, bytes_to_fill};
 
-/// The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator.
+/// Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_snapshot_size(
     ensemble: *mut sins_ensemble,
@@ -20,10 +20,10 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_size(
     })
 }
 
-/// Saves the whole ensemble, at any moment: as sins_snapshot_save(). written (may be NULL) gets the size. The same state gives the
-/// same bytes. No allocation, no system call.
+/// Saves the whole ensemble, at any moment, as sins_snapshot_save() does for a simulator. written (may be NULL) gets the
+/// size. The same state gives the same bytes. No allocation, no system call.
 ///
-/// SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are as they were.
+/// SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_snapshot_save(
     ensemble: *mut sins_ensemble,
@@ -49,12 +49,13 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_save(
     })
 }
 
-/// Replaces the ensemble by the saved one, with its runs and options. It does not matter what the ensemble was before: one of any
-/// simulator with one run is enough. It continues to the same bits as the saved one. size is what sins_ensemble_snapshot_save()
-/// wrote. Not for a real-time frame: it allocates.
+/// Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator is
+/// enough. It continues to the same bits as the saved one. size is the size that sins_ensemble_snapshot_save() wrote. Not for
+/// a real-time frame: it allocates.
 ///
-/// SINS_ERROR_SNAPSHOT: the bytes are no snapshot of an ensemble, cut off, altered, or of a newer release; nothing has changed, and
-/// sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second ensemble.
+/// SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
+/// has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
+/// ensemble.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_snapshot_load(
     ensemble: *mut sins_ensemble,

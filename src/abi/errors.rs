@@ -19,10 +19,10 @@ pub const SINS_ERRORS_MODEL: sins_errors_source = 1;
 /// Flags of a sins_errors.
 pub type sins_errors_flags = i32;
 
-/// Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
-/// error have no meaning.
+/// The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up misalignment, and the east and
+/// north components of the velocity error have no meaning.
 pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
-/// Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+/// A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
 /// displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
@@ -42,8 +42,8 @@ pub struct sins_record_errors {
     pub height_m: f64,
     /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
-    /// error model it is of first order: computed C = (I - [phi x]) C.
+    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
+    /// to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
     pub misalignment_enu_rad: [f64; 3],
     /// Error of roll, wrapped to -pi to pi [rad].
     pub roll_rad: f64,

@@ -35,7 +35,8 @@ pub const SINS_ERROR_INVALID_ARGUMENT: sins_status_code = -4;
 pub const SINS_ERROR_BAD_STATE: sins_status_code = -5;
 /// A sample that is not later than the one before, or off the stated sample period.
 pub const SINS_ERROR_TIME_ORDER: sins_status_code = -6;
-/// The truth jumped: a gap, a teleport, half a turn between two samples. See sins_move_truth().
+/// The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude, or a turn of 170 degrees or more
+/// between two samples. See sins_move_truth().
 pub const SINS_ERROR_DISCONTINUITY: sins_status_code = -7;
 /// The queue of samples is full: step first.
 pub const SINS_ERROR_QUEUE_FULL: sins_status_code = -8;
@@ -47,7 +48,7 @@ pub const SINS_ERROR_SINGULAR: sins_status_code = -10;
 pub const SINS_ERROR_BUFFER_TOO_SMALL: sins_status_code = -11;
 /// No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
 pub const SINS_ERROR_OUT_OF_MEMORY: sins_status_code = -12;
-/// The snapshot is damaged, foreign or newer.
+/// The bytes are not a snapshot, or are one that is damaged or of a newer release.
 pub const SINS_ERROR_SNAPSHOT: sins_status_code = -13;
 /// A defect inside the library was caught. This handle returns this status from now on; other handles still work.
 pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
@@ -57,7 +58,7 @@ pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
 pub(super) struct Failure {
     pub status: sins_status,
     pub error: Error,
-    /// Which sample of an array it concerns.
+    /// Index of the sample in an array that it concerns.
     pub sample: Option<usize>,
 }
 
@@ -81,7 +82,7 @@ impl Failure {
         Self::words(SINS_ERROR_BAD_HANDLE, name, "is null, made up, destroyed, or of another kind")
     }
 
-    /// A handle, an argument under `name`, was refused with `status`.
+    /// The failure of a handle that is the argument `name` and was rejected with `status`.
     pub fn of_handle(status: sins_status, name: &'static str) -> Self {
         match status {
             SINS_ERROR_BAD_HANDLE => Self::bad_handle(name),
@@ -124,12 +125,12 @@ impl Failure {
         }
     }
 
-    /// The same failure, about element `index` of the array at fault.
+    /// Adds to the failure that element `index` of the array is at fault.
     pub fn of_element(self, index: usize) -> Self {
         Self { error: self.error.at(index), ..self }
     }
 
-    /// The same failure, about sample `index` of an array.
+    /// Adds to the failure that it concerns sample `index` of an array.
     pub fn of_sample(self, index: usize) -> Self {
         Self { sample: Some(index), ..self }
     }

@@ -6,13 +6,13 @@ use core::arch::asm;
 #[cfg(target_arch = "x86")]
 use core::mem::MaybeUninit;
 
-/// What the host had. Filled in its place: on i686 it is too large to be moved in every call.
+/// The host's state. It is filled in place: on i686 it is too large to be moved in every call.
 pub(super) struct FloatState {
     #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
     mxcsr: u32,
     #[cfg(target_arch = "x86")]
     x87: [u16; 14],
-    /// Environment and registers, where the host left some in use.
+    /// Environment and registers, if the host left registers in use.
     #[cfg(target_arch = "x86")]
     x87_registers: MaybeUninit<[u8; 108]>,
     #[cfg(target_arch = "aarch64")]
@@ -23,7 +23,7 @@ pub(super) struct FloatState {
 #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
 static DEFAULT_MXCSR: u32 = 0x1f80;
 
-/// The control bits of MXCSR; the rest notes exceptions.
+/// The control bits of MXCSR; the other bits are flags of exceptions.
 #[cfg(target_arch = "x86_64")]
 const MXCSR_CONTROL: u32 = 0xffc0;
 
@@ -50,7 +50,7 @@ impl FloatState {
 
     pub const UNKNOWN: Self = Self { mxcsr: 0 };
 
-    /// Saves the host's state and sets the default. A load of MXCSR costs 10 ns: it is spared where nothing would change.
+    /// Saves the host's state and sets the default. A load of MXCSR costs 10 ns, so there is none if nothing would change.
     #[inline(always)]
     pub fn enter(&mut self) {
         self.mxcsr = Self::read();

@@ -6,10 +6,10 @@ use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{GravityDisturbanceParameters, GravityField};
 
-/// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
-/// gravity disturbance: both at the same point). Each has a constant part and a random part. The random part is a
-/// first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over ground. At
-/// rest it does not change. All zero is normal gravity.
+/// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
+/// disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
+/// part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
+/// ground. At rest it does not change. All zero is normal gravity.
 ///
 /// Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
 /// accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and

@@ -10,9 +10,9 @@ use crate::simulator::ImuInterval;
 /// Flags of a sins_imu.
 pub type sins_imu_flags = u32;
 
-/// The mean rate of a sub-increment was beyond the range of a gyro.
+/// The mean rate of a subsample was beyond the range of a gyro.
 pub const SINS_IMU_GYRO_SATURATED: sins_imu_flags = 1;
-/// The mean force of a sub-increment was beyond the range of an accelerometer.
+/// The mean force of a subsample was beyond the range of an accelerometer.
 pub const SINS_IMU_ACCEL_SATURATED: sins_imu_flags = 2;
 /// A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
 pub const SINS_IMU_GYRO_INVALID: sins_imu_flags = 4;

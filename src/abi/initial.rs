@@ -14,14 +14,14 @@ pub type sins_alignment = i32;
 /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
 pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
 /// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-/// turned by the given and the drawn misalignment. Level first: the tilt at which the accelerometers sense no horizontal
-/// force. Then the heading at which the levelled rate of the gyros points north. SINS_NAVIGATION_NORTH_UNKNOWN is set if
-/// north could not be found.
+/// turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
+/// no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
+/// SINS_NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
-/// Errors with which the navigation starts: computed less true, east-north-up. The sigmas are drawn once a run and added.
-/// Where the vertical channel follows the truth, its errors start at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their
-/// standard deviations up to 1e5 m and 1e3 m/s.
+/// Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
+/// (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
+/// to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_initial_errors {
@@ -33,8 +33,9 @@ pub struct sins_initial_errors {
     pub position_enu_m: [f64; 3],
     /// Velocity error [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C, C from sensor axes to
-    /// east-north-up, the true one or with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS the one that the alignment finds.
+    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
+    /// axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
+    /// the alignment finds.
     pub misalignment_enu_rad: [f64; 3],
     /// Standard deviation of position [m].
     pub position_sigma_enu_m: [f64; 3],

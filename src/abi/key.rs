@@ -11,7 +11,7 @@ const SLOT_BITS: u32 = SLOTS.trailing_zeros();
 const KIND_BITS: u32 = 3;
 /// Generations of a slot; one that has used them all is never used again, so that no key returns.
 pub(super) const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
-/// Less than every first generation, so small made-up numbers are no keys.
+/// Less than every first generation, so small made-up numbers are never keys.
 const LOWEST_GENERATION: usize = 0x2a5;
 
 pub(super) fn key_of(generation: usize, slot: usize, kind: usize) -> usize {

@@ -75,8 +75,8 @@ pub unsafe extern "C" fn sins_last_error(
     })
 }
 
-/// Reads, as a struct, why the last call on this handle failed; with a NULL handle, on this thread. It is the same failure
-/// of which sins_last_error() gives the sentence.
+/// Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
+/// sins_last_error() gives the sentence.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_last_error_info(
     sim: *const sins_sim,

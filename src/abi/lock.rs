@@ -1,5 +1,5 @@
-//! A lock that knows the thread that holds it. That thread gets an answer where it would wait for itself for ever, in a signal
-//! handler as well: the word of the lock is the owner itself, so there is no moment at which the one is known without the other.
+//! A lock that knows the thread that holds it. If that thread takes the lock again, also in a signal handler, it gets
+//! an error, and does not wait for itself for ever. The word of the lock is the name of the owner, so both change at the same moment.
 
 use core::cell::UnsafeCell;
 use core::ops::{Deref, DerefMut};
@@ -8,7 +8,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use super::thread::{WAITED_FOR, Waiters, has_ended, this_thread};
 
 const FREE: usize = 0;
-/// In place of an owner that will never release the lock. No thread is named so.
+/// Stands for an owner that will never release the lock. No thread has this name.
 const LOST: usize = usize::MAX & !WAITED_FOR;
 
 /// A value that one thread at a time may use.
@@ -22,7 +22,7 @@ pub(super) struct Lock<T> {
 // SAFETY: a guard is the only way to the value, and one lives at a time.
 unsafe impl<T: Send> Sync for Lock<T> {}
 
-/// The value, until dropped.
+/// Access to the value, until it is dropped.
 pub(super) struct Guard<'a, T> {
     lock: &'a Lock<T>,
 }
@@ -40,7 +40,7 @@ impl<T> Lock<T> {
         (free.is_ok() || self.wait(me)).then(|| Guard { lock: self })
     }
 
-    /// Takes the lock when it is released; false if that cannot be.
+    /// Takes the lock when it is released. Returns false if it will never be released.
     #[cold]
     fn wait(&self, me: usize) -> bool {
         let replace =
@@ -69,7 +69,7 @@ impl<T> Lock<T> {
         self.owner.load(Ordering::Relaxed) & !WAITED_FOR == this_thread()
     }
 
-    /// Loses the lock if another thread holds it, in the only thread of a forked process.
+    /// Marks the lock as lost if another thread holds it. Called in the only thread of a forked process.
     #[cfg(unix)]
     pub fn lose_if_not_mine(&self) {
         if self.owner.load(Ordering::Relaxed) != FREE && !self.is_mine() {

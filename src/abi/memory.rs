@@ -5,7 +5,7 @@ use core::mem::MaybeUninit;
 use super::failure::Failure;
 use crate::error::Rule;
 
-/// Larger struct sizes are garbage, not a later release.
+/// Largest struct size that a host may state; larger ones are garbage, not a later release.
 const MAX_STRUCT_SIZE: usize = 1 << 16;
 
 /// A struct of the interface: begins with `struct_size` and a second 32-bit integer.
@@ -53,7 +53,7 @@ unsafe fn stated_size<T: Struct>(pointer: *const T, name: &'static str) -> Resul
     check_size::<T>(unsafe { pointer.cast::<u32>().read_unaligned() } as usize)
 }
 
-/// Reads a struct of the host: a missing tail reads as zero, a longer one must be zero.
+/// Reads a struct of the host. If it is shorter, the missing fields are zero; if it is longer, the rest must be zero.
 ///
 /// # Safety
 /// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
@@ -64,7 +64,7 @@ pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> R
     unsafe { read_sized(pointer, size) }
 }
 
-/// The same into a place of the caller's: a large struct is not moved about on the stack.
+/// As [`read`], but into a place of the caller, so that a large struct is not moved on the stack.
 ///
 /// # Safety
 /// As [`read`].
@@ -89,7 +89,8 @@ unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Fai
     Ok(unsafe { value.assume_init() })
 }
 
-/// Copies what is known of a struct; a missing tail stays, a longer one must be zero.
+/// Copies the known fields of a struct. If the host's struct is shorter, the other fields of `value` stay; if it is longer, the rest
+/// must be zero.
 ///
 /// # Safety
 /// `pointer` points to `size` readable bytes, `value` to a writable `T`.
@@ -134,8 +135,7 @@ impl<T: Struct> Output<T> {
         }
     }
 
-    /// The same of what `fill` makes of a struct whose fields it sets, `struct_size` or not: in the host's place, where that has
-    /// room.
+    /// As [`Self::write`], but `fill` sets the fields: directly in the host's struct, if that has room. It need not set `struct_size`.
     #[inline(always)]
     pub fn fill(&self, fill: impl FnOnce(&mut T)) {
         if self.size < size_of::<T>() || !self.pointer.is_aligned() {

@@ -1,14 +1,14 @@
 //! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory` and `text`, the handles in
 //! `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
 //!
-//! The doc comments of the public items are the documentation in the header, and those of `src/sensors/table.rs` for
-//! `sins_gyro_params` and `sins_accel_params`.
+//! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
+//! `sins_accel_params` comes from `src/sensors/table.rs`.
 //!
 //! # Safety
 //!
-//! Of every function here: a pointer is null or points to what its type says, an array to as many elements as the call
-//! states, a string to a terminated one, for the duration of the call; null where nothing allows it, a stale or foreign
-//! handle and a wrong `struct_size` are answered with a status.
+//! The caller of any function here promises, for the duration of the call: a pointer is null or points to an object of its type,
+//! a pointer to an array to as many elements as the call states, a pointer to a string to a terminated string. A function
+//! returns an error for a null pointer that is not allowed, an old or foreign handle, and a wrong `struct_size`.
 
 #![allow(non_camel_case_types, reason = "the names are C's")]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]

@@ -46,8 +46,8 @@ pub struct sins_mounting {
 
 interface_struct!(sins_mounting, "mounting", 104);
 
-/// Sets the mounting of the sensor block: before the first step, after a reset or after a reposition; both keep it. The
-/// mounting does not affect a navigator on increments: its solution is that of the block.
+/// Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
+/// reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.

@@ -101,7 +101,7 @@ pub type sins_signal = i32;
 pub const SINS_SIGNAL_PHYSICAL: sins_signal = 0;
 /// As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
 /// free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-/// trim. If no sensor has errors, the simulator's own navigator is that navigator, and nothing is computed twice.
+/// trim. If no sensor has errors, the trim costs no second navigator.
 pub const SINS_SIGNAL_CLOSED_LOOP: sins_signal = 1;
 
 /// Options of a simulator. All zero (except struct_size) is the recommended simulator.
@@ -116,7 +116,7 @@ pub struct sins_options {
     pub frame: i32,
     /// Algorithm of the mechanization, of enum sins_scheme.
     pub scheme: i32,
-    /// Sub-increments of a mechanization update, 1 to 5; 0: 2.
+    /// Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2.
     pub subsamples: i32,
     /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     pub updates_per_sample: i32,
@@ -140,17 +140,17 @@ pub struct sins_options {
     /// another signal.
     pub closed_loop_time_s: f64,
     /// Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
-    /// sample is at an exact multiple of the period from the first. The time stamps then only order the samples and check
-    /// them: each must be within 0.4 of a period of its multiple.
+    /// sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
+    /// samples: each must be within 0.4 of a period of its multiple.
     pub sample_period_s: f64,
-    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest.
-    /// Intervals of 100 s cost 40 m in 12 h, longer ones many times that.
+    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
+    /// of 100 s cause 40 m of position error in 12 h, longer ones many times that.
     pub max_gap_s: f64,
     /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped.
     pub max_acceleration_m_s2: f64,
     /// Summary of the true motion, of enum sins_summary.
     pub truth_summary: i32,
-    /// Of enum sins_covariance_mode.
+    /// Covariance of the navigation errors, of enum sins_covariance_mode.
     pub covariance: i32,
 }
 

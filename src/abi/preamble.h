@@ -15,12 +15,12 @@
  *   }
  *   sins_destroy(sim);
  *
- * Structs. Zero is off. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the
- *   sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So
- *   "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers that warn of
- *   fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new
- *   libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does not know, an
- *   output leaves these fields unchanged.
+ * Structs. A field of 0 is off, or has its default. Every struct (except the parts of a sins_record) begins with struct_size,
+ *   which the caller sets to the sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says
+ *   otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers
+ *   that warn of fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old
+ *   hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does
+ *   not know, an output leaves these fields unchanged, and an input must have 0 in them.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -28,14 +28,16 @@
  *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
  *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
  * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
- *   its value.
- *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() keeps the
- *   intervals that it flew before the error. If a buffer is too small, sins_last_error() and sins_error_budget() report the
- *   size that is needed.)
- *   SINS_ERROR_NULL_POINTER, SINS_ERROR_BAD_HANDLE, SINS_ERROR_STRUCT_SIZE and SINS_ERROR_INTERNAL can come from every function
- *   that has an argument of that kind. The other errors of a function are listed at the function, or under Threads and Unloading.
- *   A positive status is not an error: SINS_NEED_SAMPLE left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output,
- *   SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did what was asked. Test for errors by status < 0.
+ *   its value directly.
+ *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
+ *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
+ *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
+ *   elements that is needed.)
+ *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, with a handle SINS_ERROR_BAD_HANDLE, and with a
+ *   struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can return SINS_ERROR_INTERNAL. The other errors of a
+ *   function are listed at the function, or under Threads and Unloading. A positive status is not an error: SINS_NEED_SAMPLE
+ *   left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output, SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did
+ *   what was asked. Test for errors by status < 0.
  *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
@@ -45,43 +47,46 @@
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
  *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
- *     holds its handle for ever, and the memory stays in use. Calls of its own thread return SINS_ERROR_BAD_STATE. Calls of other
- *     threads wait for ever; on Windows, if the thread was terminated, they return SINS_ERROR_BAD_STATE, the first of them after
- *     0.1 s. The floating-point state of the host is not restored.
- *   fork(): if another thread of the parent was inside a call, its handle is SINS_ERROR_BAD_STATE in the child. All other handles
- *     work there. A process made in another way, such as by vfork() or clone(), must make no call.
- * Unloading. Destroy every handle first, and let every call return. A library that was built for windows-gnu stays in memory from
- *   its first load on, as does a module that the static library is linked into: FreeLibrary() succeeds, and LoadLibrary() gives
- *   the same module again. The reason: Rust never frees the three or four TLS indexes that it takes at the load. Load the library
- *   before other modules have used up the indexes. If fewer than eight are left, functions without a handle return
- *   SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when a thread or the process
- *   ends.
+ *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
+ *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
+ *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The floating-point state of the host is not restored.
+ *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
+ *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
+ *   unloaded: FreeLibrary() succeeds, the DLL stays in memory, and LoadLibrary() gives the same module again. The same holds
+ *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes that it takes when
+ *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
+ *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
+ *   a thread or the process ends.
  * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. The same holds for
- *   ensembles and statistics, except for the first failure of an ensemble. The library prints nothing, and reads no environment
- *   variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
- * Host time. The time of a run is that of the time stamps of its samples; no clock enters it. (Two exceptions that change no
- *   navigation: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the clock.)
+ *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
+ *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
+ *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
+ * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
+ *   purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the
+ *   clock.)
  *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
- *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the time
- *     at which the vehicle moves on: the flight continues as if there had been no pause. Without that call, the first sample after
- *     a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as an
- *     interval of motion, velocity times its length, and its push returns SINS_GAP.
+ *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the
+ *     time of that clock when the vehicle moves on: the flight continues as if there had been no pause. Without that call, the
+ *     first sample after a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter
+ *     pause is flown as if the vehicle had moved on: velocity times the length of the pause. The push after it returns
+ *     SINS_GAP.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
  *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
  *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one: none in steady flight; 5 cm for 1 s lost, 3 m for 2.5 s lost in a weave of
- *     4 g with a period of 8 s at 100 Hz. Without velocities a gap costs up to 5 * (error of a position) * (number of lost
- *     intervals)^2: 23 m for 1 s lost in straight flight at 50 Hz, with positions of 1 cm. If that is too much, set a smaller
- *     max_gap_s: longer gaps are then rejected.
+ *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period
+ *     of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up
+ *     to 5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
+ *     positions to 1 cm, cost 23 m. If that is too much, set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
- *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as one:
- *     accuracy is that of the slower sample rate while it lasts, a turn of 170 degrees between two samples is rejected, and noise
- *     is that of the interval's length. Only noise_m of the altimeter and the probability of drop-outs count per sample.
+ *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a
+ *     whole. So the accuracy is that of the sample rate at hand, and a turn of 170 degrees or more between two samples is
+ *     rejected. The size of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of
+ *     drop-outs are per sample, whatever the interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
- *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats with the same random numbers. sins_snapshot_load()
- *     returns to a saved moment.
+ *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
+ *     sins_snapshot_load() returns to a saved moment.
  * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
  *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
  *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
@@ -155,15 +160,15 @@ extern "C" {
 #endif
 
 /*
- * A simulator. This type and the next four are handles: checked keys, never addresses. A call with a handle that is null, made
- * up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
+ * A simulator. This type and the next four are handles: keys that every call checks, never addresses. A call with a handle that
+ * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
  */
 typedef struct sins_sim sins_sim;
-/* An embedded flight. */
+/* An embedded flight: the library computes its samples from manoeuvres. */
 typedef struct sins_flight sins_flight;
-/* An ensemble of runs. */
+/* An ensemble: many runs of one simulator over the same samples. */
 typedef struct sins_ensemble sins_ensemble;
-/* A scene. */
+/* A scene: a flight, the simulator that flies it, and the failures on the way. */
 typedef struct sins_scene sins_scene;
-/* A flight log. */
+/* A flight log: a table of samples. */
 typedef struct sins_log sins_log;

@@ -1,9 +1,9 @@
-//! What the process must give before the first handle is made: on Unix, notice of a fork; on Windows, what is thread-local in
-//! Rust.
+//! Preparation of the process before the first handle is made: on Unix a handler of forks, on Windows the storage of Rust's
+//! thread-local variables.
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether the process has given all of it, which is asked for again until it has.
+/// Whether the process is prepared. If it is not, it is prepared now; if that fails, the next call tries again.
 #[inline]
 pub(super) fn is_prepared() -> bool {
     static PREPARED: AtomicBool = AtomicBool::new(false);
@@ -36,8 +36,8 @@ mod system {
     #[cfg(target_env = "gnu")]
     pub use glibc::prepare;
 
-    /// The handler goes with the library when that is unloaded. What pthread_atfork() does for this is code of glibc and gcc that
-    /// other linkers leave out. Evidence: linked by Zig, a library that was unloaded ended the next child.
+    /// Registers the handler so that it is removed when the library is unloaded. pthread_atfork() needs code of glibc and gcc for this,
+    /// which other linkers leave out. Evidence: after a library that was linked by Zig was unloaded, the next child process crashed.
     #[cfg(target_env = "gnu")]
     mod glibc {
         use core::ffi::c_void;
@@ -55,7 +55,7 @@ mod system {
             safe fn __cxa_finalize(module: *const c_void);
         }
 
-        /// Run when this module is unloaded. Its address stands for the module.
+        /// Runs when this module is unloaded. The address of this variable identifies the module.
         #[used]
         #[unsafe(link_section = ".fini_array")]
         static AT_UNLOAD: extern "C" fn() = at_unload;
@@ -74,9 +74,9 @@ mod system {
     }
 }
 
-/// On windows-gnu each thread-local variable of Rust, those of its standard library among them, is a TLS index, taken at the
-/// first use and never freed; where none is left, the process is aborted. One is used even when a thread ends or the library
-/// is unloaded. So they are taken when the library is loaded, and it stays loaded from then on.
+/// On windows-gnu each thread-local variable of Rust and of its standard library takes a TLS index at its first use, and never frees
+/// it. If no index is left, the process is aborted. One variable is used even when a thread ends or the library is unloaded. So the
+/// library takes its indexes when it is loaded, and stays loaded from then on.
 #[cfg(all(windows, target_env = "gnu"))]
 mod system {
     use core::ffi::c_void;
@@ -85,11 +85,11 @@ mod system {
     use crate::abi::thread_locals::touch_thread_locals;
     use crate::memory::room;
 
-    /// Of Rust 1.95: one of the library's own, the current thread, its number in one or two, and the count of panics, which the
-    /// first panic takes. The rest is for a later Rust.
+    /// Rust 1.95 needs one for the library's own variable, one for the current thread, one or two for its number, and one for the count
+    /// of panics, which the first panic takes. The rest is for a later Rust.
     const INDEXES: usize = 8;
     const OUT_OF_INDEXES: u32 = u32::MAX;
-    /// What the standard library allocates for them, generously.
+    /// Upper bound of the memory that the standard library allocates for them.
     const MEMORY: usize = 4096;
     const PIN: u32 = 1;
     const FROM_ADDRESS: u32 = 4;
@@ -133,7 +133,7 @@ mod system {
     }
 }
 
-/// Elsewhere what is thread-local in Rust comes and goes with the library.
+/// On other systems Rust's thread-local variables come and go with the library.
 #[cfg(all(windows, not(target_env = "gnu")))]
 mod system {
     pub fn prepare() -> bool {

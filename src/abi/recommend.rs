@@ -23,7 +23,8 @@ pub struct sins_requirement {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Duration for which the limits hold, up to 1e6 [s]; 0, or less than the piece's length: the length of the piece.
+    /// Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
+    /// sins_recommend(): that length.
     pub duration_s: f64,
     /// Limit of the distance from the exact solution on the same signals [m]; 0: none.
     pub position_m: f64,
@@ -59,16 +60,16 @@ pub struct sins_cost {
     pub reference_velocity_m_s: f64,
     /// Part of attitude_rad that is the uncertainty of the reference [rad].
     pub reference_attitude_rad: f64,
-    /// Predicted error times margin divided by its limit, the largest of the three. The requirement is met up to 1. A limit
-    /// below 1e-100 counts as 1e-100.
+    /// Predicted error times margin divided by its limit, the largest of the three. The requirement is met if this is at most
+    /// 1. A limit below 1e-100 counts as 1e-100.
     pub share: f64,
-    /// Instructions of the part of a step that depends on the algorithm, the same on every machine. The algorithms are
-    /// ordered by this figure.
+    /// Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
+    /// machine. The algorithms are ordered by this figure.
     pub instructions_per_step: f64,
     /// Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
     /// mounting, and ideal sensors [ns].
     pub ns_per_step: f64,
-    /// Algorithms that were tried, including the recommended one.
+    /// Number of algorithms that were tried, including the recommended one.
     pub tried: u64,
 }
 
@@ -102,29 +103,29 @@ impl From<Refusal> for Failure {
 /// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
 /// cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 ///
-/// configured is a simulator as the host flies it, at any moment: its options and its mounting count. The call reads it at
-/// the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
-/// point. options gets the options of configured with scheme, subsamples and updates_per_sample of the answer, ready for
-/// sins_create(). The previous values of these three do not matter.
+/// configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
+/// at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
+/// point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
+/// sins_create(). The values of these three in configured do not matter.
 ///
 /// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
 /// reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
-/// with half as many updates) is added to the error. So the error is that of the algorithm only. Errors of sensors,
-/// altimeter, start, gravity and believed mounting are left out, because they act on both solutions alike; so are
-/// contradictions within the host's samples. The signals are without SINS_SIGNAL_CLOSED_LOOP, which would hide the error.
-/// For a duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. This predicts
-/// more than the flight will show, as long as the flight continues like the piece. With SINS_VERTICAL_FREE each error
-/// counts as a height error, which grows e-fold every 569 s.
+/// with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
+/// start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
+/// the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+/// duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
+/// continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+/// as a height error, which grows e-fold every 569 s.
 ///
-/// The order of cost is instructions_per_step, so the same samples have the same answer on every machine and every day;
-/// only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
+/// The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
+/// ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
 /// nothing meets the requirement.
 ///
 /// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
 /// closest.
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
-/// SINS_ERROR_SINGULAR: geographic axes too close to a pole.
+/// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 /// SINS_ERROR_DIVERGED: the solution of every algorithm diverged.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory.
 ///

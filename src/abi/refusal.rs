@@ -1,14 +1,14 @@
-//! The last handle that was refused to a thread: no object remembers that failure.
+//! The last handle of each thread that was rejected: there is no object that could keep this failure.
 //!
-//! Nothing here is thread-local in Rust, whose first use in a thread may allocate, and each step is atomic, as a signal handler may
-//! come here in the middle of another.
+//! Nothing here is a thread-local variable of Rust, because its first use in a thread may allocate. Each step is atomic, because a
+//! signal handler may run in the middle of another step.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use super::failure::{Failure, sins_status};
 use super::thread::this_thread;
 
-/// Threads to which a handle was refused; if there were more, the newest takes the place of another.
+/// Number of threads whose rejected handles are kept. If there are more, the newest replaces another.
 const THREADS: usize = 1024;
 const FREE: usize = 0;
 const NONE: usize = 0;
@@ -26,7 +26,7 @@ struct Place {
 static PLACES: [Place; THREADS] =
     [const { Place { thread: AtomicUsize::new(FREE), refused: AtomicUsize::new(NONE) } }; THREADS];
 
-/// The place of this thread; with `taken` it gets one if it has none.
+/// The place of this thread. If it has none: with `taken` it gets one, else `None`.
 fn place(taken: bool) -> Option<&'static Place> {
     let me = this_thread();
     // Names are addresses or multiples of 8: the low bits say nothing.
@@ -55,7 +55,7 @@ fn place(taken: bool) -> Option<&'static Place> {
     })
 }
 
-/// Keeps that a handle of `kind` was refused to this thread with `status`, which is negative.
+/// Keeps, for this thread, that a handle of `kind` was rejected with `status`, which is negative.
 #[cold]
 pub(super) fn refuse(kind: usize, status: sins_status) {
     if let Some(place) = place(true) {
@@ -63,14 +63,14 @@ pub(super) fn refuse(kind: usize, status: sins_status) {
     }
 }
 
-/// This thread's last failure is another one.
+/// Forgets the rejected handle of this thread, because a later failure follows.
 pub(super) fn forget() {
     if let Some(place) = place(false) {
         place.refused.store(NONE, Ordering::Relaxed);
     }
 }
 
-/// The refusal, if it was the last failure on this thread that no simulator remembers.
+/// The rejected handle, if it was the last failure on this thread that no simulator keeps.
 pub(super) fn last() -> Option<Failure> {
     match place(false)?.refused.load(Ordering::Relaxed) {
         NONE => None,

@@ -171,19 +171,19 @@ impl<T> Registry<T> {
         SINS_OK
     }
 
-    /// The status of a call that found nothing to leave its failure with; this thread keeps it.
+    /// Returns `status`, and keeps it for this thread: the call found no object that could keep its failure.
     fn refused(&self, status: sins_status) -> sins_status {
         refuse(self.kind, status);
         status
     }
 
-    /// The slot that `key` names, if that is of this kind.
+    /// The slot of `key`, if the key is of this kind.
     #[inline]
     fn slot(&self, key: usize) -> Option<&Slot<T>> {
         (kind_of(key) == self.kind).then(|| &self.slots[slot_of(key)])
     }
 
-    /// The place of `key`, locked, if that lives here.
+    /// The place of `key`, locked, if the key is valid and of this kind.
     #[inline]
     fn find(&self, key: usize) -> Result<Guard<'_, Place<T>>, sins_status> {
         self.slot(key).ok_or(SINS_ERROR_BAD_HANDLE)?.find(key)

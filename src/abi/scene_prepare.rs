@@ -14,7 +14,7 @@ use crate::scene::TakesFailures;
 /// after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
 /// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: of scene or sim.
+/// SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
 /// SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
 /// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
@@ -32,9 +32,10 @@ pub unsafe extern "C" fn sins_scene_prepare(
     }
 }
 
-/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator.
+/// Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
+/// system call.
 ///
-/// SINS_ERROR_BAD_HANDLE: of scene or ensemble. The other errors: as sins_scene_prepare().
+/// SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_prepare_ensemble(
     scene: *const sins_scene,

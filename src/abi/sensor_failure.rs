@@ -23,7 +23,7 @@ pub type sins_failure_kind = i32;
 /// No failure: clears the failure that is set.
 pub const SINS_FAILURE_NONE: sins_failure_kind = 0;
 /// The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-/// its first value. Not flagged, because it looks like data.
+/// its first value. It is not flagged, because it looks like data.
 pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
 /// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
 /// altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
@@ -132,7 +132,7 @@ impl sins_failure_fields {
         Ok(failure)
     }
 
-    /// Refuses values that the failure does not use: something else was meant.
+    /// Rejects values that the failure does not use, because the host must have meant something else.
     fn check_unused(&self, failure: Option<&sensors::Failure>) -> Result<(), Failure> {
         use sensors::Failure::{BiasStep, Noise, PeriodicDropOuts, RandomDropOuts, Spikes};
         let is_spikes = matches!(failure, Some(Spikes { .. }));
@@ -194,9 +194,9 @@ pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
 ///
 /// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
 /// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-/// Sensor processes run on during a failure, and show again when it is cleared. A failure acts on both error data. It does
-/// not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all of them, so an exercise
-/// begins anew with working sensors; failures that are set again at the same intervals give the same bits.
+/// Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
+/// data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+/// so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
 /// solution diverge, sins_step() returns SINS_ERROR_DIVERGED.

@@ -96,7 +96,7 @@ pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins
     })
 }
 
-/// Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
+/// Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
 /// SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
@@ -104,9 +104,9 @@ pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins
 /// SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
 /// before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
 /// on, call sins_move_time() before this push; a push cannot be undone.
-/// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or half a turn since the last accepted sample. Later
-/// samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or sins_reposition()
-/// (for a jump).
+/// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
+/// sample. Later samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or
+/// sins_reposition() (for a jump).
 /// SINS_ERROR_QUEUE_FULL: step first.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
@@ -127,8 +127,8 @@ pub unsafe extern "C" fn sins_push_sample(
 ///
 /// SINS_NEED_SAMPLE: no complete interval is waiting.
 /// SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-/// 100 km/s; this holds for the solutions of the block and of the reference point, and for the closed loop's error-free
-/// navigator.
+/// 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+/// navigator of SINS_SIGNAL_CLOSED_LOOP.
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///

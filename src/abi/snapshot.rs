@@ -14,7 +14,7 @@ pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 /// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
 /// waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
 /// altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
-/// bytes.
+/// bytes, and sins_options.covariance up to 9.2 KiB.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {

@@ -20,13 +20,13 @@ pub struct sins_figures {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// Runs, those that were left out too.
+    /// Number of runs, including those that are left out of the other figures.
     pub runs: u64,
-    /// Runs that have diverged, left out.
+    /// Number of runs that have diverged. They are left out.
     pub diverged: u64,
-    /// Runs with an error outside its range, left out.
+    /// Number of runs with an error outside its range. They are left out.
     pub out_of_range: u64,
-    /// Runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY, not left out.
+    /// Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are not left out.
     pub outside_validity: u64,
     /// Mean position error [m].
     pub mean_position_enu_m: [f64; 3],
@@ -46,15 +46,15 @@ pub struct sins_figures {
     pub rms_velocity_enu_m_s: [f64; 3],
     /// Root mean square of the misalignment [rad].
     pub rms_misalignment_enu_rad: [f64; 3],
-    /// Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is that of the states i
-    /// and j, in m, m/s and rad.
+    /// Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is the
+    /// covariance of the states i and j, in m, m/s and rad.
     pub covariance: [f64; 81],
     /// Root mean square of the horizontal radial position error [m].
     pub rms_radial_m: f64,
-    /// Horizontal radius within which half of the runs are [m]: the radial error of the run with this rank, read from the histogram
-    /// to 0.5 % of itself, below 1 mm to 0.5 mm.
+    /// Horizontal radius that contains the positions of half of the runs [m]. It is read from the histogram, to 0.5 % of its
+    /// value, or to 0.5 mm if it is below 1 mm.
     pub cep50_m: f64,
-    /// Horizontal radius within which 95 % of the runs are [m], read from the histogram as cep50_m.
+    /// Horizontal radius that contains the positions of 95 % of the runs [m]. It is read from the histogram as cep50_m is.
     pub r95_m: f64,
     /// Largest horizontal radial position error [m].
     pub largest_radial_m: f64,
@@ -119,12 +119,12 @@ pub unsafe extern "C" fn sins_ensemble_get_statistics(
     })
 }
 
-/// Adds the runs of other to those of into. No run may be in both. The sums are exact: any order and any grouping of merges gives the
-/// same bits, so the work can be split over threads, processes, machines and restarts in any way. If into is all zero except for
-/// struct_size, it has no run.
+/// Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any order and
+/// any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any
+/// way. An into that is zero except for struct_size holds no runs.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or there would be more than 4294967295 runs. into
-/// is unchanged.
+/// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
+/// runs. into is then unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_statistics_merge(
     into: *mut sins_statistics,

@@ -1,4 +1,4 @@
-//! The tables of handles, one for each kind of object, and what concerns all of them.
+//! The tables of handles, one for each kind of object, and the functions that go through all of them.
 
 use super::registry::Registry;
 use crate::ensemble::Ensemble;
@@ -9,7 +9,7 @@ use crate::log::FlightLog;
 use crate::scene::{Fault, Scene};
 use crate::simulator::Simulator;
 
-/// Each in a slice of one, which unlike a `Box` can be made without aborting.
+/// Simulators. Each is in a slice of one, because its memory can be allocated without aborting, which a `Box` cannot.
 pub(super) static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
 pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
 #[cfg(feature = "scenes")]
@@ -18,7 +18,7 @@ pub(super) static SCENES: Registry<SceneText> = Registry::new(3);
 pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
 pub(super) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
 
-/// What a text was: a scene, or what is wrong with it.
+/// The result of reading a text: a scene, or the faults of the text.
 #[cfg(feature = "scenes")]
 pub(super) enum SceneText {
     Scene(Box<Scene>),
@@ -34,7 +34,7 @@ pub(super) fn is_inside_a_handle() -> bool {
     SIMULATORS.is_in_use_here() || FLIGHTS.is_in_use_here() || ENSEMBLES.is_in_use_here()
 }
 
-/// In a process that was forked: what other threads had in use is lost.
+/// Called in a forked process: objects that other threads had in use are lost.
 #[cfg(unix)]
 pub(super) fn lose_what_others_use() {
     SIMULATORS.lose_what_others_use();

@@ -19,7 +19,7 @@ pub(super) unsafe fn put_bytes(bytes: &[u8], buffer: *mut u8, capacity: usize) -
     Ok(())
 }
 
-/// Bytes of the host to be written.
+/// Bytes of the host that the library writes.
 ///
 /// # Safety
 /// `buffer` has `size` writable bytes, which nobody else uses while the slice lives.
@@ -59,7 +59,7 @@ pub(super) unsafe fn text_of<'a>(text: *const c_char, name: &'static str) -> Res
     Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
 }
 
-/// Text as an array of a struct: terminated, cut at a character where it is longer.
+/// Text as a fixed array of a struct: terminated, and cut between two characters if it is longer.
 pub(super) fn chars<const N: usize>(text: &str) -> [c_char; N] {
     let fits = |end: &usize| *end < N && text.is_char_boundary(*end);
     let length = (0..=text.len().min(N)).rev().find(fits).unwrap_or(0);
@@ -70,7 +70,7 @@ pub(super) fn chars<const N: usize>(text: &str) -> [c_char; N] {
     chars
 }
 
-/// Length of the text that fits into `capacity` bytes, 1 at the least, with a terminator: not within a UTF-8 sequence.
+/// Length of the text that fits into `capacity` bytes (at least 1) with a terminator. It does not end within a UTF-8 sequence.
 fn fitting(text: &[u8], capacity: usize) -> usize {
     if text.len() < capacity {
         return text.len();
@@ -82,7 +82,7 @@ fn fitting(text: &[u8], capacity: usize) -> usize {
     length
 }
 
-/// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
+/// Copies text with a terminating zero. Text that does not fit is cut between two characters; the terminator is always written.
 ///
 /// # Safety
 /// `buffer` is null or has `capacity` writable bytes; `needed` is null or points to a writable `usize`.

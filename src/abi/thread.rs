@@ -3,7 +3,7 @@
 
 use core::sync::atomic::AtomicUsize;
 
-/// Free in the name of every thread.
+/// The bit that is 0 in the name of every thread.
 pub(super) const WAITED_FOR: usize = 1;
 
 pub(super) use system::{has_ended, this_thread};
@@ -22,7 +22,7 @@ mod system {
         pthread_self()
     }
 
-    /// Nothing tells that of a thread that may be gone.
+    /// Whether a thread was terminated. This system has no call that tells it of a thread that may be gone: always false.
     pub fn has_ended(_thread: usize) -> bool {
         false
     }
@@ -65,7 +65,7 @@ mod system {
     }
 }
 
-/// The kernel's own queue: nothing here could be held by the code that a signal interrupted.
+/// The kernel's own queue: the code that a signal interrupted cannot hold it.
 #[cfg(target_os = "linux")]
 mod waiting {
     use super::AtomicUsize;
@@ -124,7 +124,7 @@ mod waiting {
     use core::ptr::{null, null_mut};
     use core::sync::atomic::{AtomicPtr, Ordering, fence};
 
-    /// After so long it is asked whether the owner still lives.
+    /// Time after which a waiting thread checks whether the owner still exists.
     const PATIENCE_MS: u32 = 100;
     const WAIT_OBJECT_0: u32 = 0;
 
@@ -213,7 +213,7 @@ mod waiting {
 
     static QUEUE: Mutex<()> = Mutex::new(());
     static CHANGED: Condvar = Condvar::new();
-    /// After so long it is asked whether the owner still lives.
+    /// Time after which a waiting thread checks whether the owner still exists.
     const PATIENCE: Duration = Duration::from_millis(100);
 
     /// The threads that wait for a word.

@@ -1,15 +1,15 @@
-//! What is kept for a thread.
+//! State of a thread.
 
 use core::cell::Cell;
 
 use super::failure::Failure;
 
-/// No destructor, so that the library can be unloaded. Calls on a simulator do without: the first use in a thread may
-/// allocate.
+/// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its first
+/// use in a thread may allocate.
 pub(super) struct Here {
     /// Whether this thread is inside a call that has no handle.
     pub inside: Cell<bool>,
-    /// The last failure on this thread that no simulator remembers.
+    /// The last failure on this thread that no simulator keeps.
     pub last_failure: Cell<Option<Failure>>,
 }
 
@@ -18,7 +18,7 @@ thread_local! {
         const { Here { inside: Cell::new(false), last_failure: Cell::new(None) } };
 }
 
-/// Takes what the first use of these variables takes.
+/// Uses these variables once, so that they take their memory and TLS indexes now.
 #[cfg(windows)]
 pub(super) fn touch_thread_locals() {
     HERE.with(|_| ());

@@ -7,11 +7,11 @@ use super::failure::*;
 /// Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
 /// when something is removed or changes its meaning. Additions at the end do not change it.
 pub const SINS_HEADER_ABI: u32 = 1;
-/// Release of the library, semantic versioning.
+/// Major number of this release of the library, by semantic versioning.
 pub const SINS_VERSION_MAJOR: u32 = 0;
-/// See SINS_VERSION_MAJOR.
+/// Minor number of this release.
 pub const SINS_VERSION_MINOR: u32 = 1;
-/// See SINS_VERSION_MAJOR.
+/// Patch number of this release.
 pub const SINS_VERSION_PATCH: u32 = 0;
 
 /// Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI.

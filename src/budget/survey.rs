@@ -42,11 +42,11 @@ pub struct Budget {
     pub remainder: SolutionError,
     /// What all together change by without the marked rows, flown: the worst of the scene.
     pub left_out: SolutionError,
-    /// Runs of all together; 1 if nothing is random.
+    /// Number of runs with all effects together; 1 if nothing is random.
     pub runs: u64,
     /// The 95 % interval of the root mean square of what is random in all together; 1 and 1 if nothing is.
     pub interval: Interval,
-    /// Flights that were flown.
+    /// Number of flights that the call made.
     pub flights: u64,
 }
 

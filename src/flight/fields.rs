@@ -2,7 +2,7 @@
 
 use super::manoeuvre::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 
-/// Time in which a manoeuvre sets in where none is given [s].
+/// Default of the time in which a manoeuvre builds up [s].
 pub(crate) const DEFAULT_RAMP_S: f64 = 5.0;
 
 /// The kinds of manoeuvres, and the fields that each of them uses, as errors name them.
@@ -23,10 +23,10 @@ const RAMP: &str = "manoeuvre.ramp_s";
 const HEADING_CHANGE: &str = "manoeuvre.heading_change_rad";
 const TURNS: &str = "manoeuvre.turns";
 
-/// A manoeuvre of any kind: the quantities that kinds share, each for what its kind makes of it.
+/// A manoeuvre of any kind. It has the quantities of all kinds; a kind uses those that [`MANOEUVRE_KINDS`] lists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ManoeuvreFields {
-    /// Place in [`MANOEUVRE_KINDS`].
+    /// Index in [`MANOEUVRE_KINDS`].
     pub kind: usize,
     pub duration_s: f64,
     pub ramp_s: f64,
@@ -35,7 +35,7 @@ pub(crate) struct ManoeuvreFields {
     pub heading_change_rad: f64,
     pub bank_rad: f64,
     pub turns: f64,
-    /// The first `sinusoid_count` of them.
+    /// Sinusoids, of which the first `sinusoid_count` are used.
     pub sinusoids: [Sinusoid; MAX_SINUSOIDS],
     pub sinusoid_count: usize,
 }

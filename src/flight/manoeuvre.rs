@@ -45,7 +45,7 @@ pub enum Channel {
     Heading,
 }
 
-/// amplitude · sin(2π frequency t + phase), t since the begin of the manoeuvre.
+/// amplitude · sin(2π frequency t + phase), with t since the start of the manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sinusoid {
     /// What it moves.
@@ -58,8 +58,8 @@ pub struct Sinusoid {
     pub phase_rad: f64,
 }
 
-/// One manoeuvre; each begins and ends in straight and level flight. `ramp_s` is the time in which it sets in and ends
-/// smoothly, at most half of its duration.
+/// One manoeuvre; each begins and ends in straight and level flight. `ramp_s` is the time in which it builds up, and in which it dies
+/// out, at most half of its duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Manoeuvre {
     /// At rest; the speed must be 0.
@@ -72,14 +72,14 @@ pub enum Manoeuvre {
         /// Duration [s].
         duration_s: f64,
     },
-    /// To another speed.
+    /// Changes the speed.
     Accelerate {
         /// Duration [s].
         duration_s: f64,
         /// Change of speed [m/s].
         speed_change_m_s: f64,
     },
-    /// To another height, pitching up and down again.
+    /// Changes the height: pitches up and down again.
     Climb {
         /// Duration [s].
         duration_s: f64,
@@ -88,12 +88,12 @@ pub enum Manoeuvre {
         /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
     },
-    /// Level turn, coordinated: tan(bank) = speed · turn rate / 9.80665. Its duration follows; a turn too short for the
-    /// bank reaches less of it.
+    /// Level turn, coordinated: tan(bank) = speed · turn rate / 9.80665. Its duration follows from these. A turn that is too
+    /// short for the bank reaches a smaller bank.
     Turn {
-        /// Right positive [rad].
+        /// Change of heading, right positive [rad].
         heading_change_rad: f64,
-        /// 0 to 1.5 [rad].
+        /// Bank, 0 to 1.5 [rad].
         bank_rad: f64,
         /// Time to roll in, and to roll out [s].
         ramp_s: f64,
@@ -120,7 +120,7 @@ pub enum Manoeuvre {
         duration_s: f64,
         /// Amplitude of the course, first to the right if positive [rad].
         heading_amplitude_rad: f64,
-        /// Swings.
+        /// Number of swings.
         cycles: f64,
         /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
@@ -131,9 +131,9 @@ pub enum Manoeuvre {
         duration_s: f64,
         /// Time in which the manoeuvre builds up, and in which it ends [s].
         ramp_s: f64,
-        /// The first `count` of them.
+        /// Sinusoids, of which the first `count` are used.
         terms: [Sinusoid; MAX_SINUSOIDS],
-        /// 1 to 6.
+        /// Number of sinusoids, 1 to 6.
         count: usize,
     },
 }

@@ -23,7 +23,7 @@ use crate::truth::FlightSample;
 use path::Path;
 use profile::Segment;
 
-/// Most manoeuvres in a flight.
+/// Largest number of manoeuvres in a flight.
 pub const MAX_MANOEUVRES: usize = 4096;
 
 /// A trajectory.
@@ -37,7 +37,7 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// The flight from `start` through `manoeuvres`. [time of the work: about a millisecond per minute of turning flight]
+    /// The flight from `start` through `manoeuvres`. The call takes about a millisecond for each minute of turning flight.
     pub fn new(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<Self, Error> {
         let (segments, duration_s) = segments(start, manoeuvres)?;
         let earth = Earth::new(start.ellipsoid, GravityModel::Normal);
@@ -57,7 +57,7 @@ impl Flight {
         self.duration_s
     }
 
-    /// The sample at `time_s` [s] since the start, 0 to the duration; a host's rounding beyond either is let pass.
+    /// The sample at `time_s` [s] since the start, 0 to the duration. Times that are outside only by a host's rounding are accepted.
     pub fn sample_at(&self, time_s: f64) -> Result<FlightSample, Error> {
         let rounding = 1e-9 + 1e-12 * self.duration_s;
         check_range("time_s", time_s, -rounding, self.duration_s + rounding)?;
@@ -85,7 +85,7 @@ impl Flight {
     }
 }
 
-/// The manoeuvres in time, each from the speed and the course that the one before leaves, and the length of all [s].
+/// The manoeuvres in time, each with the speed and the course at the end of the one before, and their total length [s].
 fn segments(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<(Vec<Segment>, f64), Error> {
     start.validate()?;
     check_range("manoeuvres", manoeuvres.len() as f64, 1.0, MAX_MANOEUVRES as f64)?;

@@ -12,16 +12,16 @@ use crate::truth::{FlightSample, check_height};
 
 /// Chebyshev coefficients of a piece.
 const N: usize = 16;
-/// Longest piece, and shortest before the flight is refused as too rapid [s].
+/// Longest piece, and shortest piece [s]: a flight that needs shorter ones is rejected as too rapid.
 const MAX_PIECE_S: f64 = 600.0;
 const MIN_PIECE_S: f64 = 1e-4;
 /// Largest number of pieces of a flight: 110 MB.
 const MAX_PIECES: usize = 200_000;
-/// What the last coefficients of a piece may still amount to: 1e-16 rad and 1e-9 m of height.
+/// Largest size of the last coefficients of a piece: 1e-16 rad and 1e-9 m of height.
 const TAIL_RAD: f64 = 1e-16;
 const TAIL_M: f64 = 1e-9;
 
-/// A stretch of the path: carried axes and height as Chebyshev series of the time in it.
+/// A piece of the path: carried axes and height as Chebyshev series of the time within it.
 #[derive(Debug, Clone)]
 pub(super) struct Piece {
     start_s: f64,
@@ -109,7 +109,7 @@ impl Path {
                 while t < to {
                     let limit = if segment.is_rest() { f64::INFINITY } else { MAX_PIECE_S };
                     length = length.min(limit).min(to - t);
-                    // No sliver at the end.
+                    // No very short piece at the end.
                     if to - t - length < 1e-9 * length {
                         length = to - t;
                     }
@@ -154,7 +154,7 @@ impl Piece {
         (q / q.norm_squared().sqrt(), self.height_m + moved.w)
     }
 
-    /// Refuses a piece that leads to heights which no flight sample may have.
+    /// Rejects a piece with heights that no flight sample may have.
     fn check_height(&self) -> Result<(), Error> {
         let swing = self.series.iter().map(|coefficient| coefficient.w.abs()).sum::<f64>();
         let (low, high) = FlightSample::HEIGHT_RANGE_M;
@@ -167,7 +167,7 @@ impl Piece {
         Ok(())
     }
 
-    /// Where the piece is highest, or with a side of -1 lowest: between two of equally spaced nodes, by thirds.
+    /// Time at which the piece is highest, or with a side of -1 lowest: found between two of equally spaced nodes by ternary search.
     fn extreme(&self, side: f64) -> f64 {
         const NODES: u32 = 64;
         let height = |u: f64| side * self.at(u).1;
@@ -175,7 +175,7 @@ impl Piece {
         let best = nodes.max_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap_or(0.0);
         let (mut low, mut high) =
             ((best - 1.0 / f64::from(NODES)).max(0.0), (best + 1.0 / f64::from(NODES)).min(1.0));
-        // 2/3 to the 64th of a node's distance is the rounding of a number.
+        // (2/3)^64 of the distance of two nodes is less than the rounding of the time.
         for _ in 0..64 {
             let third = (high - low) / 3.0;
             if height(low + third) < height(high - third) {

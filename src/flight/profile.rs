@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::math::{Euler, asin, atan, attitude_from_euler, sin_cos, tan};
 use crate::units::STANDARD_GRAVITY;
 
-/// Gravity by which the bank of a coordinated turn is reckoned [m/s²].
+/// Gravity with which the bank of a coordinated turn is computed [m/s²].
 const G: f64 = STANDARD_GRAVITY;
 
 /// Motion along the path at an instant, in the carried axes x, y, z up; course 0 along y.
@@ -53,7 +53,7 @@ pub(super) struct Segment {
     manoeuvre: Manoeuvre,
     pub start_s: f64,
     window: Window,
-    /// Speed [m/s] and course [rad] at its begin.
+    /// Speed [m/s] and course [rad] at its start.
     speed_m_s: f64,
     course_rad: f64,
 }
@@ -97,7 +97,7 @@ impl Segment {
     pub fn leaves(&self) -> (f64, f64) {
         match self.manoeuvre {
             Manoeuvre::Accelerate { speed_change_m_s, .. } => {
-                // A full stop is one to the last digit.
+                // A full stop is exactly 0, without rounding.
                 let speed = self.speed_m_s + speed_change_m_s;
                 (if speed.abs() < 1e-12 * self.speed_m_s { 0.0 } else { speed }, self.course_rad)
             }

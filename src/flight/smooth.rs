@@ -14,7 +14,7 @@ pub(super) fn step_slope(u: f64) -> f64 {
     140.0 * x * x * x
 }
 
-/// ∫ S from 0 to u; on past 1 it grows with slope 1.
+/// ∫ S from 0 to u; beyond 1 it grows with slope 1.
 fn step_integral(u: f64) -> f64 {
     if u > 1.0 {
         return 0.5 + (u - 1.0);

@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use super::{correct_norm, lacks_much, renormalize};
+use super::norm::{correct_norm, lacks_much, renormalize};
 use crate::earth::Earth;
 use crate::math::{Compensated, RotationSeries};
 

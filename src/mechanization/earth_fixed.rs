@@ -4,7 +4,9 @@
 use nalgebra::{Quaternion, Vector3, Vector4};
 
 use super::branches::{Any, Branches};
-use super::{BodyMotion, MAX_NORM_ERROR, MAX_SPEED_M_S, StateDifference, VerticalCorrection, renormalize};
+use super::limits::MAX_SPEED_M_S;
+use super::norm::{MAX_NORM_ERROR, renormalize};
+use super::{BodyMotion, StateDifference, VerticalCorrection};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{
     AxisTurn, Compensated, axis_cross, rotate, rotated_z, rotation_increment, rotation_increment_by,

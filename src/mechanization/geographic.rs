@@ -4,7 +4,8 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Quaternion, Vector3, Vector4};
 
-use super::{BodyMotion, Mechanization, VerticalCorrection, renormalize};
+use super::norm::renormalize;
+use super::{BodyMotion, Mechanization, VerticalCorrection};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};

@@ -24,9 +24,10 @@ use nalgebra::Vector3;
 use super::branches::{Any, Usual};
 use super::earth_fixed::EarthFixed;
 use super::geographic::Geographic;
+use super::limits::WELL_WITHIN_M;
 use super::{
-    Axes, BodyMotion, Frame, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
-    VerticalCorrection, VerticalRows, WELL_WITHIN_M,
+    BodyMotion, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
+    VerticalCorrection, VerticalRows,
 };
 use crate::earth::{Earth, GravityModel};
 use crate::math::RotationSeries;
@@ -138,8 +139,8 @@ impl NavigatorBlock {
     /// Takes `navigator` in.
     pub fn put(&mut self, lane: usize, navigator: &Mechanization) {
         match &navigator.solution.axes {
-            Axes::EarthFixed(axes) => self.put_axes(lane, axes),
-            Axes::Geographic(axes) => axes.put_numbers(|i, number| self.axes[i][lane] = number),
+            FrameState::EarthFixed(axes) => self.put_axes(lane, axes),
+            FrameState::Geographic(axes) => axes.put_numbers(|i, number| self.axes[i][lane] = number),
         }
         self.vertical.put(lane, &navigator.solution.vertical);
     }
@@ -147,8 +148,8 @@ impl NavigatorBlock {
     /// The navigator at `lane`.
     pub fn get(&self, lane: usize, earth: &Earth, scheme: Scheme) -> Mechanization {
         let axes = match self.frame {
-            Frame::EarthFixed => Axes::EarthFixed(self.axes(lane)),
-            Frame::Geographic => Axes::Geographic(Geographic::from_numbers(|i| self.axes[i][lane])),
+            Frame::EarthFixed => FrameState::EarthFixed(self.axes(lane)),
+            Frame::Geographic => FrameState::Geographic(Geographic::from_numbers(|i| self.axes[i][lane])),
         };
         Mechanization {
             earth: *earth,

@@ -1,4 +1,4 @@
-//! What holds of a whole scene: every part within its limits, and all of them go together.
+//! Checks of a whole scene: every part is within its limits, and the parts go together.
 
 use super::draft::Draft;
 use super::key::Target;
@@ -8,7 +8,7 @@ use crate::error::{Error, Rule, check_range};
 use crate::mechanization::VerticalMode;
 use crate::sensors::{AltimeterParameters, SensorOutput};
 
-/// A field that is at odds with another.
+/// The error of a field that does not go together with another.
 fn at_odds(field: &'static str, words: &'static str) -> Error {
     Error { value: None, ..Error::invalid(field, 0.0, Rule::Words(words)) }
 }
@@ -38,7 +38,7 @@ impl Scene {
         if self.is_log() { Ok(()) } else { self.flown_s().map(|_| ()) }
     }
 
-    /// The limits that are the scene's own.
+    /// Checks the limits of values that only the scene has.
     pub(crate) fn check_limits(&self) -> Result<(), Error> {
         let change_c_s = self.temperature.map(|temperature| temperature.change_c_s);
         let any = [
@@ -48,7 +48,7 @@ impl Scene {
             ("flight.temperature_change_c_s", change_c_s),
             ("output.every_s", self.output.every_s),
         ];
-        // In a draft NaN is what is missing.
+        // NaN stands for a missing value in a draft.
         if let Some(&(field, _)) = any.iter().find(|(_, number)| number.is_some_and(f64::is_nan)) {
             return Err(Error::invalid(field, f64::NAN, Rule::Finite));
         }
@@ -63,7 +63,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Settings that do not go together, each with the field that would have to be another.
+    /// Settings that do not go together, each with the field that would have to change.
     pub(super) fn conflicts(&self) -> Vec<Error> {
         let mut conflicts = Vec::new();
         if !self.is_log() && self.options.intake.period_s.is_some() {

@@ -51,7 +51,7 @@ pub struct FailureDraft {
     pub probability: f64,
 }
 
-/// Time constant of the closed loop where the scene does not say [s].
+/// Time constant of the closed loop if the scene does not state it [s].
 pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
 /// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
@@ -145,7 +145,7 @@ impl FailureDraft {
         }
     }
 
-    /// What is planned, checked; `None` if it is switched off.
+    /// The planned failure, checked; `None` if it is switched off.
     pub fn to_planned(&self) -> Result<Option<PlannedFailure>, Error> {
         let Some(failure) = self.to_failure() else { return Ok(None) };
         let until_s = if self.until_s.is_nan() { f64::INFINITY } else { self.until_s };
@@ -209,7 +209,7 @@ impl From<&Scene> for Draft {
 }
 
 impl Draft {
-    /// The scene, with the manoeuvres that its flight is made of where it is neither a log nor a built-in one.
+    /// The scene. Its flight is made of `manoeuvres` if it is neither a log nor a built-in flight.
     pub fn into_scene(mut self, manoeuvres: Vec<Manoeuvre>) -> Scene {
         let some = |number: f64| (!number.is_nan()).then_some(number);
         let mut scene = self.scene;

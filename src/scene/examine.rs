@@ -1,4 +1,4 @@
-//! What is wrong with the values of a text: limits, and what does not go together, each at its place.
+//! Faults of the values of a text: values beyond limits, and settings that do not go together, each at its place.
 
 use super::draft::Draft;
 use super::fault::{Fault, excerpt, nearest};
@@ -10,7 +10,7 @@ use crate::error::{Error, Rule};
 use crate::sensors::Sensor;
 
 impl Reader<'_> {
-    /// Checks that concern several keys: whether they go together.
+    /// Checks whether the keys go together.
     pub(super) fn check_together(&mut self) {
         let flight = self.section(Section::Flight).clone();
         let sources = [flight.key("file").is_some(), flight.key("builtin").is_some(), !self.items.is_empty()];
@@ -53,7 +53,8 @@ impl Reader<'_> {
         }
     }
 
-    /// The limits of the library, each fault in turn: a value that is refused is put back to its default and the rest checked.
+    /// Checks the limits of the library, one fault after the other: a rejected value is set back to its default, and the rest is
+    /// checked again.
     pub(super) fn check_values(&mut self) {
         self.check(Section::Options, |draft| draft.clone().into_scene(Vec::new()).options.validate());
         self.check(Section::Gyro, |draft| draft.scene.errors.gyro.validate(Sensor::Gyro));
@@ -73,7 +74,7 @@ impl Reader<'_> {
         section.map_or_else(Item::default, |section| self.section(section).clone())
     }
 
-    /// Settings that do not go together, each at the key or else at the section that would have to be another.
+    /// Settings that do not go together, each reported at the key that would have to change, or else at its section.
     fn check_conflicts(&mut self, scene: &Scene) {
         for error in scene.conflicts() {
             let item = self.item_of(&error);
@@ -96,7 +97,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The default in place of the value of a key; whether that was another value.
+    /// Puts the default in the place of the value of a key. Returns whether the value was another one.
     fn put_back(&mut self, key: &Key) -> bool {
         let mut default = Draft::from(&Scene::default());
         match key.target {
@@ -147,7 +148,7 @@ impl Reader<'_> {
         if self.faults.is_empty() {
             self.check_flight(&scene);
         }
-        // Nothing more, where everything above is complete: a scene that is read is one that can be written.
+        // This finds nothing if the checks above are complete: every scene that is read can be written.
         if self.faults.is_empty()
             && let Err(error) = scene.check()
         {
@@ -179,7 +180,7 @@ fn sentence(error: &Error, key: &Key) -> String {
     format!("{}{index}{value}: {in_units}", key.path())
 }
 
-/// Six digits: enough for a limit, and none that rounding made.
+/// A number with six digits: enough for a limit, without digits that come from rounding.
 fn rounded(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
 }

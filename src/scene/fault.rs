@@ -1,4 +1,4 @@
-//! What is wrong with a text: where, and in a sentence.
+//! Faults of a text, each with its place and a sentence.
 
 use core::fmt;
 use core::ops::Range;
@@ -9,11 +9,11 @@ pub const MAX_FAULTS: usize = 200;
 /// One fault of a scene or of a flight log.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// Line, from 1; 0: of a setting beside the text ([`Scene::parse_with`](super::Scene::parse_with)).
+    /// Line, from 1; 0: the fault is in a setting ([`Scene::parse_with`](super::Scene::parse_with)).
     pub line: usize,
-    /// Column, in characters from 1; of a setting its number, from 1.
+    /// Column, in characters from 1; for a setting its number, from 1.
     pub column: usize,
-    /// Which key, which value, which limit.
+    /// Sentence that names key, value and limit.
     pub sentence: String,
 }
 
@@ -48,7 +48,7 @@ impl<'a> Faults<'a> {
         }
     }
 
-    /// Whether no more is kept.
+    /// Whether the largest number of faults is reached.
     pub fn are_many(&self) -> bool {
         self.found.len() >= MAX_FAULTS
     }
@@ -57,7 +57,7 @@ impl<'a> Faults<'a> {
         self.found.is_empty()
     }
 
-    /// In the order of the text.
+    /// The faults in the order of the text.
     pub fn into_list(mut self) -> Vec<Fault> {
         self.found.sort_by_key(|(at, _)| *at);
         self.found.iter().map(|(at, sentence)| self.fault(*at, sentence)).collect()
@@ -94,7 +94,7 @@ pub fn nearest<'w>(word: &str, words: impl Iterator<Item = &'w str>) -> Option<&
         .map(|(_, other)| other)
 }
 
-/// Text of a user as it can stand in a sentence: short, without control characters.
+/// A user's text as a message can quote it: short, without control characters.
 pub fn excerpt(text: &str) -> String {
     const MOST: usize = 40;
     let printable = |letter: char| if letter.is_control() { '?' } else { letter };

@@ -39,12 +39,12 @@ impl Section {
         Self::Output,
     ];
 
-    /// As it stands in brackets.
+    /// Its name, as it stands in brackets.
     pub fn name(self) -> &'static str {
         self.words().0
     }
 
-    /// What it sets.
+    /// What its keys set, in words.
     pub fn doc(self) -> &'static str {
         self.words().1
     }
@@ -84,13 +84,13 @@ impl Section {
 /// A unit of a scene file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// "deg/h"; empty for a pure number.
+    /// Its name, such as "deg/h"; empty for a pure number.
     pub text: &'static str,
-    /// SI units in one of it.
+    /// Its size in SI units.
     pub si: f64,
 }
 
-/// How numbers are written.
+/// How many numbers a key takes, and how they are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// One number.
@@ -138,20 +138,20 @@ impl Shape {
     }
 }
 
-/// Up to nine numbers of a draft, row by row.
+/// References to up to nine numbers of a draft, row by row.
 pub type Places<'d> = Vec<&'d mut f64>;
 
 /// Where the numbers of a key are in a draft.
 #[derive(Debug, Clone, Copy)]
 pub enum Place {
-    /// There.
+    /// At the place in the draft that this function gives.
     At(fn(&mut Draft) -> Places<'_>),
     /// A row of the table of sensor parameters, with these sensors.
     Parameter(Sensor, usize),
 }
 
 impl Place {
-    /// The numbers, row by row.
+    /// References to the numbers, row by row.
     pub fn of(self, draft: &mut Draft) -> Places<'_> {
         match self {
             Self::At(places) => places(draft),
@@ -197,7 +197,7 @@ pub struct Key {
 }
 
 impl Key {
-    /// The field of the library, as its errors name it; empty for what is the scene's own.
+    /// The field of the library, as its errors name it; empty if the scene alone has this value.
     pub fn field(&self) -> &'static str {
         match self.target {
             Target::Numbers { field, .. } | Target::Choice { field, .. } | Target::Count { field, .. } => {
@@ -213,14 +213,14 @@ impl Key {
         limits.map(|(low, high)| (low * unit.si, high * unit.si))
     }
 
-    /// The same quantity in SI, under the library's own name of its field, if the key has another unit.
+    /// Name of the key that takes this quantity in SI: the library's own name of its field; if this key has another unit.
     pub fn si_name(&self) -> Option<&'static str> {
         let Target::Numbers { field, unit, .. } = self.target else { return None };
         let name = field.split_once('.').map_or(field, |(_, name)| name);
         (unit.si != 1.0 && name != self.name).then_some(name)
     }
 
-    /// Its name with its section's.
+    /// Its name with that of its section: "gyro.bias_deg_h".
     pub fn path(&self) -> String {
         format!("{}.{}", self.section.name(), self.name)
     }
@@ -238,7 +238,7 @@ pub fn angles(euler: &mut Euler) -> Places<'_> {
     vec![&mut euler.roll, &mut euler.pitch, &mut euler.heading]
 }
 
-/// Row by row; a matrix is stored column by column.
+/// The elements row by row. (The matrix stores them column by column.)
 fn row_by_row(numbers: &mut [f64]) -> Places<'_> {
     match numbers {
         [a, d, g, b, e, h, c, f, i] => vec![a, b, c, d, e, f, g, h, i],

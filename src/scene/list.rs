@@ -13,17 +13,17 @@ pub struct KeyLine {
     pub is_list: bool,
     /// Name of the key.
     pub name: &'static str,
-    /// The same quantity in SI, if the key has another unit.
+    /// Name of the key that takes this quantity in SI, if this key has another unit.
     pub si_name: Option<&'static str>,
     /// What kind of value it takes.
     pub kind: KeyKind,
-    /// The same in words: "one number for all axes, or three", or the words it takes.
+    /// What kind of value it takes, in words: "one number for all axes, or three", or the words it takes.
     pub takes: String,
     /// Its unit; empty: none.
     pub unit: &'static str,
-    /// SI units in one of it.
+    /// Size of its unit in SI units.
     pub unit_si: f64,
-    /// Least and largest number, in its unit, where a table has them; a 0 that is off is within.
+    /// Least and largest number, in its unit, if a table has them. If 0 means off, 0 is within.
     pub limits: Option<(f64, f64)>,
     /// What it means.
     pub doc: &'static str,
@@ -32,7 +32,7 @@ pub struct KeyLine {
 /// What kind of value a key takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum KeyKind {
-    /// So many numbers, matrices row by row.
+    /// This many numbers, matrices row by row.
     Numbers(usize),
     /// One of these words.
     Words(&'static [&'static str]),

@@ -39,7 +39,7 @@ pub const MAX_TEXT: usize = 1 << 20;
 /// A scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// The scene in words; empty: none.
+    /// Title: the scene in a few words; empty: none.
     pub title: String,
     /// The true motion.
     pub flight: FlightSource,
@@ -66,7 +66,7 @@ pub enum FlightSource {
     Log(String),
     /// The flight of a built-in scene, by its name.
     Builtin(String),
-    /// Composed of manoeuvres.
+    /// A flight that is composed of manoeuvres.
     Path(FlightPath),
 }
 
@@ -75,36 +75,36 @@ pub enum FlightSource {
 pub struct FlightPath {
     /// Where the flight begins.
     pub start: FlightStart,
-    /// One after the other.
+    /// The manoeuvres, flown one after the other.
     pub manoeuvres: Vec<Manoeuvre>,
     /// How many times all of them are flown.
     pub repeat: usize,
 }
 
-/// Temperature of the sensors over the time of the flight, a straight line.
+/// Temperature of the sensors: a straight line over the time of the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Temperature {
     /// At the start [°C].
     pub at_start_c: f64,
-    /// Its change [°C/s].
+    /// Rate of change [°C/s].
     pub change_c_s: f64,
 }
 
 /// A failure and its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlannedFailure {
-    /// What fails.
+    /// The output that fails.
     pub output: SensorOutput,
-    /// When.
+    /// Its time.
     pub failing: Failing,
-    /// How.
+    /// Its kind, with the quantities of this kind.
     pub failure: Failure,
 }
 
 /// A span of time since the start of the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Failing {
-    /// Its begin [s].
+    /// Its start [s].
     pub from_s: f64,
     /// Its end [s]; infinite: the end of the flight.
     pub until_s: f64,
@@ -121,7 +121,7 @@ pub struct Output {
     pub imu: String,
     /// Spacing of the records [s]; `None`: the program's choice.
     pub every_s: Option<f64>,
-    /// Neither progress nor summary.
+    /// Whether the program shows neither progress nor summary.
     pub quiet: bool,
 }
 
@@ -180,7 +180,7 @@ impl Scene {
         }
     }
 
-    /// The options of the simulator: the scene's, and with a flight that is not a log the period of its rate.
+    /// The options of the simulator: those of the scene, and, if the flight is not a log, the period of its sample rate.
     pub fn simulator_options(&self) -> Options {
         let mut options = self.options;
         if !self.is_log() {
@@ -189,7 +189,7 @@ impl Scene {
         options
     }
 
-    /// The simulator of the scene, without a failure yet: [`Self::prepare`] sets those in their time.
+    /// The simulator of the scene. It has no failure yet: [`Self::prepare`] sets failures at their times.
     pub fn simulator(&self) -> Result<Box<[Simulator]>, Error> {
         self.errors.simulator(&self.simulator_options())
     }
@@ -199,7 +199,7 @@ impl Scene {
         self.path()?.flight()
     }
 
-    /// The start and the manoeuvres of the flight, a built-in one's too.
+    /// The start and the manoeuvres of the flight, also of a built-in flight.
     pub(crate) fn path(&self) -> Result<FlightPath, Error> {
         let mut path = match &self.flight {
             FlightSource::Path(path) => path.clone(),
@@ -216,8 +216,8 @@ impl Scene {
         Ok(path)
     }
 
-    /// How long the flight is flown [s]: the scene's own duration, which the flight has to have, else that of the built-in
-    /// scene, else the whole flight.
+    /// How long the flight is flown [s]: the duration that the scene sets, which must not exceed the flight; else that of the
+    /// built-in scene; else the whole flight.
     pub fn flown_s(&self) -> Result<f64, Error> {
         let flight_s = self.path()?.length_s()?;
         let of_builtin = || match &self.flight {
@@ -225,7 +225,7 @@ impl Scene {
             _ => None,
         };
         match self.duration_s.or_else(of_builtin) {
-            // What a program's arithmetic may leave of the same duration.
+            // The durations may differ by the rounding of a program's arithmetic.
             Some(wanted_s) if wanted_s > flight_s * (1.0 + 1e-9) => {
                 let rule = Rule::AtMost("must be at most the duration of the flight:", flight_s);
                 Err(Error::invalid("flight.duration_s", wanted_s, rule))

@@ -17,14 +17,14 @@ use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, Man
 type Span = Range<usize>;
 
 impl Scene {
-    /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
+    /// The scene of a text in TOML (UTF-8), or all faults of the text.
     pub fn parse(text: &[u8]) -> Result<Self, Vec<Fault>> {
         Self::parse_with(text, &[])
     }
 
-    /// The scene of a text that has these keys with these values: `("gyro.bias_deg_h", "0.01")`. Keys and values are those of the
-    /// text, whose own values of the same keys do not count; a text needs no quotes; of a key that is set twice the last counts.
-    /// What stands in double brackets is the text's alone.
+    /// The scene of a text, with these values in the place of those that the text gives the same keys: `("gyro.bias_deg_h",
+    /// "0.01")`. A value is written as in the text, but a string needs no quotes. If a key is set twice, the last value counts. Keys
+    /// of sections in double brackets cannot be set in this way.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
         let whole = |sentence: String| vec![Fault { line: 1, column: 1, sentence }];
         if text.len() > MAX_TEXT {

@@ -51,7 +51,7 @@ impl Reader<'_> {
         &self.sections[section as usize]
     }
 
-    /// Reads the keys of a section in the order of the table, so that a preset comes before what differs from it.
+    /// Reads the keys of a section in the order of the table, so that a preset comes before the keys that change it.
     pub fn read_keys(&mut self, section: Section, head: Span, section_table: &DeTable<'_>) -> Item {
         let mut item = Item { head, keys: Vec::new() };
         check_settings(&self.settings, section, &mut self.faults);
@@ -60,7 +60,7 @@ impl Reader<'_> {
                 setting.section == section
                     && (setting.name == key.name || Some(setting.name.as_str()) == key.si_name())
             };
-            // The last of them: the same quantity may be set in its unit and in SI.
+            // The last of them, because the same quantity may be set in its unit and in SI.
             if let Some(setting) = self.settings.iter().rfind(is_of_key) {
                 let value = match key.target {
                     Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => {

@@ -8,7 +8,7 @@ use crate::sensors::{Failure, SensorOutput};
 use crate::truth::FlightSample;
 
 impl Failing {
-    /// Whether both have a moment in common.
+    /// Whether the two spans overlap.
     pub fn meets(&self, other: &Self) -> bool {
         self.from_s < other.until_s && other.from_s < self.until_s
     }
@@ -47,17 +47,17 @@ impl Temperature {
 /// Largest number of planned failures.
 const MAX_FAILURES: usize = 4096;
 
-/// Largest time stamp of a flight's first sample, of either sign [s]: twice that of a sample, as moved time moves it along.
+/// Largest size of the time stamp of a flight's first sample [s]: twice that of a sample, because moved time moves it too.
 const LATEST_START_S: f64 = 2e10;
 
-/// What rounding of time stamps may leave of the time of a failure, in intervals.
+/// Largest error of the time of a failure by the rounding of time stamps, in intervals.
 const ROUNDING: f64 = 1e-9;
 
 /// What flies a scene: one simulator, or an ensemble of them.
 pub trait TakesFailures {
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     fn last_sample_time_s(&self) -> Option<f64>;
-    /// The failure of an output; `None`: it is sound.
+    /// The failure of an output; `None`: it has no failure.
     fn failure(&self, output: SensorOutput) -> Option<Failure>;
     /// Lets an output fail, or clears its failure.
     fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error>;
@@ -83,7 +83,7 @@ macro_rules! takes_failures {
 takes_failures!(Simulator, Ensemble);
 
 impl Scene {
-    /// Makes ready for the interval that `sample` ends: call it for each sample before that is pushed, and step before the next.
+    /// Prepares the interval that `sample` ends: call it for each sample before the push, and step before the next call.
     /// `start_s` is the time stamp of the flight's first sample. The sample gets the scene's temperature; a failure
     /// begins, or ends, with the first interval that starts at its time or later. Outputs for which the scene plans no failure
     /// are left alone.
@@ -114,7 +114,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Plans one failure more, which has been validated; those of one output do not overlap in time.
+    /// Plans another failure, which has been validated. Failures of one output must not overlap in time.
     pub fn add_failure(&mut self, planned: PlannedFailure) -> Result<(), Error> {
         check_range("failures of the scene", (self.failures.len() + 1) as f64, 0.0, MAX_FAILURES as f64)?;
         let meets =

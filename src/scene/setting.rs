@@ -1,4 +1,4 @@
-//! Keys that are set beside the text of a scene.
+//! Settings: keys that are set in addition to the text of a scene.
 
 use core::ops::Range;
 

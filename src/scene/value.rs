@@ -16,7 +16,7 @@ pub enum Value {
     Whole(u64),
     Number(f64),
     Numbers(Vec<f64>),
-    /// Anything that no key takes, by its name.
+    /// A value of a type that no key takes, by the name of the type.
     Other(&'static str),
 }
 
@@ -42,7 +42,7 @@ impl Value {
         }
     }
 
-    /// Of a setting beside a text: a value of TOML, or else a text without quotes.
+    /// The value of a setting outside of the text: a value of TOML, or else a text without quotes.
     pub fn of_setting(text: &str) -> Self {
         let line = format!("value = {text}");
         if too_deep(&line).is_some() {
@@ -56,7 +56,7 @@ impl Value {
         }
     }
 
-    /// As it can stand in a sentence.
+    /// The value as a message can quote it.
     fn shown(&self) -> String {
         match self {
             Self::Text(text) => format!("\"{}\"", excerpt(text)),
@@ -78,7 +78,7 @@ impl Value {
     }
 }
 
-/// The number of a number; NaN of anything else.
+/// The number in a value; NaN if the value is not a number.
 fn number(value: &DeValue<'_>) -> f64 {
     match value {
         DeValue::Integer(integer) => whole_number(integer),
@@ -172,13 +172,13 @@ pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
     }
 }
 
-/// The number that `unit` [SI] times is `number` to the bit, of few digits if there is one.
+/// A number that, times `unit` [SI], is `number` to the bit; with few digits, if such a number exists.
 pub fn divided(number: f64, unit: f64) -> Option<f64> {
     if unit == 1.0 {
         return Some(number);
     }
     let quotient = number / unit;
-    // Few digits first: what a person wrote, before rounding went over it.
+    // Few digits first: such a number is probably what a person wrote.
     let short = (1..17).filter_map(|digits| format!("{quotient:.digits$e}").parse().ok());
     let near = [quotient, quotient.next_up(), quotient.next_down()];
     short.chain(near).find(|candidate: &f64| (candidate * unit).to_bits() == number.to_bits())

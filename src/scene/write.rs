@@ -11,7 +11,7 @@ use crate::flight::ManoeuvreFields;
 use crate::sensors::SensorOutput;
 
 impl Scene {
-    /// The scene in TOML with comments: what is not default. [`Scene::parse`] reads the same scene from it, to the bit.
+    /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.
     pub fn write(&self) -> String {
         let mut writer = Writer::new(self);
         for section in Section::ALL {
@@ -69,8 +69,8 @@ impl Scene {
         set
     }
 
-    /// The value of a key of a section in single brackets, default or not: `"options.scheme"`. As the text of a scene has it, a
-    /// text without its quotes.
+    /// The value of a key, such as `"options.scheme"`, of a section in single brackets, default or not. It is written as in the text
+    /// of a scene, but a string has no quotes.
     pub fn value(&self, path: &str) -> Option<String> {
         let (value, _) = written(&mut Draft::from(self), single_key(path)?);
         Some(value.trim_matches('"').to_owned())
@@ -91,7 +91,7 @@ fn single_key(path: &str) -> Option<&'static Key> {
     of_section(section).find(|(_, key)| key.name == name).map(|(_, key)| key)
 }
 
-/// A failure states its sensor, its axis and its kind, and of the keys of a quantity the one of its sensor.
+/// Whether a failure writes a key: its sensor, its axis, its kind, and for each quantity the key in the unit of its sensor.
 fn own_failure_key(key: &Key, [output]: &[SensorOutput; 1]) -> bool {
     let sensor = match output {
         SensorOutput::Gyro(_) => 0,
@@ -126,7 +126,8 @@ impl Writer {
         }
     }
 
-    /// A section with those of its keys that are not default, if there is one; items of a list always, with what they are.
+    /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their
+    /// kind.
     fn section(&mut self, section: Section, wants: impl Fn(&Key) -> bool) {
         let mut lines = String::new();
         for (_, key) in of_section(section) {

@@ -71,7 +71,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "random_walk", shape: Axes, is_random: RANDOM,
         doc: "white noise N: angle or velocity random walk",
-        note: "It is the square root of the spectral density of the noise [unit of the signal / sqrt(Hz)].",
+        note: "It is the square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).",
         gyro: field(("gyro.random_walk_rad_sqrt_s", "rad/sqrt(s)"), RATE_SIZE,
             ("random_walk_deg_sqrt_h", "deg/sqrt(h)", DEG_PER_SQRT_HOUR), "gyro angle random walk"),
         accel: field(("accel.velocity_random_walk_m_s_sqrt_s", "(m/s)/sqrt(s)"), FORCE_SIZE,
@@ -88,7 +88,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "ramp", shape: Axes, is_random: GIVEN,
-        doc: "ramp R: bias that grows with the time", note: "It starts at 0 when it is set.",
+        doc: "ramp R: bias that grows with time", note: "It starts at 0 when it is set.",
         gyro: field(("gyro.rate_ramp_rad_s2", "rad/s2"), RATE,
             ("rate_ramp_deg_h2", "deg/h/h", DEG_PER_HOUR / 3600.0), "gyro ramp"),
         accel: field(("accel.ramp_m_s3", "m/s3"), FORCE,
@@ -122,7 +122,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_asymmetry", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error of positive less that of negative signals", note: "",
+        doc: "scale factor error of positive less that of negative signals", note: "The error of a signal s is half of this times |s|.",
         gyro: field(("gyro.scale_factor_asymmetry", ""), SHARE,
             ("scale_factor_asymmetry_ppm", "ppm", PPM), "gyro asymmetry"),
         accel: field(("accel.scale_factor_asymmetry", ""), SHARE,
@@ -130,7 +130,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_nonlinearity", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error that grows with the size of the signal", note: "",
+        doc: "scale factor error that grows with the size of the signal", note: "The error of a signal s is this times s |s|.",
         gyro: field(("gyro.scale_factor_nonlinearity_s_rad", "s/rad"), SHARE,
             ("scale_factor_nonlinearity_ppm_per_deg_s", "ppm/(deg/s)", PPM / DEG), "gyro nonlinearity"),
         accel: field(("accel.scale_factor_nonlinearity_s2_m", "s2/m"), SHARE,
@@ -157,7 +157,7 @@ pub const PARAMETERS: &[Parameter] = &[
     // Acceleration and vibration.
     Parameter {
         name: "g_sensitivity", shape: Diagonal, is_random: GIVEN,
-        doc: "drift by specific force, g-sensitivity: row = gyro, column = axis of the force",
+        doc: "drift caused by specific force, g-sensitivity: row = gyro, column = axis of the force",
         note: "The error of a gyro is the sum over the three axes of its row times the true specific force along them.",
         gyro: field(("gyro.g_sensitivity_rad_s_per_m_s2", "(rad/s)/(m/s2)"), SHARE,
             ("g_sensitivity_deg_h_per_g", "deg/h/g", DEG_PER_HOUR_PER_G), "gyro g-sensitivity"),
@@ -165,17 +165,17 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "g2_sensitivity", shape: Axes, is_random: GIVEN,
-        doc: "drift by the square of the specific force along the gyro's own axis, g2-sensitivity",
+        doc: "drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity",
         note: "The rate that gyro i measures is too large by element i times the square of component i of the true specific force at \
             the block's own point, in sensor axes: a positive element makes a drift in the positive sense about the axis, whatever the sign \
-            of the force. The mean force of a sub-increment is squared, as with nonlinearity.",
+            of the force. The mean force of a subsample is squared, as with nonlinearity.",
         gyro: field(("gyro.g2_sensitivity_rad_s_per_m2_s4", "(rad/s)/(m/s2)^2"), SHARE,
             ("g2_sensitivity_deg_h_per_g2", "deg/h/g2", DEG_PER_HOUR_PER_G / STANDARD_GRAVITY), "gyro g2-sensitivity"),
         accel: None,
     },
     Parameter {
         name: "vibration_rectification_s2_m", shape: Axes, is_random: GIVEN,
-        doc: "vibration rectification, the g2 term", note: "A vibration of RMS r makes a bias of this times r2.",
+        doc: "vibration rectification, the g2 term", note: "A vibration with the root mean square r causes a bias of this times r squared.",
         gyro: None,
         accel: field(("accel.vibration_rectification_s2_m", "s2/m"), SHARE,
             ("vibration_rectification_micro_g_per_g2", "micro-g/g2", 1e-6 / STANDARD_GRAVITY), "accel vibration rectification"),
@@ -183,9 +183,9 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "lever_arm_m", shape: Matrix, is_random: GIVEN,
         doc: "lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect)",
-        note: "The block's own point is where the lever arm of sins_mounting ends. For the start of a flight in motion \
-            see sins_mounting; the measured velocity never recovers the change of rate in the first interval. With sins_push_imu() the \
-            angular acceleration follows from the previous increments.",
+        note: "The block's own point is where the lever arm of sins_mounting ends. At a start in motion, samples do not show the angular \
+            acceleration of the first interval (see sins_mounting): the measured velocity then lacks lever arm times that change of rate \
+            for the rest of the flight. With sins_push_imu() the angular acceleration follows from the previous increments.",
         gyro: None,
         accel: field(("accel.lever_arm_m", "m"), Within(-100.0, 100.0),
             ("lever_arm_mm", "mm", 1e-3), "accel size effect"),
@@ -195,8 +195,8 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "reference_temperature_c", shape: Number, is_random: GIVEN,
         doc: "temperature at which the four temperature coefficients have no effect",
-        note: "T is sins_flight_sample.temperature_c less this. Where one of the coefficients is not 0, every sample needs a temperature, and \
-            sins_push_imu() is not available.",
+        note: "T is sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample needs a \
+            temperature, and sins_push_imu() is not available.",
         gyro: field(("gyro.reference_temperature_c", "deg C"), TEMPERATURE,
             ("reference_temperature_c", "deg C", 1.0), ""),
         accel: field(("accel.reference_temperature_c", "deg C"), TEMPERATURE,
@@ -204,7 +204,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "bias_temperature", shape: Axes, is_random: GIVEN,
-        doc: "bias per kelvin", note: "The bias is this times T.",
+        doc: "bias per kelvin", note: "The bias is this coefficient times T.",
         gyro: field(("gyro.bias_temperature_rad_s_per_k", "(rad/s)/K"), RATE,
             ("bias_temperature_deg_h_per_k", "deg/h/K", DEG_PER_HOUR), "gyro bias/temperature"),
         accel: field(("accel.bias_temperature_m_s2_per_k", "(m/s2)/K"), FORCE,
@@ -212,7 +212,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "bias_temperature2", shape: Axes, is_random: GIVEN,
-        doc: "bias per kelvin squared", note: "The bias is this times T2.",
+        doc: "bias per kelvin squared", note: "The bias is this coefficient times T squared.",
         gyro: field(("gyro.bias_temperature2_rad_s_per_k2", "(rad/s)/K2"), RATE,
             ("bias_temperature2_deg_h_per_k2", "deg/h/K2", DEG_PER_HOUR), "gyro bias/temperature squared"),
         accel: field(("accel.bias_temperature2_m_s2_per_k2", "(m/s2)/K2"), FORCE,
@@ -220,7 +220,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_temperature", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error per kelvin", note: "The scale factor error is this times T.",
+        doc: "scale factor error per kelvin", note: "The scale factor error is this coefficient times T.",
         gyro: field(("gyro.scale_factor_temperature_per_k", "1/K"), SHARE,
             ("scale_factor_temperature_ppm_per_k", "ppm/K", PPM), "gyro scale/temperature"),
         accel: field(("accel.scale_factor_temperature_per_k", "1/K"), SHARE,
@@ -228,7 +228,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_temperature2", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error per kelvin squared", note: "The scale factor error is this times T2.",
+        doc: "scale factor error per kelvin squared", note: "The scale factor error is this coefficient times T squared.",
         gyro: field(("gyro.scale_factor_temperature2_per_k2", "1/K2"), SHARE,
             ("scale_factor_temperature2_ppm_per_k2", "ppm/K2", PPM), "gyro scale/temperature squared"),
         accel: field(("accel.scale_factor_temperature2_per_k2", "1/K2"), SHARE,
@@ -239,7 +239,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "bandwidth_hz", shape: Axes, is_random: GIVEN,
         doc: "bandwidth, -3 dB of a second-order Butterworth filter",
-        note: "The filter is settled at the first interval.",
+        note: "The filter starts settled: without a transient at the first interval.",
         gyro: field(("gyro.bandwidth_hz", "Hz"), FREQUENCY, ("bandwidth_hz", "Hz", 1.0), "gyro bandwidth"),
         accel: field(("accel.bandwidth_hz", "Hz"), FREQUENCY, ("bandwidth_hz", "Hz", 1.0), "accel bandwidth"),
     },
@@ -259,7 +259,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "quantization", shape: Axes, is_random: GIVEN,
-        doc: "pulse of the output increments", note: "The rest is carried. The quantization noise Q is pulse/sqrt(12).",
+        doc: "pulse of the output increments", note: "The remainder goes into the next increment. The quantization noise Q is pulse/sqrt(12).",
         gyro: field(("gyro.quantization_rad", "rad"), PULSE,
             ("quantization_arcsec", "arcsec", ARCSEC), "gyro quantization"),
         accel: field(("accel.quantization_m_s", "m/s"), PULSE,

@@ -6,6 +6,7 @@ mod fly;
 mod moved;
 pub(super) mod side_by_side;
 mod snapshot;
+mod view;
 
 use core::ops::Range;
 
@@ -13,7 +14,6 @@ use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
 use super::interval::LastInterval;
-use super::moment::Moment;
 use super::mounted::block_at_start;
 use super::signals::Signals;
 use super::start::{Start, with_errors};
@@ -184,6 +184,6 @@ impl Chain {
     }
 
     pub fn closure(&self, truth: &TruthPoint) -> ClosureFigures {
-        self.closure.figures(&self.earth, truth, &Moment { chain: self, point: truth }.navigation_errors())
+        self.closure.figures(&self.earth, truth, &self.navigation_errors(truth))
     }
 }

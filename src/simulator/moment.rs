@@ -2,9 +2,8 @@
 
 use super::chain::Chain;
 use super::{ErrorSource, Solution};
-use crate::errors::{NavigationErrors, navigation_minus_truth};
+use crate::errors::NavigationErrors;
 use crate::mechanization::VerticalMode;
-use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
 /// A chain while the truth is at `point`.
@@ -30,7 +29,7 @@ impl Moment<'_> {
     pub fn truth(&self) -> Solution {
         Solution {
             inconsistent: self.chain.closure.last_flagged(),
-            ..Solution::new(&self.chain.earth, self.point.time_s, *self.true_view())
+            ..Solution::new(&self.chain.earth, self.point.time_s, *self.chain.true_view(self.point))
         }
     }
 
@@ -41,14 +40,14 @@ impl Moment<'_> {
         Solution {
             vertical_unaided: last.vertical_unaided().unwrap_or(options.vertical == VerticalMode::Free),
             north_unknown: *north_unknown,
-            ..Solution::new(earth, self.point.time_s, *self.navigated_view())
+            ..Solution::new(earth, self.point.time_s, *self.chain.navigated_view())
         }
     }
 
     /// Navigation minus truth.
     #[inline(always)]
     pub fn navigation_errors(&self) -> NavigationErrors {
-        navigation_minus_truth(&self.chain.earth, self.navigated_view(), self.true_view())
+        self.chain.navigation_errors(self.point)
     }
 
     /// The error model's; `None` while it is off.
@@ -56,7 +55,7 @@ impl Moment<'_> {
     pub fn model_errors(&self) -> Option<NavigationErrors> {
         let model = self.chain.error_model.as_ref()?;
         let (axes, block) = (self.chain.options.axes, self.chain.block.as_ref());
-        Some(model.errors(self.point, self.true_view(), axes, block))
+        Some(model.errors(self.point, self.chain.true_view(self.point), axes, block))
     }
 
     /// Time [s] and errors of `source`, and whether the truth is near a pole; `None` of a model that is off.
@@ -66,23 +65,5 @@ impl Moment<'_> {
             ErrorSource::Model => self.model_errors(),
         };
         errors.map(|errors| (self.time_s(), errors, self.near_pole()))
-    }
-
-    #[inline(always)]
-    fn true_view(&self) -> &Navigation {
-        let Chain { earth, options, views, .. } = self.chain;
-        views.truth.get_or_init(|| self.point.navigation(earth, options.axes))
-    }
-
-    /// What the INS gives out, of the reference point.
-    #[inline(always)]
-    fn navigated_view(&self) -> &Navigation {
-        let Chain { earth, options, mechanization, block, views, .. } = self.chain;
-        views.navigation.get_or_init(|| match block {
-            None => mechanization.navigation(options.axes),
-            Some(block) => {
-                block.belief().reference_point(&mechanization.state()).navigation(earth, options.axes)
-            }
-        })
     }
 }

@@ -39,7 +39,7 @@ impl Simulator {
         self.sensors.gravity.parameters()
     }
 
-    /// The failure of an output; `None`: it is sound.
+    /// The failure of an output; `None`: it has no failure.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
         self.sensors.failure(output)
     }

@@ -4,13 +4,14 @@ use super::{ImuFlags, Options};
 use crate::covariance::Parameters;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::memory::room;
-use crate::mounting::MountingParameters;
+use crate::mounting::{Block, MountingParameters};
 use crate::sensors::{
     Altimeter, AltimeterParameters, FailingTriad, Failure, GravityDisturbance, GravityDisturbanceParameters,
     InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
-use crate::signal::{Increment, Turning};
+use crate::signal::{Increment, IntervalMotion, Turning};
 use crate::snapshot::{Reader, Stored, Writer};
+use crate::truth::Recent;
 
 /// What an interval brings to the sensors beside their increments.
 #[derive(Default)]
@@ -19,6 +20,21 @@ pub(super) struct IntervalConditions {
     pub temperatures_c: [Option<f64>; 2],
     /// How the block turns, along its axes; `None` of foreign increments.
     pub turning: Option<Turning>,
+}
+
+impl IntervalConditions {
+    /// Of the interval of `motion`, which `recent` ends, for the sensors of `block`.
+    #[cold]
+    #[inline(never)]
+    pub fn of(recent: &Recent<'_>, motion: &IntervalMotion<'_>, block: Option<&Block>) -> Self {
+        let turning = motion.turning();
+        let turning =
+            block.map_or(turning, |block| turning.in_axes(|vector_b| block.in_block_axes(vector_b)));
+        Self {
+            temperatures_c: [recent.current.sample.temperature_c, recent.next.sample.temperature_c],
+            turning: Some(turning),
+        }
+    }
 }
 
 /// Sensor models and what the host set of them.

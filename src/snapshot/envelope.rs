@@ -1,4 +1,4 @@
-//! What stands before the words of a snapshot: whose it is, which version, how long, and whether it is whole.
+//! The header of a snapshot: its kind, version, length and checksum.
 
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{SPLIT_MIX_STEP, mix};
@@ -6,12 +6,12 @@ use crate::math::{SPLIT_MIX_STEP, mix};
 /// Version of the format that this library writes, the only one so far.
 pub const FORMAT_VERSION: u32 = 1;
 
-/// What a snapshot is of.
+/// Kinds of snapshots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SnapshotOf {
-    /// One simulator.
+    /// A snapshot of a simulator.
     Simulator,
-    /// An ensemble.
+    /// A snapshot of an ensemble.
     Ensemble,
 }
 
@@ -24,14 +24,14 @@ impl SnapshotOf {
     }
 }
 
-/// Of magic, version, length and checksum.
+/// Size of the header: magic, version, length and checksum [bytes].
 pub(super) const HEADER_BYTES: usize = 24;
 
-/// Where the checksum stands.
+/// Place of the checksum [bytes].
 const CHECKSUM: core::ops::Range<usize> = 16..24;
 
-/// Writes magic, version, length and checksum into the first 24 bytes of a snapshot whose words stand behind them: what a
-/// test needs that alters words. Fewer bytes stay as they are.
+/// Writes magic, version, length and checksum into the first 24 bytes of a snapshot, before its words. Tests that alter words need
+/// this. A shorter snapshot stays as it is.
 pub fn seal(snapshot: &mut [u8], of: SnapshotOf) {
     let length = snapshot.len() as u32;
     let Some(header) = snapshot.get_mut(..HEADER_BYTES) else { return };
@@ -42,7 +42,7 @@ pub fn seal(snapshot: &mut [u8], of: SnapshotOf) {
     snapshot[CHECKSUM].copy_from_slice(&checksum.to_le_bytes());
 }
 
-/// The words of a snapshot with a good header.
+/// The words of a snapshot, if its header is valid.
 pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value, rule));
     let Some(header) = snapshot.get(..HEADER_BYTES) else {
@@ -80,14 +80,14 @@ pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     Ok(&snapshot[HEADER_BYTES..])
 }
 
-/// A word into the hash: both halves of a long product, so that each bit of either moves all bits of the result.
+/// Adds a word to the hash: both halves of a long product, so that each bit of word and hash changes all bits of the result.
 #[inline]
 fn folded(hash: u64, word: u64) -> u64 {
     let product = u128::from(hash ^ word) * u128::from(SPLIT_MIX_STEP);
     (product >> 64) as u64 ^ product as u64
 }
 
-/// Hash of all bytes but its own, eight at a time, the last ones filled up with zeros.
+/// Hash of all bytes except its own, eight at a time; the last ones are padded with zeros.
 fn checksum(snapshot: &[u8]) -> u64 {
     let mut hash = SPLIT_MIX_STEP;
     for part in [&snapshot[..CHECKSUM.start], &snapshot[CHECKSUM.end..]] {

@@ -1,4 +1,4 @@
-//! Numbers, alone and in arrays, each with a limit to its size that it has to keep when it is read.
+//! Numbers, single and in arrays. Each has a limit of its size, which is checked when it is read.
 
 use nalgebra::SMatrix;
 
@@ -6,13 +6,13 @@ use super::{Reader, Writer};
 use crate::error::{Error, Rule};
 use crate::math::Compensated;
 
-/// For numbers that are checked elsewhere, or need no bound but to be finite.
+/// Limit of numbers that are checked elsewhere, or that only must be finite.
 pub(crate) const ANY: f64 = f64::MAX;
 
-/// For counters: one that is full would take longer than any run.
+/// Limit of counters: no run is long enough to reach it.
 pub(crate) const COUNT: f64 = 9e15;
 
-/// For clocks [s]: no run comes so far.
+/// Limit of clocks [s]: no run is long enough to reach it.
 pub(crate) const CLOCK_S: f64 = 1e12;
 
 /// The clock at `time_s` [s], moved by `shift_s` [s] within [`CLOCK_S`].
@@ -20,14 +20,14 @@ pub(crate) fn moved_clock(time_s: f64, shift_s: f64) -> f64 {
     (time_s + shift_s).clamp(-CLOCK_S, CLOCK_S)
 }
 
-/// For signals, their integrals and what sensors make of them [u, u s]: beyond all that accepted samples and parameters give, and
-/// with squares that are finite.
+/// Limit of signals, their integrals and the outputs of sensors [u, u s]: larger than all that accepted samples and parameters give,
+/// and with finite squares.
 pub(crate) const SIGNALS: f64 = 1e120;
 
-/// Why a sum of squares is refused.
+/// Why a sum of squares is rejected.
 pub(crate) const NO_SQUARE: &str = "must be a square";
 
-/// What the carry of a compensated sum is of its largest value, and room: half a unit in the last place is 1.1e-16.
+/// Largest carry of a compensated sum as a share of the sum, with some room: half a unit in the last place is 1.1e-16.
 const CARRY_SHARE: f64 = 1e-14;
 
 /// One number or several of a kind.

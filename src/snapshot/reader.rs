@@ -1,4 +1,4 @@
-//! Bytes back to words.
+//! The reader of snapshots: bytes back to words.
 
 use super::envelope::{SnapshotOf, open};
 use super::writer::{BYTE, GROUP, NOTHING, WHOLE};
@@ -7,21 +7,21 @@ use crate::error::{Error, ErrorKind, Rule, Value};
 /// Reads a snapshot.
 pub(crate) struct Reader<'a> {
     rest: &'a [u8],
-    /// Of the words to come, lowest bits first.
+    /// Sizes of the words to come, lowest bits first.
     sizes: u16,
-    /// Words that these sizes are still for.
+    /// Number of words for which there are sizes.
     left: usize,
-    /// What is being read, for messages.
+    /// The name of what is being read, for messages.
     field: &'static str,
 }
 
 impl<'a> Reader<'a> {
-    /// Of a snapshot with a good header.
+    /// The reader of a snapshot with a valid header.
     pub fn new(snapshot: &'a [u8], of: SnapshotOf) -> Result<Self, Error> {
         Ok(Self { rest: open(snapshot, of)?, sizes: 0, left: 0, field: "" })
     }
 
-    /// What is read next, by its name in messages.
+    /// Sets the name, in messages, of what is read next.
     pub fn enter(&mut self, field: &'static str) {
         self.field = field;
     }
@@ -69,7 +69,7 @@ impl<'a> Reader<'a> {
         self.rest.len()
     }
 
-    /// The end: nothing may be left.
+    /// Checks that nothing is left.
     pub fn finish(&self) -> Result<(), Error> {
         if self.rest.is_empty() && self.sizes == 0 {
             return Ok(());
@@ -78,12 +78,12 @@ impl<'a> Reader<'a> {
         Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len(), rule))
     }
 
-    /// Refuses what is not `good`: `value` of the field at hand.
+    /// Rejects `value` of the current field if it is not `good`.
     pub fn require(&self, good: bool, value: f64, words: &'static str) -> Result<(), Error> {
         if good { Ok(()) } else { Err(self.refused(value, Rule::Words(words))) }
     }
 
-    /// The value of the field at hand breaks `rule`.
+    /// The error of a value of the current field that breaks `rule`.
     pub fn refused(&self, value: impl Into<Value>, rule: Rule) -> Error {
         Error::of(ErrorKind::Snapshot, self.field, value, rule)
     }

@@ -7,15 +7,16 @@ use crate::math::Euler;
 /// A part of the simulator that a snapshot keeps.
 pub(crate) trait Stored {
     fn save(&self, to: &mut Writer<'_>);
-    /// Lays what is read over a part that was made for the same options and parameters.
+    /// Reads the values of a part, which was created with the same options and parameters.
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error>;
 }
 
-/// Makes a struct [`Stored`]. Every field is named, in one of two lists: the compiler refuses one that is not.
+/// Makes a struct [`Stored`]. Every field is named in one of two lists: the compiler rejects a struct with a field that is in neither.
 ///
-/// `field: limit` is a number or several, each finite and within ±limit when it is read; `field` alone is `Stored` itself.
-/// What is `rebuilt` follows from the options, the parameters or other fields: it is what the part was made with, and what
-/// the closure after `then` makes of it once the others are read, or refuses.
+/// `field: limit` is one number or several, each finite and within ±limit when it is read. A `field` without a limit is `Stored`
+/// itself.
+/// A `rebuilt` field follows from the options, the parameters or other fields. It keeps the value with which the part was created,
+/// and the closure after `then` may change it, or reject the part, when the other fields are read.
 macro_rules! stored {
     (
         $type:ident { $($field:ident $(: $limit:expr)?),* $(,)? }
@@ -49,7 +50,7 @@ macro_rules! stored {
 }
 pub(crate) use stored;
 
-/// Makes an enumeration [`Stored`] by numbers, which are part of the format: never reuse one.
+/// Makes an enumeration [`Stored`] as numbers. They are part of the format: never use one again for another variant.
 macro_rules! codes {
     ($type:ident { $($variant:ident = $code:literal),* $(,)? }) => {
         impl $crate::snapshot::Stored for $type {

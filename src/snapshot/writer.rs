@@ -1,18 +1,18 @@
-//! Words to bytes.
+//! The writer of snapshots: words to bytes.
 
 use super::envelope::{HEADER_BYTES, SnapshotOf, seal};
 use crate::error::{Error, ErrorKind, Rule};
 
-/// Words between their sizes and the next sizes.
+/// Number of words in a group, which follow their sizes.
 pub(super) const GROUP: usize = 8;
-/// Size of a word: nothing, a byte, all of it.
+/// Codes of the size of a word: left out, one byte, eight bytes.
 pub(super) const NOTHING: u16 = 0;
 pub(super) const BYTE: u16 = 1;
 pub(super) const WHOLE: u16 = 2;
 
 const SIZES_BYTES: usize = size_of::<u16>();
 const WORD_BYTES: usize = size_of::<u64>();
-/// Bytes of a group at the most.
+/// Largest number of bytes of a group.
 const GROUP_BYTES: usize = SIZES_BYTES + GROUP * WORD_BYTES;
 
 /// The length of a snapshot, if it fits a buffer of `capacity` bytes.
@@ -24,12 +24,12 @@ pub(crate) fn fitting(length: usize, capacity: usize) -> Result<usize, Error> {
     Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
 }
 
-/// Writes a snapshot; what does not fit is counted.
+/// Writes a snapshot. Bytes that do not fit into the buffer are only counted.
 pub(crate) struct Writer<'a> {
     of: SnapshotOf,
     out: &'a mut [u8],
     len: usize,
-    /// Words that wait for their sizes.
+    /// Words of the group that is not complete yet.
     group: [u64; GROUP],
     waiting: usize,
 }
@@ -73,10 +73,10 @@ impl<'a> Writer<'a> {
         self.waiting = 0;
     }
 
-    /// Completes the snapshot and gives its length: it is whole only if there was room for that.
+    /// Completes the snapshot and returns its length. The snapshot is complete only if the buffer has this length.
     pub fn finish(mut self) -> usize {
         if self.waiting > 0 {
-            // What is missing of the last group is zero: no bytes.
+            // The words that are missing in the last group are zero, which takes no bytes.
             self.group[self.waiting..].fill(0);
             self.flush();
         }
@@ -87,13 +87,13 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Sizes and words; how many bytes they take of `out`.
+/// Puts sizes and words into `out`. Returns how many bytes they take.
 #[inline]
 fn encode(words: &[u64; GROUP], out: &mut [u8; GROUP_BYTES]) -> usize {
     let (mut sizes, mut end) = (0, SIZES_BYTES);
     if words.iter().fold(0, |all, word| all | word) != 0 {
         for (place, &word) in words.iter().enumerate() {
-            // Each is written whole, and the next one over what of it is not needed.
+            // Each word is written with all its bytes; the next one overwrites the bytes that are not needed.
             out[end..end + WORD_BYTES].copy_from_slice(&word.to_le_bytes());
             let (is_there, is_whole) = (u16::from(word != 0), u16::from(word > 0xff));
             sizes |= (is_there * BYTE + is_whole * (WHOLE - BYTE)) << (2 * place);

@@ -12,7 +12,7 @@ use crate::error::{Error, ErrorKind, Rule, check_range};
 use crate::math::end_derivative_weights;
 use crate::state::BodyAxes;
 
-/// Earliest time that a sample can be moved to [s]: those before it, at most 18 intervals, have room then.
+/// Earliest time that a sample can be moved to [s]: it leaves room for the samples before it, at most 18 intervals.
 const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
 
 /// Latest time that a sample can be moved to [s], likewise. A sample that came before its place in the stated period has
@@ -22,11 +22,11 @@ const LATEST_MOVED_S: f64 = LATEST_S - 20.0 * MAX_GAP_S;
 /// How an accepted sample follows the ones before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pushed {
-    /// The first, or at the end of an interval like others.
+    /// The sample is the first one, or ends an interval of usual length.
     Regular,
-    /// At the end of a gap: of an interval of more than 2.5 times each of the two before it.
+    /// The sample ends a gap: an interval of more than 2.5 times each of the two before it.
     BehindGap,
-    /// The second: the velocity of the first, which has none itself, follows from both.
+    /// The sample is the second one: the first has no velocity of its own, and now gets one from both positions.
     FirstVelocity,
 }
 
@@ -37,13 +37,13 @@ pub struct Intake {
     pub(super) axes: BodyAxes,
     pub(super) limits: IntakeLimits,
     pub(super) ring: Ring,
-    /// First time stamp [s] and number of periods since, where a period is stated.
+    /// First time stamp [s] and number of periods since, if a period is stated.
     pub(super) first_time_s: f64,
     pub(super) ticks: f64,
 }
 
 impl Intake {
-    /// An empty intake. The one allocation of its life.
+    /// An empty intake. An intake allocates only here.
     pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Result<Self, Error> {
         Ok(Self { earth, axes, limits, ring: Ring::new()?, first_time_s: 0.0, ticks: 0.0 })
     }
@@ -62,16 +62,16 @@ impl Intake {
         Ok(())
     }
 
-    /// Forgets all samples: a flight goes on from `point`, a [`Self::first_point`], as if it had been flown to.
+    /// Forgets all samples: the flight continues from `point`, a [`Self::first_point`], as if it had come there.
     pub fn go_on_from(&mut self, point: TruthPoint) {
         self.begin(point);
         self.take();
     }
 
-    /// The point of `sample` were it the first.
+    /// The point of `sample` as if it were the first sample.
     pub fn first_point(&self, sample: &FlightSample) -> Result<TruthPoint, Error> {
         sample.validate()?;
-        // Multiples of a period are added to the time: -0 would be +0 in a snapshot that is loaded.
+        // Adding 0 turns -0 into +0: a loaded snapshot has +0, because it adds multiples of a period to this time.
         let first = FlightSample { time_s: sample.time_s + 0.0, ..*sample };
         Ok(TruthPoint::new(&self.earth, self.axes, &first, first.time_s, 0.0))
     }
@@ -82,8 +82,8 @@ impl Intake {
         self.ring.push(first);
     }
 
-    /// The sample pushed last counts as at `time_s` [s]. The others move with it, intervals and periods stay to the bit. Gives how
-    /// far they moved [s].
+    /// Moves the sample that was pushed last to `time_s` [s], and the others with it. Intervals and periods stay the same to the bit.
+    /// Returns how far the samples moved [s].
     pub fn move_time(&mut self, time_s: f64) -> Result<f64, Error> {
         let Some(newest) = self.ring.pushed(0) else {
             return Err(Error::bad_state("no sample yet; the first sample sets the time"));
@@ -100,7 +100,7 @@ impl Intake {
         let mut moved_s = newest_s;
         self.ring.for_each_kept_mut(|point| {
             match period_s {
-                // As a snapshot makes it of the time stamp.
+                // The same rounding as when a snapshot is loaded.
                 Some(period) => moved_s = newest_s + ticks * period,
                 None => moved_s -= later_s,
             }
@@ -240,8 +240,9 @@ impl Intake {
         Ok((time_s, interval_s, ticks))
     }
 
-    /// Derivative at `point` of the polynomial through its position and up to three before it, two behind a gap [m/s]: the
-    /// third makes of position errors ε before a gap T, at intervals t, ε T/t² of the velocity.
+    /// Velocity at `point` [m/s]: the derivative of the polynomial through its position and up to three before it. After a gap only
+    /// two before it are used, because with a third one position errors ε before the gap cause a velocity error ε T/t² (T length of
+    /// the gap, t intervals before it).
     fn velocity_from_positions(&self, point: &TruthPoint) -> Vector3<f64> {
         // Relative to this position, so that the large part of the coordinates does not enter.
         let before = |back: usize| {

@@ -7,10 +7,10 @@ use crate::snapshot::{ANY, stored};
 pub(crate) const MIN_INTERVAL_S: f64 = 5e-5;
 pub(crate) const MAX_GAP_S: f64 = 1e3;
 
-/// What the difference of two time stamps may miss an interval by: four units in their last place.
+/// Largest rounding error of the difference of two time stamps, as a share of a stamp: four units in the last place.
 pub(super) const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Shortest and longest interval that there can be [s].
+/// Shortest and longest interval, with the rounding of time stamps [s].
 pub(crate) const INTERVALS_S: (f64, f64) = {
     let rounding = STAMP_ROUNDING * LATEST_S;
     (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
@@ -19,7 +19,7 @@ pub(crate) const INTERVALS_S: (f64, f64) = {
 /// Largest deviation of a time stamp from the stated period, in periods.
 pub(super) const OFF_PERIOD: f64 = 0.4;
 
-/// What separates a bad sample from a hard manoeuvre.
+/// Limits beyond which a sample is bad, and not a hard manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntakeLimits {
     /// Longest interval between samples [s].

@@ -31,7 +31,7 @@ pub struct TruthPoint {
     pub gravity_e: Vector3<f64>,
     /// Acceleration against the Earth [m/s²], if the host gave the specific force.
     pub a_e: Option<Vector3<f64>>,
-    /// The sample itself.
+    /// The sample of the host.
     pub sample: FlightSample,
 }
 
@@ -44,11 +44,11 @@ impl TruthPoint {
         time_s: f64,
         interval_s: f64,
     ) -> Self {
-        // What the check let pass beyond a pole is the pole.
+        // The check accepts latitudes that rounding put beyond a pole: they count as the pole.
         let latitude_rad = sample.place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
         let sample = FlightSample { place: Geodetic { latitude_rad, ..sample.place }, ..*sample };
         let Euler { roll, pitch, heading } = sample.euler;
-        // Six go as fast as five, by twos.
+        // Sines and cosines are computed in pairs, so six take no longer than five.
         let angles = [latitude_rad, sample.place.longitude_rad, roll, pitch, heading, 0.0];
         let (sines, cosines) = sin_cos_each(&angles.map(|angle| 0.5 * angle));
         let ([sl, so, sr, sp, sh, _], [cl, co, cr, cp, ch, _]) = (sines, cosines);
@@ -87,8 +87,8 @@ impl TruthPoint {
         self.interval_s > GAP * last.interval_s
     }
 
-    /// How many times as long as each of the two intervals before it the interval to this point is, where that makes it a gap;
-    /// `last` and `before` are the points before this one.
+    /// If the interval to this point is a gap: its length, divided by that of the longer of the two intervals before it. `last` and
+    /// `before` are the points before this one.
     #[inline]
     pub(crate) fn gap_ratio(&self, last: &Self, before: Option<&Self>) -> Option<f64> {
         if self.ends_gap(last) { self.ratio_to_usual(last, before) } else { None }
@@ -100,7 +100,7 @@ impl TruthPoint {
         // Of the two intervals that lie between the points that are kept.
         let usual_s = last.interval_s.max(before.map_or(0.0, |point| point.interval_s));
         let ratio = self.interval_s / usual_s;
-        // At the start there is no usual one.
+        // At the start there is no usual length.
         (usual_s > 0.0 && ratio > GAP).then_some(ratio)
     }
 
@@ -109,7 +109,7 @@ impl TruthPoint {
         Vertical { up_e: self.up_e, height_m: self.sample.place.height_m }
     }
 
-    /// Whether it is within reach of a pole.
+    /// Whether it is within [`NEAR_POLE_M`] of the Earth's axis.
     pub fn is_near_pole(&self) -> bool {
         self.state.r_e.xy().norm_squared() < NEAR_POLE_M * NEAR_POLE_M
     }

@@ -7,17 +7,17 @@ use crate::memory::room;
 /// Samples that may wait for a step.
 pub const QUEUE_CAPACITY: usize = 16;
 
-/// Points behind the queue that are still looked at: the current one and two before it.
+/// Points before the queue that are still needed: the current one and two before it.
 pub(super) const LOOK_BACK: usize = 3;
 
-/// A power of two that holds a full queue and the points behind it.
+/// A power of two that has room for a full queue and the points before it.
 const RING: usize = 32;
 
-/// Points in the order in which they came, in fixed memory: on the heap, as 13 KB are much of a stack.
+/// Points in the order in which they came, in memory of fixed size. It is on the heap, because 13 KB are much for a stack.
 #[derive(Debug, Clone)]
 pub(super) struct Ring {
     points: Box<[Option<TruthPoint>; RING]>,
-    /// Counted without a wrap, which 32 bits would meet in a long run.
+    /// A counter of 64 bits, because one of 32 bits would overflow in a long run.
     pushed: u64,
     taken: u64,
 }
@@ -51,7 +51,7 @@ impl Ring {
         }
     }
 
-    /// No point any more.
+    /// Removes all points.
     pub fn clear(&mut self) {
         (self.pushed, self.taken) = (0, 0);
     }
@@ -85,7 +85,7 @@ impl Ring {
         self.taken.min(LOOK_BACK as u64) as usize
     }
 
-    /// The oldest point that waits is now the current one.
+    /// Makes the oldest point that waits the current one.
     pub fn take(&mut self) {
         if self.waiting() > 0 {
             self.taken += 1;
@@ -97,7 +97,7 @@ impl Ring {
         self.at(self.pushed.checked_sub(back as u64 + 1)?)
     }
 
-    /// The point pushed last, to be completed.
+    /// The point pushed last, for changes.
     pub fn pushed_mut(&mut self) -> Option<&mut TruthPoint> {
         self.points[place(self.pushed.checked_sub(1)?)].as_mut()
     }
@@ -122,7 +122,7 @@ impl Ring {
     }
 }
 
-/// Where the point of a number is.
+/// Index of the point with this number.
 fn place(index: u64) -> usize {
     (index % RING as u64) as usize
 }

@@ -1,4 +1,4 @@
-//! One flight-control sample of the host.
+//! One flight sample of the host.
 
 use nalgebra::Vector3;
 
@@ -26,17 +26,16 @@ pub struct FlightSample {
     pub temperature_c: Option<f64>,
 }
 
-/// Time stamps are within ± this [s].
+/// Largest size of a time stamp [s].
 pub(super) const LATEST_S: f64 = 1e10;
 
-/// Checks a height above the ellipsoid [m], of a sample or of what samples are made of.
+/// Checks a height above the ellipsoid [m] of a sample, or of a flight from which samples are made.
 pub(crate) fn check_height(field: &'static str, height_m: f64) -> Result<(), Error> {
     let (low, high) = FlightSample::HEIGHT_RANGE_M;
     check_range(field, height_m, low, high)
 }
 
-/// Bits of what a stored sample has beyond or short of the usual: no velocity, a rate, a force, a
-/// temperature.
+/// Bits of a stored sample: it has no velocity, has a rate, has a force, has a temperature.
 const NO_VELOCITY: usize = 1;
 const WITH_RATE: usize = 2;
 const WITH_FORCE: usize = 4;
@@ -86,9 +85,9 @@ impl FlightSample {
     pub const HEIGHT_RANGE_M: (f64, f64) = (-20e3, 2000e3);
     /// Largest component of its velocity [m/s].
     pub const MAX_VELOCITY_M_S: f64 = 20e3;
-    /// Largest longitude of either sign [rad].
+    /// Largest size of the longitude [rad].
     pub const MAX_LONGITUDE_RAD: f64 = 100.0;
-    /// Largest attitude angle of either sign: any number of turns that leaves an angle its digits [rad].
+    /// Largest size of an attitude angle [rad]: many turns, with enough digits left for the angle.
     pub const MAX_ANGLE_RAD: f64 = 1e4;
     /// Largest component of its angular rate [rad/s].
     pub const MAX_RATE_RAD_S: f64 = 1e3;

@@ -10,7 +10,8 @@ use super::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
 use crate::error::{Error, ErrorKind, Rule, check_range};
 use crate::snapshot::{Numbers, Reader, Stored, Writer};
 
-/// The samples that the ring keeps; their points are made of them again, checked as if the host had pushed them.
+/// Stores the samples that the ring keeps. When they are read, their points are computed again, and checked as if the host had
+/// pushed them.
 impl Stored for Intake {
     fn save(&self, to: &mut Writer<'_>) {
         // The ticks follow from the last sample.
@@ -54,8 +55,8 @@ impl Stored for Intake {
 }
 
 impl Intake {
-    /// Checks and puts back a sample that was in the ring, oldest first, `interval_s` [s] after the one before; `v_e` is its
-    /// velocity [m/s] if it has none itself.
+    /// Checks a sample that was in the ring, and puts it back; the oldest comes first. It is `interval_s` [s] after the one before.
+    /// `v_e` is its velocity [m/s] if the sample itself has none.
     fn put_back(
         &mut self,
         sample: &FlightSample,
@@ -87,8 +88,8 @@ impl Intake {
         Ok(())
     }
 
-    /// Refuses a kept sample at `stamp_s`, which is `time_s` on the time base, that no flight has `interval_s` after the last. Where
-    /// time has been moved, stamps are rounded otherwise than when the interval was taken.
+    /// Rejects a kept sample at `stamp_s` (`time_s` on the time base) if no flight can have it `interval_s` after the last one. If time
+    /// was moved, the rounding of the stamps has changed since the interval was taken.
     fn check_kept_time(&self, stamp_s: f64, time_s: f64, interval_s: f64) -> Result<(), Error> {
         let rounding = STAMP_ROUNDING * LATEST_S;
         let refuse = |value, why| {

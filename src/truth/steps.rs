@@ -1,4 +1,4 @@
-//! From one sample to the next: what no vehicle does.
+//! Checks from one sample to the next: motion that no vehicle makes is rejected.
 
 use nalgebra::Vector3;
 
@@ -7,17 +7,17 @@ use super::limits::IntakeLimits;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{atan2, relative_rotation, rotation_vector};
 
-/// Displacement that a coarse position may contradict the velocity by before it is a teleport [m]: single-precision
-/// longitudes in degrees are 0.85 m apart.
+/// Displacement by which a coarse position may contradict the velocity before it is a jump [m]: longitudes in degrees of single
+/// precision are 0.85 m apart.
 const POSITION_SLACK_M: f64 = 10.0;
 
 /// |q0·q1| of two attitudes 170° apart.
 const HALF_TURN_COSINE: f64 = 0.087_155_742_747_658_17;
 
-/// |q0·q1| of two attitudes 35° apart: four times such a turn and another one are less than half a turn.
+/// |q0·q1| of two attitudes 35° apart: [`FORESEEN_INTERVALS`] + 1 such turns are less than half a turn.
 const SLOW_COSINE: f64 = 0.953_716_950_748_226_9;
 
-/// How many times longer than the interval before an interval may be for the turn in it to be foreseen.
+/// Largest ratio of an interval to the interval before it at which that interval predicts the turn.
 const FORESEEN_INTERVALS: f64 = 4.1;
 
 /// Fastest that positions may move where there is no velocity [m/s].
@@ -31,7 +31,7 @@ pub(super) struct Steps<'a> {
 }
 
 impl Steps<'_> {
-    /// Refuses what no vehicle does between two samples.
+    /// Rejects motion that no vehicle makes between two samples.
     pub fn check(&self, point: &TruthPoint, limits: &IntakeLimits) -> Result<(), Error> {
         self.check_without_foresight(point, limits)?;
         self.check_foreseen_turn(point)
@@ -57,7 +57,7 @@ impl Steps<'_> {
             );
         }
         let change2 = (point.state.v_e - last.state.v_e).norm_squared();
-        // A velocity from coarse positions is noise of metres a second: there the displacement alone is judged.
+        // A velocity from coarse positions has a noise of metres per second. Then only the displacement is checked.
         let measured = point.sample.v_n.is_some() && last.sample.v_n.is_some();
         let interval = point.interval_s;
         if measured && change2 > (limit * interval) * (limit * interval) {
@@ -81,7 +81,7 @@ impl Steps<'_> {
     }
 
     /// For samples without velocities: displacement that the mean velocity over up to two previous intervals does not
-    /// explain. The velocity at the point itself would explain eleven twelfths of any leap, being made of it.
+    /// explain. The velocity at the point itself would explain eleven twelfths of any jump, because it follows from it.
     fn leap(&self, point: &TruthPoint, limit: f64) -> Result<(Vector3<f64>, f64), Error> {
         let (last, interval) = (self.last, point.interval_s);
         let displacement = point.state.r_e - last.state.r_e;
@@ -101,7 +101,7 @@ impl Steps<'_> {
         Ok((unexplained, POSITION_SLACK_M + 0.5 * limit * interval * (interval + span)))
     }
 
-    /// Refuses turns whose sense is unknown: of 170° and more.
+    /// Rejects turns of 170° and more, because their sense is unknown.
     #[inline(always)]
     fn check_turn(&self, point: &TruthPoint) -> Result<(), Error> {
         let last = self.last;
@@ -118,7 +118,7 @@ impl Steps<'_> {
         Ok(())
     }
 
-    /// Refuses turns that only seem to be below 170° because whole turns are lost in them. Evidence: a spin-up of 1e5 °/s² at
+    /// Rejects turns that only seem to be below 170° because a part of a whole turn cannot be seen. Evidence: a spin-up of 1e5 °/s² at
     /// 50 Hz steps from 160° to 200° an interval, which looks like -160°.
     #[inline(always)]
     fn check_foreseen_turn(&self, point: &TruthPoint) -> Result<(), Error> {
@@ -130,7 +130,7 @@ impl Steps<'_> {
             return Ok(());
         }
         let foreseen = match (last.sample.omega_ib_b, point.sample.omega_ib_b, before) {
-            // The Earth's own turn is in it, 1e-4 rad.
+            // This includes the turn of the Earth, 1e-4 rad.
             (Some(start), Some(end), _) => (start + end) * (0.5 * point.interval_s),
             (.., Some(before)) => {
                 let q_before = &before.state.q_eb;

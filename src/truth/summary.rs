@@ -1,4 +1,4 @@
-//! The motion of a flight in figures: a wrong unit of the host, or two axes exchanged, stand out in them.
+//! The motion of a flight in figures, which reveal a wrong unit of the host or exchanged axes.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use crate::math::{atan2, relative_rotation, rotation_vector};
 use crate::snapshot::{ANY, CLOCK_S, COUNT, moved_clock, stored};
 use crate::state::BodyAxes;
 
-/// A value and when it was [s].
+/// A value and its time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extreme {
     /// The value.
@@ -21,7 +21,7 @@ pub struct Extreme {
 stored!(Extreme { value: ANY, time_s: CLOCK_S });
 
 impl Extreme {
-    /// Takes `value` if it is larger in size.
+    /// Keeps `value` if its size is larger.
     fn take_larger(&mut self, value: f64, time_s: f64) {
         if value.abs() > self.value.abs() {
             *self = Self { value, time_s };
@@ -33,15 +33,15 @@ impl Extreme {
 /// from one sample to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TruthSummary {
-    /// Intervals.
+    /// Number of intervals.
     pub intervals: u64,
-    /// Those that are gaps: more than 2.5 times as long as each of the two before.
+    /// Number of intervals that are gaps: more than 2.5 times as long as each of the two before.
     pub gaps: u64,
-    /// Sum of their lengths [s].
+    /// Sum of the lengths of the intervals [s].
     pub flown_s: f64,
-    /// Time stamps of the first and of the last sample [s].
+    /// Time stamp of the first sample [s].
     pub first_s: f64,
-    /// See `first_s`.
+    /// Time stamp of the last sample [s].
     pub last_s: f64,
     /// Longest interval [s].
     pub interval_max: Extreme,
@@ -57,7 +57,7 @@ pub struct TruthSummary {
     pub inconsistency_max: Extreme,
     /// Largest speed against the Earth [m/s].
     pub speed_max: Extreme,
-    /// Samples faster than [`Self::FAST_M_S`]: of these are the next two.
+    /// Number of samples faster than [`Self::FAST_M_S`]; only they count for sideslip and angle of attack.
     pub fast_samples: u64,
     /// Sideslip of the largest size: from the plane of symmetry to the velocity against the Earth, to the right [rad].
     pub sideslip_max: Extreme,
@@ -91,10 +91,10 @@ stored!(TruthSummary {
 });
 
 impl TruthSummary {
-    /// Speed above which sideslip and angle of attack count [m/s]: slower, helicopters fly sideways.
+    /// Speed above which sideslip and angle of attack count [m/s]. Slower helicopters fly sideways.
     pub const FAST_M_S: f64 = 30.0;
 
-    /// Adds the interval that `recent` ends, of sensors that lie along `axes`.
+    /// Adds the interval that `recent` ends. `axes` are the sensor axes of the samples.
     pub fn add(&mut self, earth: &Earth, axes: BodyAxes, recent: &Recent<'_>) {
         let Recent { next, current, before } = *recent;
         if self.intervals == 0 {
@@ -157,7 +157,8 @@ impl TruthSummary {
         }
     }
 
-    /// Of the samples of a log or a flight, checked as a simulator checks them; an error is about the sample of that number.
+    /// The summary of the samples of a log or a flight, which are checked as a simulator checks them. An error has the index of its
+    /// sample.
     pub fn of_samples(
         earth: &Earth,
         axes: BodyAxes,

@@ -39,7 +39,7 @@ pub struct Order {
     /// Hours of each scene that are flown at most
     #[arg(long, default_value_t = 1.0)]
     pub hours: f64,
-    /// Runs of each random effect, 8 to 1000
+    /// Number of runs with all effects together, if any effect is random, 8 to 1000
     #[arg(long, default_value_t = 16)]
     pub runs: u64,
     #[command(flatten)]

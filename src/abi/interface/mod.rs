@@ -1,5 +1,5 @@
-//! What hosts in other languages are told of the interface, written from its Rust sources. `read` reads them into a `model`; each
-//! other file writes one language. `build.rs` runs this, and the crate does not know it.
+//! Writes the interface for other languages from its Rust sources. `read` reads the sources into a `model`; each other file writes
+//! one language. Only `build.rs` uses this folder.
 
 mod ada;
 mod c_functions;

@@ -11,23 +11,23 @@ const GYRO_DOC: &str = "\
 Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
 triad. Signal: the angular rate. Densities do not depend on the sample rate.
 
-Effects act in this order, along the path of the signal: bandwidth; then errors of the signal so far (scale factor, misalignment,
-asymmetry, nonlinearity), errors of the true specific force (g-sensitivity), and temperature; then biases and noise; then dead zone,
-range, quantization.
+Effects act in this order, along the path of the signal: bandwidth; then errors that depend on the signal (scale factor,
+misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
+biases and noise; then dead zone, range, quantization.
 
 Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
-sub-increment, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration. With
-x = pi f dt, where f is its frequency, nonlinearity and rectification lose the share 1 - (sin x / x)^2. Asymmetry loses up to
-1 - cos x, if the vibration changes the sign of the signal. At a tenth of the sample rate these are 0.8 % and 1.2 % with two
-sub-increments per interval, 3.3 % and 4.9 % with one.";
+subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
+frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share 1 - (sin x / x)^2. Asymmetry is too
+small by up to 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these shares are
+0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9 % with one.";
 
 const ACCEL_DOC: &str = "\
 Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
 an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
 
-Effects act in this order, along the path of the signal: size effect, bandwidth; then errors of the signal so far (scale factor,
-misalignment, asymmetry, nonlinearity, vibration rectification), and temperature; then biases and noise; then dead zone, range,
-quantization. sins_gyro_params describes the effects that act on the mean of a sub-increment.";
+Effects act in this order, along the path of the signal: size effect, bandwidth; then errors that depend on the signal (scale
+factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then biases and noise; then dead
+zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a subsample.";
 
 /// Width of the text of a comment.
 const WIDTH: usize = 110;

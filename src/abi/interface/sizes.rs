@@ -1,4 +1,4 @@
-//! That the sizes which hosts are told are those of the structs: Rust checks it when it compiles the library.
+//! Checks, when the library is compiled, that the constants SINS_SIZEOF_... are the sizes of the structs.
 
 use super::model::Interface;
 

@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 
 use super::ERRORS;
 use super::geometry::LocalGeometry;
-use super::runge_kutta::LinearEquations;
 use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mechanization::VerticalCorrection;
@@ -142,10 +141,21 @@ impl GeographicForm {
     }
 }
 
-impl LinearEquations for GeographicForm {
-    type Coefficients = Coefficients;
+/// The linear equations x' = A(u) x + b(u) over an interval, u = 0..1; the coefficients are A and b at an instant.
+impl GeographicForm {
+    /// x after a step of length `t` [s] by the classical fourth-order Runge-Kutta method, from the coefficients at its start,
+    /// middle and end.
+    #[inline]
+    fn after(&self, [start, middle, end]: &[Coefficients; 3], t: f64) -> Self {
+        let k1 = self.rate(start);
+        let k2 = self.plus(&k1, 0.5 * t).rate(middle);
+        let k3 = self.plus(&k2, 0.5 * t).rate(middle);
+        let k4 = self.plus(&k3, t).rate(end);
+        let k = k1.plus(&k2.plus(&k3, 1.0), 2.0).plus(&k4, 1.0);
+        self.plus(&k, t / 6.0)
+    }
 
-    /// The system matrix, row by row.
+    /// x': the system matrix, row by row.
     fn rate(&self, k: &Coefficients) -> Self {
         let Coefficients { tan: t, sec, dm, dn, rate_north: wn, rate_up: wu, .. } = *k;
         let (m, n) = (k.local.m, k.local.n);
@@ -191,6 +201,7 @@ impl LinearEquations for GeographicForm {
         }
     }
 
+    /// x + `rate` `t`
     fn plus(&self, rate: &Self, t: f64) -> Self {
         Self {
             phi: self.phi + rate.phi * t,

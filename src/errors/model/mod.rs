@@ -9,7 +9,6 @@ mod geographic;
 mod geometry;
 mod lanes;
 mod reference_point;
-mod runge_kutta;
 
 use nalgebra::Vector3;
 

@@ -60,7 +60,7 @@ pub fn names_of(section: Section) -> impl Iterator<Item = &'static str> {
     of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten()
 }
 
-/// Of a key of [[failure]] whose unit belongs to another sensor, the key of the same quantity for `sensor`.
+/// The key that sets, for `sensor`, the quantity that this key of [[failure]] sets for another sensor.
 pub fn of_sensor(key: &Key, sensor: usize) -> Option<&'static str> {
     let names = failure::BY_SENSOR.iter().find(|names| names.contains(&key.name))?;
     (names[sensor] != key.name).then_some(names[sensor])
@@ -71,7 +71,7 @@ const fn unit(text: &'static str, si: f64) -> Unit {
     Unit { text, si }
 }
 
-/// The words of a table of words and what each of them uses.
+/// The words of a table, each with the fields that it uses.
 const fn first_words<const N: usize>(
     table: [(&'static str, &'static [&'static str]); N],
 ) -> [&'static str; N] {
@@ -157,7 +157,7 @@ mod tests {
         assert!(KEYS.is_sorted_by_key(|key| key.section));
     }
 
-    /// The fields of a struct in the header that are no housekeeping.
+    /// The fields of a struct in the header, without struct_size and reserved fields.
     fn fields(header: &str, name: &str) -> Vec<String> {
         let (_, rest) = header.split_once(&format!("typedef struct {name} {{")).unwrap();
         let (body, _) = rest.split_once('}').unwrap();

@@ -32,7 +32,7 @@ pub const OPTIONS: &[Key] = &[
     ]),
     count(
         "subsamples",
-        "sub-increments of an update, 1 to 5",
+        "subsamples of an update, 1 to 5",
         "options.subsamples",
         |d| d.scene.options.subsamples as u64,
         |d, n| {

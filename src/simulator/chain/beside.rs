@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::Chain;
-use super::fly::navigate;
 use crate::mechanization::{Mechanization, VerticalAid};
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
@@ -11,7 +10,6 @@ use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
 use crate::simulator::closed_loop::ClosedLoop;
 use crate::simulator::signals::Signals;
-use crate::simulator::suite::IntervalConditions;
 use crate::truth::{Recent, TruthPoint};
 
 impl Chain {
@@ -58,7 +56,7 @@ impl Chain {
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.trim(ideal, t);
             if let Some(shadow) = closed_loop.shadow(&self.mechanization, navigator_errs) {
-                navigate(shadow, self.options.subsamples, ideal, t);
+                shadow.navigate(ideal, self.options.subsamples, t);
                 let aid = vertical_aid(self.options.vertical, next, Some);
                 aid_vertical(shadow, &self.earth, &aid, t, self.block.as_ref().map(Block::true_belief));
             }
@@ -96,7 +94,7 @@ impl Chain {
         let has_shadow = closed_loop.shadow_mut().is_some();
         if !has_shadow {
             // Nothing errs: this navigator is that of each run.
-            navigate(&mut self.mechanization, self.options.subsamples, ideal, next.interval_s);
+            self.mechanization.navigate(ideal, self.options.subsamples, next.interval_s);
             let aid = vertical_aid(self.options.vertical, next, Some);
             let belief = self.block.as_ref().map(Block::belief);
             aid_vertical(&mut self.mechanization, &self.earth, &aid, next.interval_s, belief);
@@ -115,21 +113,5 @@ impl Chain {
             let truth = self.block.as_ref().map_or(next.state, |block| block.state(next));
             closed_loop.observe(&self.mechanization, &truth, next.time_s);
         }
-    }
-}
-
-/// What the interval of `motion` brings to the sensors of `block`.
-#[cold]
-#[inline(never)]
-pub(super) fn conditions(
-    recent: &Recent<'_>,
-    motion: &IntervalMotion<'_>,
-    block: Option<&Block>,
-) -> IntervalConditions {
-    let turning = motion.turning();
-    let turning = block.map_or(turning, |block| turning.in_axes(|vector_b| block.in_block_axes(vector_b)));
-    IntervalConditions {
-        temperatures_c: [recent.current.sample.temperature_c, recent.next.sample.temperature_c],
-        turning: Some(turning),
     }
 }

@@ -3,16 +3,15 @@
 use core::ops::Range;
 
 use super::Chain;
-use super::beside::conditions;
 use crate::covariance::Flown;
 use crate::error::Error;
 use crate::errors::SensorErrors;
-use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, check_state};
-use crate::signal::{Increment, IntervalMotion};
+use crate::mechanization::{VerticalAid, VerticalMode, check_state};
+use crate::signal::IntervalMotion;
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
-use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
+use crate::simulator::suite::IntervalConditions;
 use crate::simulator::views::Views;
 use crate::simulator::{ImuFlags, Options, SensorSuite};
 use crate::truth::Recent;
@@ -91,7 +90,7 @@ impl Chain {
             ideal
         } else {
             let measured = &mut self.signals.measured[parts.clone()];
-            sensors.begin_interval(t, || conditions(recent, &motion, self.block.as_ref()));
+            sensors.begin_interval(t, || IntervalConditions::of(recent, &motion, self.block.as_ref()));
             flags = sensors.sense(ideal, t / ideal.len() as f64, measured);
             &*measured
         };
@@ -100,7 +99,7 @@ impl Chain {
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             sensors.altimeter.sense(height_m, next.interval_s)
         });
-        navigate(&mut self.mechanization, self.options.subsamples, increments, t);
+        self.mechanization.navigate(increments, self.options.subsamples, t);
         let result = if self.is_plain {
             self.mechanization.aid_vertical(&aid, t);
             self.mechanization.check()
@@ -142,7 +141,7 @@ impl Chain {
         }
         self.conclude(&motion, recent);
         if self.accuracy.is_due(next.time_s) {
-            let errors = Moment { chain: self, point: next }.navigation_errors();
+            let errors = self.navigation_errors(next);
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())
@@ -170,19 +169,5 @@ impl Chain {
         if is_disturbed {
             sensors.gravity.undo();
         }
-    }
-}
-
-/// Navigates over an interval of length `t` [s], in updates of so many subsamples.
-pub(super) fn navigate(
-    mechanization: &mut Mechanization,
-    subsamples: usize,
-    increments: &[Increment],
-    t: f64,
-) {
-    let updates = increments.chunks_exact(subsamples);
-    let update_s = t / updates.len() as f64;
-    for update in updates {
-        mechanization.update(update, update_s);
     }
 }

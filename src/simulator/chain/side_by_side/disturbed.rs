@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::block::Interval;
+use super::interval::Interval;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::VerticalAid;
@@ -10,9 +10,9 @@ use crate::memory::room;
 use crate::sensors::{Failure, SensorOutput};
 use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 use crate::simulator::chain::Chain;
-use crate::simulator::chain::beside::conditions;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::interval::LastInterval;
+use crate::simulator::suite::IntervalConditions;
 use crate::simulator::{ImuFlags, SensorSuite};
 
 /// A run's sensors and its gravity.
@@ -118,7 +118,7 @@ impl Disturbed {
             measured.copy_from_slice(ideal);
             ImuFlags::default()
         } else {
-            sensors.begin_interval(t, || conditions(recent, motion, mounting));
+            sensors.begin_interval(t, || IntervalConditions::of(recent, motion, mounting));
             sensors.sense(ideal, interval.dt, measured)
         };
         errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.felt());

@@ -4,12 +4,12 @@
 mod block;
 mod disturbed;
 mod fly;
+mod interval;
 mod start;
 
 use core::cell::RefCell;
 
 use super::Chain;
-use super::beside::conditions;
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{ModelInterval, NavigationErrors};
@@ -21,10 +21,12 @@ use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
+use crate::simulator::suite::IntervalConditions;
 use crate::simulator::views::Views;
 use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
-use block::{Block, Interval, LastGood, Workspace};
+use block::{Block, Workspace};
+use interval::{Interval, LastGood};
 
 /// Runs over one truth, and what they share.
 #[derive(Debug)]
@@ -80,7 +82,7 @@ impl SideBySide {
         let dt = t / ideal.len() as f64;
         let is_disturbed = sensors.gravity.is_on();
         if !is_disturbed {
-            sensors.begin_interval(t, || conditions(recent, &motion, chain.block.as_ref()));
+            sensors.begin_interval(t, || IntervalConditions::of(recent, &motion, chain.block.as_ref()));
             sensors.gyro.share(ideal, dt, &mut shared[0]);
             sensors.accel.share(ideal, dt, &mut shared[1]);
         }

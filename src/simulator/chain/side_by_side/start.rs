@@ -2,7 +2,8 @@
 
 use core::cell::RefCell;
 
-use super::block::{Block, LastGood, Workspace};
+use super::block::{Block, Workspace};
+use super::interval::LastGood;
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
