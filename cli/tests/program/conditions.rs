@@ -1,12 +1,9 @@
 //! Scenes from a file: what mounting, gravity, temperature and failures make of a flight.
 
-#[path = "support/program.rs"]
-mod program;
-
 use std::fmt::Write as _;
 use std::path::Path;
 
-use program::{done, folder, read, refused};
+use crate::support::{done, folder, read, refused};
 
 const DEG_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 

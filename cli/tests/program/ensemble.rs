@@ -1,11 +1,8 @@
 //! `sins ensemble`: the same files by any number of threads and over any interruption; statistics against the runs themselves.
 
-#[path = "support/program.rs"]
-mod program;
-
 use std::path::Path;
 
-use program::{done, folder, names, numbers, read, refused, run, sins, told};
+use crate::support::{done, folder, names, numbers, read, refused, result, run, sins};
 
 /// Three minutes of sensors of navigation grade, with both error data: three blocks of 64 runs, the last one short.
 const SCENE: [&str; 9] = [
@@ -80,7 +77,7 @@ fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
     }
     let kill = format!("kill -{signal} {}", child.id());
     assert!(std::process::Command::new("sh").args(["-c", &kill]).status().unwrap().success());
-    let (code, said, errors) = told(&child.wait_with_output().unwrap());
+    let (code, said, errors) = result(&child.wait_with_output().unwrap());
     assert_eq!(said, "");
     (code, errors)
 }

@@ -1,9 +1,6 @@
 //! `sins fly`, `sins scene`, `sins keys`, `sins recommend`: what a newcomer does first.
 
-#[path = "support/program.rs"]
-mod program;
-
-use program::{done, folder, names, numbers, project_file, read, refused, run};
+use crate::support::{done, folder, names, numbers, project_file, read, refused, run};
 
 /// The value of a row of a summary.
 fn figure(summary: &str, key: &str) -> String {
