@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::support::{done, folder, read, refused};
+use crate::support::{done, folder, read, rejected};
 
 /// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes; what it shakes is taken off
 /// again. Q is 0.001° / √12. Row `gap` and those after it are `late` steps late.
@@ -43,12 +43,12 @@ fn a_log_becomes_a_picture_a_page_and_tables() {
 }
 
 #[test]
-fn bad_logs_and_orders_are_told() {
+fn bad_logs_and_orders_are_reported() {
     let folder = folder("bad");
     let path = folder.join("gap.csv");
     // The comment is line 1, the header line 2, row k line k + 3.
     log(&path, 500, 321, 1);
-    let errors = refused(&folder, &["allan", "gap.csv", "-o", "out.svg"]);
+    let errors = rejected(&folder, &["allan", "gap.csv", "-o", "out.svg"]);
     assert!(errors.contains("gap.csv:324: column time_s"), "{errors}");
     log(&path, 500, 321, 0);
     for (arguments, expected) in [
@@ -57,7 +57,7 @@ fn bad_logs_and_orders_are_told() {
         (&["-o", "out.svg", "--rate", "200"], ":4: column time_s"),
         (&["-o", "out.png"], "out.png"),
     ] {
-        let errors = refused(&folder, &[&["allan", "gap.csv"], arguments].concat());
+        let errors = rejected(&folder, &[&["allan", "gap.csv"], arguments].concat());
         assert!(errors.contains(expected), "{arguments:?}: {errors}");
     }
     assert!(!folder.join("out.svg").exists(), "nothing is drawn of a bad log");

@@ -1,6 +1,6 @@
 //! `sins budget`: which effects matter, from the command line to the files.
 
-use crate::support::{Row, done, folder, number, project_file, read, refused, rows};
+use crate::support::{Row, done, folder, number, project_file, read, rejected, rows};
 
 #[test]
 fn the_patrol_and_a_log_have_their_budgets() {
@@ -46,8 +46,8 @@ fn the_patrol_and_a_log_have_their_budgets() {
 }
 
 #[test]
-fn a_bad_order_is_refused() {
+fn a_bad_order_is_rejected() {
     let folder = folder("bad");
-    assert!(refused(&folder, &["budget", "--preset", "best"]).contains("best"));
-    assert!(refused(&folder, &["budget", "missing.csv"]).contains("missing.csv"));
+    assert!(rejected(&folder, &["budget", "--preset", "best"]).contains("best"));
+    assert!(rejected(&folder, &["budget", "missing.csv"]).contains("missing.csv"));
 }

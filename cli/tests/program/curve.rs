@@ -1,6 +1,6 @@
 //! `sins curve --quick`: what accuracy costs, from the command line to the files.
 
-use crate::support::{Row, folder, number, project_file, read, refused, rows, run};
+use crate::support::{Row, folder, number, project_file, read, rejected, rows, run};
 
 /// The row of `scheme` with two subsamples in `frame` at `rate_hz`.
 fn find<'a>(rows: &'a [Row], scheme: &str, frame: &str, rate_hz: &str) -> &'a Row {
@@ -73,8 +73,8 @@ fn accuracy_and_its_cost_are_measured() {
 }
 
 #[test]
-fn a_bad_order_is_refused() {
+fn a_bad_order_is_rejected() {
     let folder = folder("bad");
-    assert!(refused(&folder, &["curve", "--flight", "moon"]).contains("moon"));
-    assert!(refused(&folder, &["curve", "missing.csv"]).contains("missing.csv"));
+    assert!(rejected(&folder, &["curve", "--flight", "moon"]).contains("moon"));
+    assert!(rejected(&folder, &["curve", "missing.csv"]).contains("missing.csv"));
 }

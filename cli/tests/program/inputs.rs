@@ -8,13 +8,13 @@ use std::{
 
 #[cfg(unix)]
 use crate::support::sins;
-use crate::support::{HEADER, done, folder, log, project_file, read, refused, run, with_log};
+use crate::support::{HEADER, done, folder, log, project_file, read, rejected, run, with_log};
 
 #[test]
 fn rows_of_more_fields_than_columns_are_no_flight() {
     let folder = folder("decimal_commas");
     std::fs::write(folder.join("commas.csv"), log().replace(",0.7,", ",0,7,")).unwrap();
-    let errors = refused(&folder, &["fly", "commas.csv"]);
+    let errors = rejected(&folder, &["fly", "commas.csv"]);
     assert!(errors.starts_with("commas.csv:2: 8 fields"), "{errors}");
     assert!(!folder.join("sins_out/commas.csv").exists());
 }
@@ -34,10 +34,10 @@ fn pipes_and_standard_input_are_logs_and_devices_are_not() {
     let of = |name: &str| read(folder.join("sins_out").join(name));
     assert!(of("log.csv") == of("mylog.csv") && of("pipe.csv") == of("mylog.csv"));
     for order in [&["fly", "--log", "/dev/zero"][..], &["allan", "/dev/zero", "-o", "a.svg"]] {
-        assert!(refused(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
+        assert!(rejected(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
     }
     // A pipe is no run: its summary cannot lie beside it. It is not waited for.
-    assert!(refused(&folder, &["report", "pipe.csv"]).contains("pipe_summary.csv"));
+    assert!(rejected(&folder, &["report", "pipe.csv"]).contains("pipe_summary.csv"));
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn every_fault_of_a_scene_has_its_line() {
     // A bad sample has the line of the log.
     let spoiled = log().replace("\n5,0.7,", "\n5,0.8,");
     std::fs::write(folder.join("jump.csv"), spoiled).unwrap();
-    let errors = refused(&folder, &["fly", "jump.csv"]);
+    let errors = rejected(&folder, &["fly", "jump.csv"]);
     assert!(errors.starts_with("jump.csv:7: "), "{errors}");
     assert!(project_file("README.md").exists());
 }

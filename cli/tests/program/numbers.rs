@@ -1,6 +1,6 @@
 //! Numbers that are no numbers, or far too large: rejected with their line, or drawn without NaN and infinity.
 
-use crate::support::{done, numbers, read, refused, run, with_log};
+use crate::support::{done, numbers, read, rejected, run, with_log};
 
 #[test]
 fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
@@ -60,7 +60,7 @@ fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
         for value in ["nan", "inf", "1e308"] {
             let spoiled = format!("{},{value},{}", fields[0], fields[2]);
             std::fs::write(&summary, figures.replace(line, &spoiled)).unwrap();
-            let errors = refused(&folder, &["report", "sins_out/run.csv", "-o", "page.html"]);
+            let errors = rejected(&folder, &["report", "sins_out/run.csv", "-o", "page.html"]);
             assert!(errors.starts_with("sins_out/run_summary.csv:"), "{errors}");
         }
     }

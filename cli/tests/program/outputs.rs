@@ -3,7 +3,7 @@
 #[cfg(unix)]
 use std::process::Command;
 
-use crate::support::{done, log, names, read, refused, result, sins, with_log};
+use crate::support::{done, log, names, read, rejected, result, sins, with_log};
 
 #[test]
 fn a_flight_does_not_destroy_its_log() {
@@ -25,7 +25,7 @@ fn a_flight_does_not_destroy_its_log() {
         (&["allan", "logs/mylog.csv", "-o", "a.svg", "--csv", "logs/mylog.csv"], "is the input"),
         (&["scene", "write", "here.toml", "-o", "here.toml", "--force"], "is the input"),
     ] {
-        let errors = refused(&folder, arguments);
+        let errors = rejected(&folder, arguments);
         assert!(errors.contains(words), "{arguments:?}: {errors}");
         assert_eq!(read(folder.join("logs/mylog.csv")), log(), "{arguments:?}");
         assert_eq!(names(&folder.join("logs")), ["hard.csv", "mylog.csv"], "{arguments:?}");
@@ -52,7 +52,7 @@ fn a_report_does_not_destroy_its_run() {
         &["report", "sins_out/run.csv", "--picture", "./sins_out/run.csv"],
         &["report", "sins_out/run.csv", "-o", "a.html", "--picture", "a.html"],
     ] {
-        let errors = refused(&folder, arguments);
+        let errors = rejected(&folder, arguments);
         assert!(errors.contains("is the input") || errors.contains("two outputs"), "{errors}");
         assert_eq!(["sins_out/run.csv", "sins_out/run_summary.csv"].map(|n| read(folder.join(n))), before);
     }
@@ -76,7 +76,7 @@ fn what_others_made_needs_force() {
         } else {
             &["fly", "logs/mylog.csv", "--imu", "imu.csv", "--quiet"]
         };
-        let errors = refused(&folder, order);
+        let errors = rejected(&folder, order);
         assert!(errors.contains(name) && errors.contains("--force"), "{errors}");
         assert_eq!(read(folder.join("sins_out").join(name)), "somebody's own");
         done(&folder, &[order, &["--force"]].concat());
@@ -95,7 +95,7 @@ fn nodes_and_links_stay_what_they_are() {
     std::os::unix::fs::symlink("../kept", out.join("mylog.csv.part")).unwrap();
     std::os::unix::fs::symlink("../kept", out.join("link.csv")).unwrap();
     assert!(Command::new("mkfifo").arg(out.join("pipe.csv")).status().unwrap().success());
-    let order = |imu: &str| refused(&folder, &["fly", "logs/mylog.csv", "-q", "-o", "out", "--imu", imu]);
+    let order = |imu: &str| rejected(&folder, &["fly", "logs/mylog.csv", "-q", "-o", "out", "--imu", imu]);
     for imu in ["/dev/null", "../kept", "/etc/passwd"] {
         assert!(order(imu).contains("below the folder"), "{imu}");
     }
@@ -121,7 +121,7 @@ fn a_scene_names_no_file_outside() {
     ] {
         let scene = format!("[flight]\nfile = \"logs/mylog.csv\"\n[output]\n{key} = \"{value}\"\n");
         std::fs::write(folder.join("scene.toml"), scene).unwrap();
-        let errors = refused(&folder, &["fly", "scene.toml", "--force"]);
+        let errors = rejected(&folder, &["fly", "scene.toml", "--force"]);
         assert!(errors.contains(words), "{key} = {value}: {errors}");
         assert_eq!(names(&folder), ["logs", "scene.toml"], "{key} = {value}");
     }
@@ -141,7 +141,7 @@ fn names_that_windows_has_for_something_else() {
         (&["fly", "logs/mylog.csv", "--imu", "C:x.csv"], "below the folder"),
         (&["fly", "--log", "CON"], "is a device"),
     ] {
-        let errors = refused(&folder, arguments);
+        let errors = rejected(&folder, arguments);
         assert!(errors.contains(words), "{arguments:?}: {errors}");
         assert_eq!(read(folder.join("logs/mylog.csv")), log(), "{arguments:?}");
     }

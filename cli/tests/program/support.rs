@@ -46,7 +46,7 @@ pub fn done(folder: &Path, arguments: &[&str]) -> String {
 }
 
 /// Runs the program, which has to reject its arguments, and gives its message.
-pub fn refused(folder: &Path, arguments: &[&str]) -> String {
+pub fn rejected(folder: &Path, arguments: &[&str]) -> String {
     let (code, said, errors) = run(folder, arguments);
     assert_eq!((code, said.as_str()), (2, ""), "{arguments:?}: {errors}");
     errors
