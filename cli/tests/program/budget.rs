@@ -1,6 +1,6 @@
 //! `sins budget`: which effects matter, from the command line to the files.
 
-use crate::support::{Row, done, folder, number, project_file, read, rejected, rows};
+use crate::support::{Row, folder, number, project_file, read, rejected, rows, run};
 
 #[test]
 fn the_patrol_and_a_log_have_their_budgets() {
@@ -9,7 +9,8 @@ fn the_patrol_and_a_log_have_their_budgets() {
     let limits = ["--position", "2", "--attitude", "10"];
     let scenes =
         ["budget", "--hours", "0.05", "--runs", "8", "simulation2", log.to_str().unwrap(), "-o", "out"];
-    let said = done(&folder, &[&scenes[..], &limits].concat());
+    let (code, said, errors) = run(&folder, &[&scenes[..], &limits].concat());
+    assert_eq!(code, 0, "{errors}");
     let out = folder.join("out");
     let all = rows(&out.join("budget.csv"));
     let of = |scene: &str| all.iter().filter(|row| row["scene"] == scene).collect::<Vec<&Row>>();
