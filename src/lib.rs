@@ -196,6 +196,6 @@ pub mod units;
 
 pub use error::{Error, ErrorKind, Rule, Value};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
-    TrimFigures,
+    ClosureFigures, ErrorParameters, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator,
+    Solution, Step, TrimFigures,
 };

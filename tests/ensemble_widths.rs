@@ -1,6 +1,6 @@
-//! Runs side by side are the single simulators with the instructions of each width: every scheme, vertical channel and number of
-//! subsamples, 30 random choices of all effects, irregular intervals, rotations beyond the short series, a start without velocity,
-//! a run that diverges among good ones, and numbers of runs that are no multiple of a block.
+//! Runs side by side are the single simulators with the instructions of each width: every frame, gravity, scheme, vertical channel
+//! and number of subsamples, with and without the error model, a mounting, a gravity disturbance and a closed loop, 60 random choices of all effects, irregular intervals, rotations beyond the short series, failures that come and go,
+//! a start without velocity, a run that diverges among good ones, and numbers of runs that are no multiple of a block.
 
 #[path = "support/any_use.rs"]
 mod any_use;
@@ -11,9 +11,14 @@ mod support;
 use any_use::Draws;
 use moments::{altimeter, every_effect, initial};
 use nalgebra::Vector3;
+use sins::earth::GravityModel;
 use sins::ensemble::Ensemble;
-use sins::mechanization::{Scheme, VerticalMode};
-use sins::sensors::{StreamKey, TriadParameters};
+use sins::math::Euler;
+use sins::mechanization::{Frame, Scheme, VerticalMode};
+use sins::mounting::MountingParameters;
+use sins::sensors::{
+    Failure, GravityDisturbanceParameters, GravityField, SensorOutput, StreamKey, TriadParameters,
+};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
@@ -31,6 +36,10 @@ struct Setting {
     triads: (TriadParameters, TriadParameters),
     with_altimeter: bool,
     with_initial_errors: bool,
+    mounting: Option<MountingParameters>,
+    gravity: Option<GravityDisturbanceParameters>,
+    /// With the number of the sample before which it is set.
+    failures: Vec<(usize, SensorOutput, Option<Failure>)>,
 }
 
 impl Setting {
@@ -45,8 +54,28 @@ impl Setting {
         if self.with_initial_errors {
             simulator.set_initial_errors(&initial()).unwrap();
         }
+        if let Some(mounting) = &self.mounting {
+            simulator.set_mounting(mounting).unwrap();
+        }
+        if let Some(gravity) = &self.gravity {
+            simulator.set_gravity_disturbance(gravity).unwrap();
+        }
         simulator
     }
+}
+
+fn mounting() -> MountingParameters {
+    MountingParameters {
+        lever_arm_m: Vector3::new(1.0, -4.0, 0.7),
+        lever_arm_error_m: Vector3::new(0.1, 0.05, -0.2),
+        boresight: Euler { roll: 0.1, pitch: -0.2, heading: 3.0 },
+        boresight_error: Euler { roll: 1e-3, pitch: -2e-3, heading: 1e-3 },
+    }
+}
+
+fn gravity() -> GravityDisturbanceParameters {
+    let field = GravityField { mean: 2e-5, sigma: 5e-5, distance_m: 300.0 };
+    GravityDisturbanceParameters { deflection_north: field, deflection_east: field, anomaly: field }
 }
 
 /// Each effect or none.
@@ -110,10 +139,17 @@ fn compare(setting: &Setting, samples: &[FlightSample], who: &str) -> usize {
     let template = setting.simulator(0);
     let mut ensembles =
         WIDTHS.map(|width| Ensemble::of_width(&template, FIRST_RUN, RUNS as usize, width).unwrap());
-    assert!(ensembles[0].bytes_of_run().is_some(), "{who}: one by one");
     let mut singles: Vec<_> =
         (FIRST_RUN..FIRST_RUN + RUNS).map(|run| (setting.simulator(run), false)).collect();
     for (k, sample) in samples.iter().enumerate() {
+        for (_, output, failure) in setting.failures.iter().filter(|(at, ..)| *at == k) {
+            for ensemble in &mut ensembles {
+                ensemble.set_failure(*output, *failure).unwrap();
+            }
+            for (single, _) in &mut singles {
+                single.set_failure(*output, *failure).unwrap();
+            }
+        }
         for ensemble in &mut ensembles {
             ensemble.push_sample(sample).unwrap();
             ensemble.step().unwrap();
@@ -139,10 +175,15 @@ fn compare(setting: &Setting, samples: &[FlightSample], who: &str) -> usize {
                 let of_ensemble = (
                     told.unwrap(),
                     ensemble.errors(run, ErrorSource::Navigation),
+                    ensemble.errors(run, ErrorSource::Model),
                     ensemble.imu(run).unwrap(),
                 );
-                let of_single =
-                    (single.navigation().unwrap(), single.errors(ErrorSource::Navigation), single.imu());
+                let of_single = (
+                    single.navigation().unwrap(),
+                    single.errors(ErrorSource::Navigation),
+                    single.errors(ErrorSource::Model),
+                    single.imu(),
+                );
                 // Each number with all its digits.
                 let [of_ensemble, of_single] = [of_ensemble, of_single].map(|read| format!("{read:?}"));
                 assert_eq!(of_ensemble, of_single, "{who}, width {width}, run {run}, sample {k}");
@@ -159,6 +200,10 @@ fn setting(draw: &mut Draws) -> Setting {
         subsamples: draw.of(&[1, 2, 3, 4, 5]),
         updates_per_sample: draw.of(&[1, 1, 2]),
         vertical: draw.of(&[VerticalMode::Damped, VerticalMode::FollowTruth, VerticalMode::Free]),
+        error_model: draw.one_in(2),
+        frame: draw.of(&[Frame::EarthFixed, Frame::EarthFixed, Frame::EarthFixed, Frame::Geographic]),
+        closed_loop_time_s: draw.of(&[None, None, Some(30.0)]),
+        gravity: draw.of(&[GravityModel::Normal, GravityModel::Normal, GravityModel::Somigliana]),
         ..Options::default()
     };
     Setting {
@@ -166,15 +211,41 @@ fn setting(draw: &mut Draws) -> Setting {
         triads: (some_effects(draw, &gyro), some_effects(draw, &accel)),
         with_altimeter: draw.one_in(2),
         with_initial_errors: draw.one_in(2),
+        mounting: draw.one_in(4).then(mounting),
+        gravity: draw.one_in(4).then(gravity),
+        failures: Vec::new(),
     }
+}
+
+/// Failures of any kind, set in flight and cleared, two at a time.
+fn failures(draw: &mut Draws) -> Vec<(usize, SensorOutput, Option<Failure>)> {
+    let of_triads = [
+        Failure::Stuck,
+        Failure::Dead,
+        Failure::BiasStep { size: 1e-4 },
+        Failure::Spikes { size: 1e-3, interval_s: 0.05, duration_s: 0.012 },
+        Failure::Noise { density: 1e-5 },
+        Failure::RandomDropOuts { probability: 0.3 },
+        Failure::PeriodicDropOuts { interval_s: 0.045 },
+    ];
+    let mut failures = Vec::new();
+    for at in [0, 3, 14, 25, 36, 47] {
+        let output = SensorOutput::ALL[draw.below(7)];
+        failures.push((at, output, Some(draw.of(&of_triads))));
+        failures.push((at + 10, output, None));
+    }
+    failures
 }
 
 #[test]
 fn runs_are_the_single_simulators_in_every_width() {
-    for seed in 0..30 {
+    for seed in 0..60 {
         let mut draw = Draws::new(seed);
-        let setting = setting(&mut draw);
+        let mut setting = setting(&mut draw);
         let samples = samples(&mut draw, STEPS);
+        if seed % 2 == 1 {
+            setting.failures = failures(&mut draw);
+        }
         compare(&setting, &samples, &format!("setting {seed}: {:?}", setting.options));
     }
 }
@@ -187,9 +258,17 @@ fn so_they_are_where_a_branch_is_rare() {
     for scheme in [Scheme::Exact, Scheme::Polynomial, Scheme::Paper] {
         for density in [0.1, 0.3, 3.0, 30.0] {
             let gyro = TriadParameters { random_walk: Vector3::repeat(density), ..Default::default() };
-            let options = Options { scheme, ..Options::default() };
+            let options = Options { scheme, error_model: density == 30.0, ..Options::default() };
             let triads = (gyro, TriadParameters::default());
-            let setting = Setting { options, triads, with_altimeter: false, with_initial_errors: false };
+            let setting = Setting {
+                options,
+                triads,
+                with_altimeter: false,
+                with_initial_errors: false,
+                mounting: None,
+                gravity: None,
+                failures: Vec::new(),
+            };
             compare(&setting, &samples, &format!("{scheme:?}, {density} rad/√s"));
         }
     }
@@ -201,10 +280,19 @@ fn a_run_that_diverges_leaves_the_others_alone() {
     let samples = samples(&mut draw, 600);
     // 100 km/s in about seven seconds, in some runs and in some not.
     let accel = TriadParameters { bias_sigma: Vector3::repeat(1e4), ..every_effect().1 };
-    let options = Options { vertical: VerticalMode::Damped, ..Options::default() };
-    for with_altimeter in [false, true] {
+    for (with_altimeter, error_model) in [(false, false), (true, true)] {
+        let options = Options { vertical: VerticalMode::Damped, error_model, ..Options::default() };
         let triads = (every_effect().0, TriadParameters { range: Vector3::zeros(), ..accel });
-        let setting = Setting { options, triads, with_altimeter, with_initial_errors: false };
+        let failures = if with_altimeter { failures(&mut draw) } else { Vec::new() };
+        let setting = Setting {
+            options,
+            triads,
+            with_altimeter,
+            with_initial_errors: false,
+            mounting: with_altimeter.then(mounting),
+            gravity: None,
+            failures,
+        };
         let diverged = compare(&setting, &samples, "divergence");
         assert!((1..RUNS as usize).contains(&diverged), "{diverged} of {RUNS}");
     }

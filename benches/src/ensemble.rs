@@ -1,4 +1,5 @@
-//! What a run of an ensemble takes in a step, against the single chain through `sins_run`: the errors of simulation 2, error data 2.
+//! What a run of an ensemble takes in a step, against the single chain through `sins_run`: the errors of simulation 2, error data 2
+//! alone and with error data 1.
 //! `ensemble [RUNS...]`: ratios of times that are measured in turn, undisturbed ones of many rounds.
 
 #[expect(dead_code, reason = "another program reads navigation and errors, too")]
@@ -23,16 +24,20 @@ fn main() {
     let counts: Vec<usize> = std::env::args().skip(1).map(|count| count.parse().expect("a number")).collect();
     let counts = if counts.is_empty() { vec![1, 16, 64, 256, 1000, 10_000] } else { counts };
     let samples = scene::patrol(SAMPLES);
-    for runs in counts {
-        compare(runs, &samples);
+    for error_model in [false, true] {
+        println!("{}", if error_model { "error data 1 and 2" } else { "error data 2" });
+        for &runs in &counts {
+            compare(runs, error_model, &samples);
+        }
     }
 }
 
-fn compare(runs: usize, samples: &[FlightSample]) {
+fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
     let c_samples = c_scene::c_samples(samples);
-    let options = sins_options { error_model: SINS_ERROR_MODEL_OFF, ..c_scene::c_options() };
+    let error_data_1 = if error_model { SINS_ERROR_MODEL_ON } else { SINS_ERROR_MODEL_OFF };
+    let options = sins_options { error_model: error_data_1, ..c_scene::c_options() };
     let sim = c_scene::simulator(&options, true);
-    let template = template();
+    let template = template(error_model);
     let mut ensembles = WIDTHS.map(|width| Ensemble::of_width(&template, 0, runs, width).unwrap());
     let (mut single_ns, mut ensemble_ns) = (Vec::new(), WIDTHS.map(|_| Vec::new()));
     // As many steps of the single chain as take about as long.
@@ -56,7 +61,7 @@ fn compare(runs: usize, samples: &[FlightSample]) {
     // SAFETY: a living handle.
     unsafe { sins_destroy(sim) };
     let single_ns = undisturbed(single_ns);
-    let bytes = ensembles[0].bytes_of_run().unwrap_or_default();
+    let bytes = ensembles[0].bytes_of_run();
     print!("{runs} runs of {bytes} bytes: single {single_ns:.0} ns");
     for (width, ns) in WIDTHS.iter().zip(ensemble_ns) {
         let ns = undisturbed(ns);
@@ -79,10 +84,10 @@ fn undisturbed(mut ns: Vec<f64>) -> f64 {
     ns[ns.len() / 10]
 }
 
-fn template() -> Simulator {
+fn template(error_model: bool) -> Simulator {
     let intake = IntakeLimits { period_s: Some(scene::PERIOD_S), ..Default::default() };
     let (gyro, accel) = sins::sensors::paper_simulation2();
-    let mut template = Simulator::new(&Options { intake, ..Options::default() }).unwrap();
+    let mut template = Simulator::new(&Options { intake, error_model, ..Options::default() }).unwrap();
     template.set_gyro(&gyro).unwrap();
     template.set_accel(&accel).unwrap();
     template

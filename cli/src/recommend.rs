@@ -56,7 +56,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     };
     requirement.validate()?;
     let (first, samples) = piece(order, &given)?;
-    let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.mounting };
+    let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.errors.mounting };
     let working = Progress::working("trying the algorithms");
     let answer = recommend(&setup, &samples, &requirement).map_err(|refusal| match refusal.sample {
         Some(index) => given.failure_at(first + index, &refusal.error),

@@ -2,7 +2,6 @@
 //!
 //! Run k of an ensemble is, to the bit, the [`Simulator`] with `options.key.run = first_run + k`.
 
-mod one_by_one;
 mod read;
 mod snapshot;
 
@@ -11,7 +10,6 @@ use crate::instruction_set::InstructionSet;
 use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{Options, SideBySide, Simulator, Step};
 use crate::truth::{FlightSample, Intake, Pushed};
-use one_by_one::OneByOne;
 
 /// Runs of an ensemble at the most.
 pub const MAX_RUNS: u32 = u32::MAX;
@@ -28,17 +26,7 @@ pub struct Ensemble {
     /// The truth, which goes on whatever becomes of the runs.
     intake: Intake,
     intervals: u64,
-    runs: Runs,
-}
-
-/// The runs.
-#[derive(Debug)]
-#[expect(clippy::large_enum_variant, reason = "one in an ensemble")]
-enum Runs {
-    /// Side by side, which is many times as fast, where what differs from run to run allows it.
-    SideBySide(SideBySide),
-    /// One after the other.
-    OneByOne(OneByOne),
+    runs: SideBySide,
 }
 
 impl Ensemble {
@@ -63,11 +51,7 @@ impl Ensemble {
             return Err(Error::invalid("first_run", first_run, Rule::Between(0.0, last_first as f64)));
         }
         let options = *template.options();
-        let runs = if SideBySide::is_for(template, runs) {
-            Runs::SideBySide(SideBySide::new(template, first_run, runs, set)?)
-        } else {
-            Runs::OneByOne(OneByOne::new(template, first_run, runs)?)
-        };
+        let runs = SideBySide::new(template, first_run, runs, set)?;
         let intake = Intake::new(options.earth(), options.axes, options.intake)?;
         Ok(Self { first_run, options, intake, intervals: 0, runs })
     }
@@ -79,23 +63,15 @@ impl Ensemble {
 
     /// How many runs.
     pub fn runs(&self) -> usize {
-        match &self.runs {
-            Runs::SideBySide(runs) => runs.runs(),
-            Runs::OneByOne(runs) => runs.simulators.len(),
-        }
+        self.runs.runs()
     }
 
     /// Takes one flight-control sample in, for all runs.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.check_temperature(sample)?;
         let pushed = self.intake.push(sample)?;
-        match &mut self.runs {
-            Runs::SideBySide(runs) => {
-                if let (Pushed::FirstVelocity, Some(current)) = (pushed, self.intake.current()) {
-                    runs.take_first_velocity(current);
-                }
-            }
-            Runs::OneByOne(runs) => runs.push_sample(sample)?,
+        if let (Pushed::FirstVelocity, Some(current)) = (pushed, self.intake.current()) {
+            self.runs.take_first_velocity(current);
         }
         Ok(pushed)
     }
@@ -105,11 +81,7 @@ impl Ensemble {
         let is_first = self.intervals == 0;
         let recent = if is_first { self.intake.first_interval() } else { self.intake.recent() };
         let Some(recent) = recent else { return Ok(Step::NeedSample) };
-        self.options.check_truth(recent.next)?;
-        match &mut self.runs {
-            Runs::SideBySide(runs) => runs.step(&recent)?,
-            Runs::OneByOne(runs) => runs.step()?,
-        }
+        self.runs.step(&recent)?;
         if is_first {
             self.intake.take();
         }
@@ -123,10 +95,7 @@ impl Ensemble {
         self.check_temperature(sample)?;
         self.intake.restart(sample)?;
         self.intervals = 0;
-        match &mut self.runs {
-            Runs::SideBySide(runs) => runs.reposition(),
-            Runs::OneByOne(runs) => runs.reposition(sample)?,
-        }
+        self.runs.reposition();
         Ok(())
     }
 
@@ -134,31 +103,20 @@ impl Ensemble {
     pub fn reset(&mut self) {
         self.intake.clear();
         self.intervals = 0;
-        match &mut self.runs {
-            Runs::SideBySide(runs) => runs.reset(),
-            Runs::OneByOne(runs) => runs.reset(),
-        }
+        self.runs.reset();
     }
 
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
         failure.map_or(Ok(()), |failure| failure.validate(output))?;
-        if let (Runs::SideBySide(runs), Some(_)) = (&self.runs, failure) {
-            self.runs = Runs::OneByOne(OneByOne::of(runs, &self.intake)?);
-        }
-        match &mut self.runs {
-            Runs::SideBySide(_) => Ok(()),
-            Runs::OneByOne(runs) => runs.set_failure(output, failure),
-        }
+        self.runs.set_failure(output, failure);
+        Ok(())
     }
 
-    /// Bytes that each run takes, if they go side by side.
+    /// Bytes that each run takes.
     #[doc(hidden)]
-    pub fn bytes_of_run(&self) -> Option<usize> {
-        match &self.runs {
-            Runs::SideBySide(runs) => Some(runs.bytes_of_run()),
-            Runs::OneByOne(_) => None,
-        }
+    pub fn bytes_of_run(&self) -> usize {
+        self.runs.bytes_of_run()
     }
 
     /// Intervals flown since the start or the last reposition.
@@ -167,9 +125,6 @@ impl Ensemble {
     }
 
     fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
-        match &self.runs {
-            Runs::SideBySide(runs) => runs.check_temperature(sample),
-            Runs::OneByOne(runs) => runs.first().map_or(Ok(()), |run| run.check_temperature(sample)),
-        }
+        self.runs.check_temperature(sample)
     }
 }

@@ -1,6 +1,6 @@
 //! What is read of an ensemble.
 
-use super::{Ensemble, Runs};
+use super::Ensemble;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
 use crate::sensors::{Failure, SensorOutput};
@@ -10,13 +10,7 @@ use crate::statistics::Statistics;
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.
     pub fn truth(&self) -> Option<Solution> {
-        let flown = match &self.runs {
-            Runs::SideBySide(runs) => self.intake.current().and_then(|point| runs.truth(point)),
-            Runs::OneByOne(runs) => {
-                let living = runs.simulators.iter().zip(&runs.diverged).find(|(_, diverged)| !**diverged);
-                living.and_then(|(run, _)| run.truth().ok().flatten())
-            }
-        };
+        let flown = self.intake.current().and_then(|point| self.runs.truth(point));
         if flown.is_some() {
             return flown;
         }
@@ -27,10 +21,7 @@ impl Ensemble {
     /// The navigated solution of a run; `None` before the first sample. [`ErrorKind::Diverged`]: the run has diverged.
     pub fn navigation(&self, run: u64) -> Result<Option<Solution>, Error> {
         let place = self.place_of(run)?;
-        match &self.runs {
-            Runs::SideBySide(runs) => runs.navigation(place, &self.intake),
-            Runs::OneByOne(runs) => runs.simulators[place].navigation(),
-        }
+        self.runs.navigation(place, &self.intake)
     }
 
     /// Time [s] and errors of the navigated solution of a run; `None` before the first sample. [`ErrorKind::Diverged`]: the run
@@ -52,10 +43,7 @@ impl Ensemble {
     /// diverged.
     pub fn imu(&self, run: u64) -> Result<Option<ImuInterval>, Error> {
         let place = self.place_of(run)?;
-        Ok(match &self.runs {
-            Runs::SideBySide(runs) => runs.imu(place),
-            Runs::OneByOne(runs) => runs.simulators[place].imu(),
-        })
+        Ok(self.runs.imu(place))
     }
 
     /// The runs that have diverged, in the order of their numbers.
@@ -98,10 +86,7 @@ impl Ensemble {
 
     /// The failure of an output, which all runs share; `None`: it is sound.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
-        match &self.runs {
-            Runs::SideBySide(_) => None,
-            Runs::OneByOne(runs) => runs.first().and_then(|run| run.failure(output)),
-        }
+        self.runs.failure(output)
     }
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
@@ -115,19 +100,12 @@ impl Ensemble {
         place: usize,
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
-        match &self.runs {
-            Runs::SideBySide(runs) => runs.errors_and_pole(place, &self.intake, source),
-            Runs::OneByOne(runs) => runs.simulators[place].errors_and_pole(source),
-        }
+        self.runs.errors_and_pole(place, &self.intake, source)
     }
 
     /// Time of the last good solution of the run at `place`, if it has diverged [s].
     pub(super) fn diverged_s(&self, place: usize) -> Option<f64> {
-        match &self.runs {
-            Runs::SideBySide(runs) => runs.diverged_s(place),
-            Runs::OneByOne(runs) => runs.diverged[place]
-                .then(|| runs.simulators[place].truth().ok().flatten().map_or(0.0, |truth| truth.time_s)),
-        }
+        self.runs.diverged_s(place)
     }
 
     /// Where a run is, unless it has diverged.

@@ -1,10 +1,8 @@
 //! The whole ensemble as a snapshot, and back.
 
-use super::one_by_one::OneByOne;
-use super::{Ensemble, Runs};
-use crate::error::{Error, ErrorKind};
+use super::Ensemble;
+use crate::error::{Error, ErrorKind, Rule};
 use crate::instruction_set::InstructionSet;
-use crate::memory::room_for_one_more;
 use crate::simulator::{Options, SideBySide, Simulator};
 use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::truth::Intake;
@@ -47,10 +45,7 @@ impl Ensemble {
         to.count(self.runs());
         for place in 0..self.runs() {
             to.flag(self.diverged_s(place).is_some());
-            match runs {
-                Runs::SideBySide(runs) => runs.save_run(place, intake, &mut to),
-                Runs::OneByOne(runs) => runs.simulators[place].save_to(&mut to),
-            }
+            runs.save_run(place, intake, &mut to);
         }
         to.finish()
     }
@@ -68,51 +63,46 @@ impl Ensemble {
         Numbers::load(&mut intervals, from, COUNT)?;
         from.enter("snapshot: Ensemble.runs");
         let count = from.count(super::MAX_RUNS as usize)?;
-        let fits = count > 0 && first_run.checked_add(count as u64 - 1).is_some();
+        // As much memory as there are bytes for, whatever the number says.
+        let fits =
+            (1..=from.bytes_left()).contains(&count) && first_run.checked_add(count as u64 - 1).is_some();
         from.require(fits, count as f64, "is no number of runs")?;
 
-        // As much memory as there are bytes for, whatever the number says.
-        let mut runs = OneByOne::default();
+        let mut runs = None;
         for run in (first_run..=u64::MAX).take(count) {
             from.enter("snapshot: Ensemble.diverged");
             let has_diverged = from.flag()?;
             let mut simulator = Simulator::load_from(from)?;
+            let [simulator] = &mut *simulator else { continue };
             from.enter("snapshot: a run of the ensemble");
-            let same = same_flight(&simulator, &options, run, has_diverged, (&intake, intervals));
+            let same = same_flight(simulator, &options, run, has_diverged, (&intake, intervals));
             from.require(same, run as f64, "is not one of this ensemble")?;
-            room_for_one_more(&mut runs.simulators)?;
-            runs.simulators.extend(core::mem::take(&mut simulator));
-            room_for_one_more(&mut runs.diverged)?;
-            runs.diverged.push(has_diverged);
+            let runs = match &mut runs {
+                Some(runs) => runs,
+                None => {
+                    let set = InstructionSet::up_to(usize::MAX);
+                    runs.insert(SideBySide::new(simulator, first_run, count, set)?)
+                }
+            };
+            let fits = runs.has_sensors_of(simulator);
+            from.require(fits, run as f64, "has other sensors than the runs before")?;
+            runs.put_simulator((run - first_run) as usize, simulator, has_diverged);
         }
-        let runs = side_by_side(runs, first_run)?;
-        Ok(Self { first_run, options, intake, intervals, runs })
+        match runs {
+            Some(runs) => Ok(Self { first_run, options, intake, intervals, runs }),
+            None => Err(from.refused(0.0, Rule::Words("is no number of runs"))),
+        }
     }
-}
-
-/// The runs side by side, if they can be.
-fn side_by_side(mut runs: OneByOne, first_run: u64) -> Result<Runs, Error> {
-    let count = runs.simulators.len();
-    if !runs.simulators.iter().all(|simulator| SideBySide::is_for(simulator, count)) {
-        return Ok(Runs::OneByOne(runs));
-    }
-    let Some(first) = runs.first() else { return Ok(Runs::OneByOne(runs)) };
-    let mut made = SideBySide::new(first, first_run, count, InstructionSet::up_to(usize::MAX))?;
-    for (place, (simulator, diverged)) in runs.simulators.iter_mut().zip(runs.diverged).enumerate() {
-        made.put_simulator(place, simulator, diverged);
-    }
-    Ok(Runs::SideBySide(made))
 }
 
 /// Whether a simulator has the options of run `run`, and unless it has diverged flies the ensemble's samples.
 fn same_flight(
-    simulator: &[Simulator],
+    simulator: &Simulator,
     options: &Options,
     run: u64,
     has_diverged: bool,
     (intake, intervals): (&Intake, u64),
 ) -> bool {
-    let [simulator] = simulator else { return false };
     let mut of_run = options.of_run();
     of_run.key.run = run;
     *simulator.options() == of_run

@@ -17,42 +17,53 @@
 
 #![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
 
+use core::slice::ChunksExact;
+
 use nalgebra::Vector3;
 
 use super::branches::{Any, Usual};
 use super::earth_fixed::EarthFixed;
+use super::geographic::Geographic;
 use super::{
-    Axes, BodyMotion, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalCorrection, VerticalLoop,
+    Axes, BodyMotion, Frame, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
+    VerticalCorrection, VerticalRows, WELL_WITHIN_M,
 };
 use crate::earth::{Earth, GravityModel};
 use crate::math::RotationSeries;
-use crate::mechanization::{Frame, WELL_WITHIN_M};
-use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
+use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of};
 
-/// Whether navigators of these kinds go into a block.
-pub(crate) fn is_for_lanes(frame: Frame, gravity: GravityModel) -> bool {
-    frame == Frame::EarthFixed && gravity == GravityModel::Normal
-}
-
-/// Navigators in Earth-fixed axes that get the same intervals.
+/// Navigators of one frame that get the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
 pub(crate) struct NavigatorBlock {
-    axes: [[f64; RUNS]; EarthFixed::NUMBERS],
-    bias_m_s2: [f64; RUNS],
-    residual_m: [f64; RUNS],
-    /// What the vertical channels share: the interval and its gains.
-    vertical: VerticalLoop,
+    frame: Frame,
+    axes: [Row; EarthFixed::NUMBERS],
+    vertical: VerticalRows,
 }
 
 /// What the vertical channels of a block are told.
+#[derive(Debug, Clone, Copy)]
 pub(crate) enum AidOfEach<'a> {
-    /// Nothing.
-    None,
-    /// The truth: height [m] and velocity up [m/s].
-    Truth { height_m: f64, velocity_up_m_s: f64 },
+    /// All the same: nothing, or the truth.
+    Same(VerticalAid),
     /// A barometric height each [m].
-    Barometer { heights_m: &'a [f64; RUNS] },
+    Barometer { heights_m: &'a Row },
+    /// A barometric height [m], or none.
+    Some { heights_m: &'a Row, is_none: &'a [bool; RUNS] },
+}
+
+impl AidOfEach<'_> {
+    /// That of the run at `lane`.
+    #[inline(always)]
+    pub fn at(&self, lane: usize) -> VerticalAid {
+        match *self {
+            Self::Same(aid) => aid,
+            Self::Some { is_none, .. } if is_none[lane] => VerticalAid::None,
+            Self::Barometer { heights_m } | Self::Some { heights_m, .. } => {
+                VerticalAid::Barometer { height_m: heights_m[lane] }
+            }
+        }
+    }
 }
 
 /// What is needed between the loops over a block.
@@ -120,36 +131,50 @@ impl Scratch {
 
 impl NavigatorBlock {
     /// A block of navigators that nothing is known of yet.
-    pub fn new() -> Self {
-        Self {
-            axes: [[0.0; RUNS]; EarthFixed::NUMBERS],
-            bias_m_s2: [0.0; RUNS],
-            residual_m: [0.0; RUNS],
-            vertical: VerticalLoop::new(),
-        }
+    pub fn new(frame: Frame) -> Self {
+        Self { frame, axes: [[0.0; RUNS]; EarthFixed::NUMBERS], vertical: VerticalRows::new() }
     }
 
-    /// Takes `navigator` in; the runs of a block have all come to the same interval.
+    /// Takes `navigator` in.
     pub fn put(&mut self, lane: usize, navigator: &Mechanization) {
-        if let Axes::EarthFixed(axes) = &navigator.solution.axes {
-            self.put_axes(lane, axes);
+        match &navigator.solution.axes {
+            Axes::EarthFixed(axes) => self.put_axes(lane, axes),
+            Axes::Geographic(axes) => axes.put_numbers(|i, number| self.axes[i][lane] = number),
         }
-        self.vertical = navigator.solution.vertical;
-        self.bias_m_s2[lane] = self.vertical.bias_m_s2;
-        self.residual_m[lane] = self.vertical.residual_m;
+        self.vertical.put(lane, &navigator.solution.vertical);
     }
 
     /// The navigator at `lane`.
     pub fn get(&self, lane: usize, earth: &Earth, scheme: Scheme) -> Mechanization {
-        let axes = Axes::EarthFixed(self.axes(lane));
-        Mechanization { earth: *earth, scheme, solution: Solution { axes, vertical: self.vertical_at(lane) } }
+        let axes = match self.frame {
+            Frame::EarthFixed => Axes::EarthFixed(self.axes(lane)),
+            Frame::Geographic => Axes::Geographic(Geographic::from_numbers(|i| self.axes[i][lane])),
+        };
+        Mechanization {
+            earth: *earth,
+            scheme,
+            solution: Solution { axes, vertical: self.vertical.get(lane) },
+        }
+    }
+
+    /// Lets `act` act on one navigator after the other, of the first `count` runs.
+    pub fn each(
+        &mut self,
+        (earth, scheme): (&Earth, Scheme),
+        count: usize,
+        mut act: impl FnMut(usize, &mut Mechanization),
+    ) {
+        for lane in 0..count.min(RUNS) {
+            let mut navigator = self.get(lane, earth, scheme);
+            act(lane, &mut navigator);
+            self.put(lane, &navigator);
+        }
     }
 
     /// The navigator at `lane` goes back to what it was in `before`.
     pub fn go_back(&mut self, lane: usize, before: &Self) {
-        self.put_axes(lane, &before.axes(lane));
-        self.bias_m_s2[lane] = before.bias_m_s2[lane];
-        self.residual_m[lane] = before.residual_m[lane];
+        self.axes.iter_mut().zip(&before.axes).for_each(|(row, before)| row[lane] = before[lane]);
+        self.vertical.go_back(lane, &before.vertical);
     }
 
     #[inline(always)]
@@ -160,11 +185,6 @@ impl NavigatorBlock {
     #[inline(always)]
     fn put_axes(&mut self, lane: usize, axes: &EarthFixed) {
         axes.put_numbers(|i, number| self.axes[i][lane] = number);
-    }
-
-    #[inline(always)]
-    fn vertical_at(&self, lane: usize) -> VerticalLoop {
-        self.vertical.with(self.bias_m_s2[lane], self.residual_m[lane])
     }
 
     /// Navigates the first `count` runs over an interval of length `t` [s], in updates of so many subsamples.
@@ -180,6 +200,10 @@ impl NavigatorBlock {
     ) {
         let updates = measured.chunks_exact(subsamples);
         let update_s = t / updates.len() as f64;
+        if self.frame == Frame::Geographic {
+            return self.navigate_one_by_one((earth, scheme), updates, update_s, count);
+        }
+        let is_always_usual = scheme != Scheme::Paper && earth.gravity_model == GravityModel::Normal;
         let turn = EarthFixed::earth_turn(earth, update_s);
         for update in updates {
             let is_usual = match (scheme, subsamples) {
@@ -190,10 +214,10 @@ impl NavigatorBlock {
             };
             if !is_usual {
                 scratch.bodies_one_by_one(scheme, update, count);
-                if scheme == Scheme::Paper || !scratch.are_usual(count) {
-                    self.update_one_by_one((earth, scheme), update_s, count, scratch);
-                    continue;
-                }
+            }
+            if !is_always_usual || !(is_usual || scratch.are_usual(count)) {
+                self.update_one_by_one((earth, scheme), update_s, count, scratch);
+                continue;
             }
             let mut any_left = 0;
             for lane in 0..count.min(RUNS) {
@@ -207,6 +231,25 @@ impl NavigatorBlock {
                 self.renormalize(count, scratch);
             }
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn navigate_one_by_one(
+        &mut self,
+        kind: (&Earth, Scheme),
+        updates: ChunksExact<'_, IncrementRows>,
+        update_s: f64,
+        count: usize,
+    ) {
+        let mut increments = [Increment::ZERO; MAX_SUBSAMPLES];
+        self.each(kind, count, |lane, navigator| {
+            for update in updates.clone() {
+                let increments = &mut increments[..update.len()];
+                increments.iter_mut().zip(update).for_each(|(one, rows)| *one = increment_of(rows, lane));
+                navigator.update(increments, update_s);
+            }
+        });
     }
 
     #[cold]
@@ -246,34 +289,47 @@ impl NavigatorBlock {
     #[inline(always)]
     pub fn aid_vertical(
         &mut self,
-        earth: &Earth,
+        (earth, scheme): (&Earth, Scheme),
         aid: &AidOfEach<'_>,
         t: f64,
         count: usize,
         is_good: &mut [u64; RUNS],
     ) {
         match *aid {
-            AidOfEach::None => {
-                self.vertical.skip();
-                for lane in 0..count.min(RUNS) {
-                    is_good[lane] = u64::from(self.axes(lane).is_far_within(WELL_WITHIN_M));
-                }
+            _ if self.frame == Frame::Geographic || !self.vertical.are_alike(count) => {
+                self.aid_one_by_one((earth, scheme), aid, t, count);
             }
-            AidOfEach::Truth { height_m, velocity_up_m_s } => {
-                self.shift_vertical(earth, count, is_good, |loop_, _, height, velocity_up| {
-                    let _ = loop_;
+            AidOfEach::Some { .. } => self.aid_one_by_one((earth, scheme), aid, t, count),
+            AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
+            AidOfEach::Same(VerticalAid::Truth { height_m, velocity_up_m_s }) => {
+                self.shift_vertical(earth, count, |_, _, height, velocity_up| {
                     VerticalCorrection::to_truth(height_m - height, velocity_up_m_s - velocity_up, t)
                 });
             }
-            AidOfEach::Barometer { heights_m } => {
-                let is_first = self.vertical.begin(t);
-                self.shift_vertical(earth, count, is_good, |vertical, lane, height, _| {
-                    let residual_m = height - heights_m[lane];
-                    vertical.residual_m = if is_first { residual_m } else { vertical.residual_m };
-                    vertical.answer(residual_m)
-                });
+            AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
+                self.follow(earth, t, count, |_| height_m);
             }
+            AidOfEach::Barometer { heights_m } => self.follow(earth, t, count, |lane| heights_m[lane]),
         }
+        let is_earth_fixed = self.frame == Frame::EarthFixed;
+        for lane in 0..count.min(RUNS) {
+            is_good[lane] = u64::from(is_earth_fixed & self.axes(lane).is_far_within(WELL_WITHIN_M));
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn aid_one_by_one(&mut self, kind: (&Earth, Scheme), aid: &AidOfEach<'_>, t: f64, count: usize) {
+        self.each(kind, count, |lane, navigator| navigator.aid_vertical(&aid.at(lane), t));
+    }
+
+    /// Keeps the vertical channels by barometric heights.
+    #[inline(always)]
+    fn follow(&mut self, earth: &Earth, t: f64, count: usize, height_m: impl Fn(usize) -> f64) {
+        let beginning = self.vertical.begin(t);
+        self.shift_vertical(earth, count, |vertical, lane, height, _| {
+            vertical.answer(lane, height - height_m(lane), &beginning)
+        });
     }
 
     #[inline(always)]
@@ -281,21 +337,14 @@ impl NavigatorBlock {
         &mut self,
         earth: &Earth,
         count: usize,
-        is_good: &mut [u64; RUNS],
-        correct: impl Fn(&mut VerticalLoop, usize, f64, f64) -> VerticalCorrection,
+        correct: impl Fn(&mut VerticalRows, usize, f64, f64) -> VerticalCorrection,
     ) {
-        // By value, or the compiler fears that the rows lie over it.
-        let shared = self.vertical;
         for lane in 0..count.min(RUNS) {
             let mut axes = self.axes(lane);
-            let mut vertical = shared.with(self.bias_m_s2[lane], self.residual_m[lane]);
             let (up, height, velocity_up) = axes.observe_vertical(earth);
-            let correction = correct(&mut vertical, lane, height, velocity_up);
+            let correction = correct(&mut self.vertical, lane, height, velocity_up);
             axes.shift_vertical(earth, &up, &correction);
             self.put_axes(lane, &axes);
-            self.bias_m_s2[lane] = vertical.bias_m_s2;
-            self.residual_m[lane] = vertical.residual_m;
-            is_good[lane] = u64::from(axes.is_far_within(WELL_WITHIN_M));
         }
     }
 }

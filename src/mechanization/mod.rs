@@ -10,12 +10,14 @@ mod geographic;
 mod lanes;
 mod polynomial;
 mod vertical;
+mod vertical_rows;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
-pub(crate) use lanes::{AidOfEach, NavigatorBlock, Scratch, is_for_lanes};
+pub(crate) use lanes::{AidOfEach, NavigatorBlock, Scratch};
 use vertical::KeptLoop;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
+pub(crate) use vertical_rows::VerticalRows;
 
 use nalgebra::{Quaternion, Vector3};
 

@@ -93,7 +93,7 @@ pub struct VerticalLoop {
     /// e at the last sample, as corrected [m].
     pub(super) residual_m: f64,
     /// Length of the interval [s] that the gains are for; 0: there was no residual before, and there are no gains.
-    t: f64,
+    pub(super) t: f64,
     /// Rows for the corrections of height [m] and velocity [m/s] and for the change of d [m/s²], of e0, e1 and d.
     gains: [[f64; 3]; 3],
 }
@@ -146,6 +146,15 @@ impl VerticalLoop {
     /// A loop that has found no error yet.
     pub fn new() -> Self {
         Self { bias_m_s2: 0.0, residual_m: 0.0, t: 0.0, gains: [[0.0; 3]; 3] }
+    }
+
+    /// A loop with the gains for an interval of length `t` [s], or with none.
+    pub(super) fn of_interval(t: f64) -> Self {
+        let mut channel = Self::new();
+        if t > 0.0 {
+            channel.set_interval(t);
+        }
+        channel
     }
 
     /// Corrections for a residual `residual_m` = height - barometric height at the end of an interval `t` [s].

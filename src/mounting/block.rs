@@ -136,10 +136,9 @@ impl Block {
         self.to_block.tr_mul(vector_s)
     }
 
-    /// Takes what the sensors made of `error_free` in the last interval, of length `t` [s].
-    #[inline(never)]
-    pub fn observe(&mut self, error_free: &[Increment], measured: &[Increment], t: f64) {
-        self.gyro_error_s = (Increment::sum(measured).angle - Increment::sum(error_free).angle) / t;
+    /// Takes what the sensors made of `error_free` in the last interval, of length `t` [s]: sums of its increments.
+    pub fn observe(&mut self, error_free: &Increment, measured: &Increment, t: f64) {
+        self.gyro_error_s = (measured.angle - error_free.angle) / t;
     }
 
     /// The true state of the block while the vehicle is at `truth`, the last sample.

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::failure::{Axis, Failure, SensorOutput};
-use super::kept::Kept;
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::error::Error;
 use crate::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
@@ -156,15 +155,15 @@ impl FailingOutput {
 
 /// The outputs of a triad.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct FailingTriad {
-    outputs: Kept<[FailingOutput; 3]>,
+pub(crate) struct FailingTriad {
+    outputs: [FailingOutput; 3],
 }
 
 stored!(FailingTriad { outputs });
 
 impl FailingTriad {
-    pub fn new(key: StreamKey, source: Source) -> Self {
-        Self { outputs: Kept::new([0, 1, 2].map(|axis| FailingOutput::new(key, source, axis))) }
+    pub(super) fn new(key: StreamKey, source: Source) -> Self {
+        Self { outputs: [0, 1, 2].map(|axis| FailingOutput::new(key, source, axis)) }
     }
 
     /// Takes a failure of one axis, as [`FailingOutput::set`].
@@ -179,7 +178,7 @@ impl FailingTriad {
 
     /// Checks each failure; `output` makes of an axis what fails.
     pub fn check(&self, output: fn(Axis) -> SensorOutput) -> Result<(), Error> {
-        let [x, y, z] = &*self.outputs;
+        let [x, y, z] = &self.outputs;
         x.check(output(Axis::X))?;
         y.check(output(Axis::Y))?;
         z.check(output(Axis::Z))
@@ -200,15 +199,9 @@ impl FailingTriad {
         self.outputs.iter().any(FailingOutput::is_silent)
     }
 
-    /// A sample interval of `t` [s] begins, which [`Self::undo`] takes back.
+    /// A sample interval of `t` [s] begins.
     pub fn begin_interval(&mut self, t: f64) {
-        self.outputs.keep();
         self.outputs.iter_mut().for_each(|output| output.begin_interval(t));
-    }
-
-    /// Takes the last interval back.
-    pub fn undo(&mut self) {
-        self.outputs.undo();
     }
 
     /// Adds what failures add over `dt` [s].

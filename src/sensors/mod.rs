@@ -68,6 +68,7 @@ mod xoshiro;
 
 pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
+pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
 pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
 pub(crate) use gauss_markov::MarkovStep;

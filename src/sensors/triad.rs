@@ -53,7 +53,7 @@ pub struct Triad {
     dead_zone: DeadZone,
     range: Range,
     quantization: Quantization,
-    failing: FailingTriad,
+    failing: Kept<FailingTriad>,
     plan: Plan,
     /// Length of the increments for which the units are made [s]; 0: for none yet.
     dt: Kept<f64>,
@@ -101,7 +101,7 @@ impl Triad {
             dead_zone: DeadZone::new(),
             range: Range::new(),
             quantization: Quantization::new(),
-            failing: FailingTriad::new(key, sensor.source()),
+            failing: Kept::new(FailingTriad::new(key, sensor.source())),
             plan: Plan::IDEAL,
             dt: Kept::new(0.0),
             saturated: false,
@@ -153,7 +153,7 @@ impl Triad {
     }
 
     /// The failures: a snapshot needs them before the parameters are set, which make a plan of both.
-    pub(crate) fn failures(&self) -> &impl Stored {
+    pub(crate) fn failures(&self) -> &FailingTriad {
         &self.failing
     }
 
@@ -185,6 +185,7 @@ impl Triad {
     /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends and the motion that its increments are
     /// of, as far as they are known. Needed where an effect of temperature, the size effect or a failure is set.
     pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>, turning: Option<Turning>) {
+        self.failing.keep();
         self.failing.begin_interval(t);
         self.size_effect.begin_interval(turning);
         if let Some(ends_c) = ends_c {

@@ -7,14 +7,15 @@
 //!
 //! Departure: the paper differences the samples, which is 49 °/h wrong on a rocking table.
 
+mod derivatives;
 mod generator;
 mod motion;
 mod rows;
 
-pub(crate) use generator::DERIVATIVES;
+pub(crate) use derivatives::DERIVATIVES;
 pub use generator::SignalGenerator;
-pub use motion::{IntervalMotion, MotionNode, Turning};
-pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of};
+pub use motion::{IntervalMotion, MotionNode, TurnToEarth, Turning};
+pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment};
 
 use nalgebra::Vector3;
 
@@ -37,6 +38,12 @@ stored!(Increment { angle: SIGNALS, velocity: SIGNALS });
 impl Increment {
     /// No motion, no force.
     pub const ZERO: Self = Self { angle: Vector3::new(0.0, 0.0, 0.0), velocity: Vector3::new(0.0, 0.0, 0.0) };
+
+    /// This less `other`.
+    #[inline(always)]
+    pub fn minus(&self, other: &Self) -> Self {
+        Self { angle: self.angle - other.angle, velocity: self.velocity - other.velocity }
+    }
 
     /// Sum of increments: the integrals over all of their time.
     #[inline]

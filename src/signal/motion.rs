@@ -3,24 +3,31 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::Increment;
-use super::generator::Derivatives;
+use super::derivatives::Derivatives;
 use crate::math::{
-    GAUSS_2, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian, right_jacobian,
-    rotation_matrix, rotation_quaternion,
+    GAUSS_2, GAUSS_3, GAUSS_5, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian,
+    right_jacobian, rotation_matrix, rotation_quaternion,
 };
 use crate::truth::TruthPoint;
 
-/// Nodes and weights of Gauss-Legendre quadrature on 0..1, two and two; a node of weight 0 fills up.
-const GAUSS2: [[Pair; 2]; 1] = [[Pair(GAUSS_2), Pair([0.5, 0.5])]];
-const GAUSS3: [[Pair; 2]; 2] = [
-    [Pair([0.112_701_665_379_258_31, 0.887_298_334_620_741_7]), Pair([0.277_777_777_777_777_8; 2])],
-    [Pair([0.5, 0.5]), Pair([0.444_444_444_444_444_4, 0.0])],
-];
-const GAUSS5: [[Pair; 2]; 3] = [
-    [Pair([0.046_910_077_030_668_004, 0.953_089_922_969_332]), Pair([0.118_463_442_528_094_54; 2])],
-    [Pair([0.230_765_344_947_158_45, 0.769_234_655_052_841_5]), Pair([0.239_314_335_249_683_23; 2])],
-    [Pair([0.5, 0.5]), Pair([0.284_444_444_444_444_44, 0.0])],
-];
+/// Nodes and weights of quadrature, two nodes at once.
+const GAUSS2: [[Pair; 2]; 1] = by_twos(&GAUSS_2);
+const GAUSS3: [[Pair; 2]; 2] = by_twos(&GAUSS_3);
+const GAUSS5: [[Pair; 2]; 3] = by_twos(&GAUSS_5);
+
+/// The first node with the last, and so on; the middle one with itself, the second time of weight 0.
+const fn by_twos<const N: usize, const PAIRS: usize>(rule: &[(f64, f64); N]) -> [[Pair; 2]; PAIRS] {
+    let mut pairs = [[Pair([0.0; 2]); 2]; PAIRS];
+    let mut place = 0;
+    while place < PAIRS {
+        let mirrored = N - 1 - place;
+        let ((node, weight), (other_node, other_weight)) = (rule[place], rule[mirrored]);
+        let other_weight = if mirrored == place { 0.0 } else { other_weight };
+        pairs[place] = [Pair([node, other_node]), Pair([weight, other_weight])];
+        place += 1;
+    }
+    pairs
+}
 
 /// Rotation within a sub-interval up to which two and three nodes integrate to rounding [rad]: their errors are the fourth
 /// derivative over 4320, 2e-16 of the increment, and the sixth over 2e6, 8e-15 of it.
@@ -194,27 +201,59 @@ impl<'a> IntervalMotion<'a> {
 
     /// Pairs of vectors in sensor axes at the start, in the middle and at the end, turned to Earth-fixed axes.
     #[inline(always)]
-    pub fn to_earth_axes(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
+    pub fn to_earth_axes(&self, pairs: &[VectorPair; 3]) -> [VectorPair; 3] {
+        self.turn_to_earth().of(pairs)
+    }
+
+    /// How [`Self::to_earth_axes`] turns.
+    #[inline(always)]
+    pub fn turn_to_earth(&self) -> TurnToEarth {
         let [c1, c2, c3] = &self.rotation;
         let phi = 0.5 * c1 + 0.25 * c2 + 0.125 * c3;
         let n2 = phi.norm_squared();
         let series = RotationSeries::new(n2);
-        let phi = VectorPair::both(&phi);
-        let cross = phi.cross(middle);
+        TurnToEarth {
+            phi: VectorPair::both(&phi),
+            linear: 1.0 - n2 * series.cubic,
+            square: series.square,
+            start: self.start.to_earth,
+            end: self.end.to_earth,
+            earth_angle: 0.5 * self.earth_rate * self.interval_s,
+        }
+    }
+}
+
+/// Turns vectors from sensor axes at the start, in the middle and at the end of an interval to Earth-fixed axes.
+#[derive(Debug, Clone, Copy)]
+pub struct TurnToEarth {
+    /// Rotation vector from the start to the middle [rad], and its coefficients.
+    phi: VectorPair,
+    linear: f64,
+    square: f64,
+    start: Matrix3<f64>,
+    end: Matrix3<f64>,
+    /// By which the Earth has turned on in half the interval [rad].
+    earth_angle: f64,
+}
+
+impl TurnToEarth {
+    /// Two vectors at each instant.
+    #[inline(always)]
+    pub fn of(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
+        let cross = self.phi.cross(middle);
         let turned = *middle
-            + cross.times(Pair::both(1.0 - n2 * series.cubic))
-            + phi.cross(&cross).times(Pair::both(series.square));
-        let middle = VectorPair::of_matrix(&self.start.to_earth, &turned);
-        // The Earth has turned on by half the interval: 2e-3 rad at the most, to its second order.
-        let angle = Pair::both(0.5 * self.earth_rate * self.interval_s);
+            + cross.times(Pair::both(self.linear))
+            + self.phi.cross(&cross).times(Pair::both(self.square));
+        let middle = VectorPair::of_matrix(&self.start, &turned);
+        // 2e-3 rad at the most, to its second order.
+        let angle = Pair::both(self.earth_angle);
         let half_square = angle * angle * 0.5;
         let middle = VectorPair {
             x: middle.x + middle.y * angle - middle.x * half_square,
             y: middle.y - middle.x * angle - middle.y * half_square,
             z: middle.z,
         };
-        let at = |point: &TruthPoint, pair| VectorPair::of_matrix(&point.to_earth, pair);
-        [at(self.start, start), middle, at(self.end, end)]
+        [VectorPair::of_matrix(&self.start, start), middle, VectorPair::of_matrix(&self.end, end)]
     }
 }
 

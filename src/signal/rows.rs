@@ -13,6 +13,15 @@ pub(crate) type Row = [f64; RUNS];
 /// An increment of the runs of a block: three components of angle, three of velocity.
 pub(crate) type IncrementRows = [Row; 6];
 
+/// Lays the increment of a run into a lane.
+#[inline(always)]
+pub(crate) fn put_increment(rows: &mut IncrementRows, lane: usize, increment: &Increment) {
+    for i in 0..3 {
+        rows[i][lane] = increment.angle[i];
+        rows[3 + i][lane] = increment.velocity[i];
+    }
+}
+
 /// The increment of the run at `lane`.
 #[inline(always)]
 pub(crate) fn increment_of(rows: &IncrementRows, lane: usize) -> Increment {

@@ -2,11 +2,14 @@
 
 use nalgebra::Vector3;
 
+use crate::earth::Earth;
 use crate::errors::SensorErrors;
 use crate::math::GAUSS_2;
 use crate::mounting::Block;
+use crate::sensors::GravityDisturbance;
 use crate::signal::{Increment, IntervalMotion};
 use crate::snapshot::stored;
+use crate::truth::Recent;
 
 /// True less normal gravity δg along the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +24,7 @@ stored!(Disturbance { at_last_e: 1e3 } rebuilt { felt });
 
 impl Disturbance {
     /// Starts with `at_first_e` [m/s²].
-    pub fn new(at_first_e: Vector3<f64>) -> Self {
+    pub const fn new(at_first_e: Vector3<f64>) -> Self {
         Self { at_last_e: at_first_e, felt: SensorErrors::NONE }
     }
 
@@ -30,9 +33,23 @@ impl Disturbance {
         &self.at_last_e
     }
 
+    /// Over the interval of `motion`, the last of `recent`, over which `gravity` moves on: as [`Self::advance`].
+    pub fn fly(
+        &mut self,
+        earth: &Earth,
+        recent: &Recent<'_>,
+        motion: &IntervalMotion<'_>,
+        block: Option<&Block>,
+        gravity: &mut GravityDisturbance,
+        increments: &mut [Increment],
+    ) {
+        gravity.advance(earth, recent.current, recent.next);
+        self.advance(gravity.at(earth, recent.next), motion, block, increments);
+    }
+
     /// Over the interval of `motion`, at the end of which δg is `at_next_e` [m/s²] and to which it changes evenly: adds
     /// -∫ Cᵀ δg dt to the velocity of each of `increments`, which are those of `block`, where there is a mounting.
-    pub fn advance(
+    fn advance(
         &mut self,
         at_next_e: Vector3<f64>,
         motion: &IntervalMotion<'_>,
@@ -44,7 +61,7 @@ impl Disturbance {
         let change_e = at_next_e - self.at_last_e;
         let felt = increments.iter_mut().enumerate().map(|(m, increment)| {
             // Of two nodes in each increment the error is θ⁴/4320 of it, at a rotation θ [rad].
-            let felt_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, node| {
+            let felt_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, (node, _)| {
                 let u = (m as f64 + node) * part;
                 sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
             });

@@ -8,17 +8,11 @@ use crate::memory::room;
 
 /// A simulator on the heap: two of them and a step are more than the stack that a call may take. A slice of one, which unlike
 /// a `Box` can be allocated without aborting.
+#[inline(never)]
 pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
     let mut memory = room(1)?;
-    push_simulator(&mut memory, options)?;
-    Ok(memory.into_boxed_slice())
-}
-
-/// Makes a simulator in its place in `memory`, which has room for it.
-#[inline(never)]
-pub(crate) fn push_simulator(memory: &mut Vec<Simulator>, options: &Options) -> Result<(), Error> {
     let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
     let covariance = Propagation::new(options.covariance, options.earth(), options.vertical)?;
     memory.push(Simulator::with(options, intake, signals, covariance));
-    Ok(())
+    Ok(memory.into_boxed_slice())
 }

@@ -13,6 +13,7 @@ mod moment;
 mod mounted;
 mod navigator;
 mod options;
+mod parameters;
 mod read;
 mod readback;
 mod settings;
@@ -26,10 +27,11 @@ mod views;
 pub(crate) use chain::side_by_side::SideBySide;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
-pub(crate) use heap::{heap_simulator, push_simulator};
+pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
+pub use parameters::ErrorParameters;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
@@ -134,11 +136,6 @@ impl Simulator {
             self.take_first_velocity();
         }
         Ok(pushed)
-    }
-
-    /// Refuses a sample without the temperature that a sensor effect needs.
-    pub(crate) fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
-        self.sensors.check_temperature(sample.temperature_c)
     }
 
     #[cold]

@@ -6,7 +6,7 @@ use crate::error::{Error, ErrorKind, Rule};
 use crate::memory::room;
 use crate::mounting::MountingParameters;
 use crate::sensors::{
-    Altimeter, AltimeterParameters, Failure, GravityDisturbance, GravityDisturbanceParameters,
+    Altimeter, AltimeterParameters, FailingTriad, Failure, GravityDisturbance, GravityDisturbanceParameters,
     InitialErrorParameters, Sensor, SensorOutput, Triad, TriadParameters,
 };
 use crate::signal::{Increment, Turning};
@@ -172,6 +172,17 @@ impl SensorSuite {
         self.set_altimeter(&other.altimeter_parameters);
     }
 
+    /// Whether the host set the same of `other`, failures too.
+    pub fn is_set_as(&self, other: &Self) -> bool {
+        self.initial == other.initial
+            && self.mounting == other.mounting
+            && self.gravity.parameters() == other.gravity.parameters()
+            && self.gyro_parameters == other.gyro_parameters
+            && self.accel_parameters == other.accel_parameters
+            && self.altimeter_parameters == other.altimeter_parameters
+            && SensorOutput::ALL.into_iter().all(|output| self.failure(output) == other.failure(output))
+    }
+
     /// What follows the signals is as in `other`, whose sensors got the same.
     pub fn follow_as(&mut self, other: &Self) {
         self.gyro.follow_as(&other.gyro);
@@ -224,6 +235,13 @@ impl SensorSuite {
             }
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
+        self.decide();
+    }
+
+    /// The failures of gyros and accelerometers are those of another run, which has the same.
+    pub fn take_failures(&mut self, gyro: &FailingTriad, accel: &FailingTriad) {
+        self.gyro.take_failures(gyro);
+        self.accel.take_failures(accel);
         self.decide();
     }
 

@@ -64,6 +64,11 @@ impl<'a> Reader<'a> {
         Ok(self.count(1)? == 1)
     }
 
+    /// Bytes to come.
+    pub fn bytes_left(&self) -> usize {
+        self.rest.len()
+    }
+
     /// The end: nothing may be left.
     pub fn finish(&self) -> Result<(), Error> {
         if self.rest.is_empty() && self.sizes == 0 {

@@ -1,6 +1,6 @@
 //! The error equations in Earth-fixed axes.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::ERRORS;
 use super::geometry::LocalGeometry;
@@ -24,6 +24,27 @@ pub(super) struct EarthFixedForm {
 
 stored!(EarthFixedForm { psi: ERRORS, dv: ERRORS, dr: ERRORS });
 
+/// What a step needs of the truth.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coefficients {
+    /// Length [s].
+    t: f64,
+    /// Earth rate [rad/s].
+    w: f64,
+    /// Of gravity in the middle [1/s²].
+    gradient: Matrix3<f64>,
+    /// Specific force at the start, in the middle and at the end [m/s²].
+    force_e: [Vector3<f64>; 3],
+}
+
+impl Coefficients {
+    #[inline(always)]
+    pub fn new(earth: &Earth, t: f64, nodes: &[MotionNode; 3]) -> Self {
+        let gradient = earth.gravity_gradient(&nodes[1].r_e);
+        Self { t, w: earth.rate_rad_s, gradient, force_e: nodes.map(|node| node.f_e) }
+    }
+}
+
 impl EarthFixedForm {
     pub fn new(local: &LocalGeometry, v_e: &Vector3<f64>, start: &StateErrors) -> Self {
         let axes = local.rotation_of_axes(&start.position_n);
@@ -35,19 +56,21 @@ impl EarthFixedForm {
         }
     }
 
+    /// A step of length `t` [s], with the gyros' and the accelerometers' errors `errors_e` in Earth-fixed axes.
+    pub fn advance(&mut self, earth: &Earth, t: f64, nodes: &[MotionNode; 3], errors_e: &[VectorPair; 3]) {
+        self.advance_by(&Coefficients::new(earth, t, nodes), errors_e);
+    }
+
     /// A step of classical Runge-Kutta. ψ does without the rest, and for δv and δr the system matrix B does not change within
     /// the interval, so that with the forcing c = f×ψ + C nabla of each stage the step is
     /// y + T (B y + (c1 + 2 c2 + 2 c3 + c4)/6 + T/6 B (k1 + k2 + k3)).
-    ///
-    /// `t` is the interval's length [s], `errors_e` the gyros' and the accelerometers' errors in Earth-fixed axes.
-    pub fn advance(&mut self, earth: &Earth, t: f64, nodes: &[MotionNode; 3], errors_e: &[VectorPair; 3]) {
+    #[inline(always)]
+    pub fn advance_by(&mut self, coefficients: &Coefficients, errors_e: &[VectorPair; 3]) {
+        let &Coefficients { t, w, gradient, force_e: [start, middle, end] } = coefficients;
         let half = 0.5 * t;
-        let [start, middle, end] = nodes;
-        let gradient = earth.gravity_gradient(&middle.r_e);
         let [e0, e1, e2] = errors_e;
         let (gyro, accel) = ([e0.first(), e1.first(), e2.first()], [e0.second(), e1.second(), e2.second()]);
 
-        let w = earth.rate_rad_s;
         let drift = |psi: &Vector3<f64>, i: usize| Vector3::new(w * psi.y, -w * psi.x, 0.0) - gyro[i];
         let p1 = drift(&self.psi, 0);
         let psi2 = self.psi + p1 * half;
@@ -56,10 +79,10 @@ impl EarthFixedForm {
         let p3 = drift(&psi3, 1);
         let psi4 = self.psi + p3 * t;
         let p4 = drift(&psi4, 2);
-        let c1 = start.f_e.cross(&self.psi) + accel[0];
-        let c2 = middle.f_e.cross(&psi2) + accel[1];
-        let c3 = middle.f_e.cross(&psi3) + accel[1];
-        let c4 = end.f_e.cross(&psi4) + accel[2];
+        let c1 = start.cross(&self.psi) + accel[0];
+        let c2 = middle.cross(&psi2) + accel[1];
+        let c3 = middle.cross(&psi3) + accel[1];
+        let c4 = end.cross(&psi4) + accel[2];
 
         // The rows of δv'; those of δr' are δv.
         let row_v = |dv: &Vector3<f64>, dr: &Vector3<f64>| {
@@ -80,6 +103,7 @@ impl EarthFixedForm {
     }
 
     /// ψ, δv, δr.
+    #[inline(always)]
     pub fn state(&mut self) -> [&mut Vector3<f64>; 3] {
         [&mut self.psi, &mut self.dv, &mut self.dr]
     }

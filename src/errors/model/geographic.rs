@@ -19,9 +19,9 @@ use crate::truth::TruthPoint;
 /// term has the radius of its own direction, and the radii's change with latitude is kept.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GeographicForm {
-    phi: Vector3<f64>,
-    dv: Vector3<f64>,
-    d_place: Vector3<f64>,
+    pub(super) phi: Vector3<f64>,
+    pub(super) dv: Vector3<f64>,
+    pub(super) d_place: Vector3<f64>,
 }
 
 stored!(GeographicForm { phi: ERRORS, dv: ERRORS, d_place: ERRORS });

@@ -7,6 +7,7 @@ pub(crate) mod column;
 mod earth_fixed;
 mod geographic;
 mod geometry;
+mod lanes;
 mod reference_point;
 mod runge_kutta;
 
@@ -24,6 +25,7 @@ use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;
 use geometry::LocalGeometry;
+pub(crate) use lanes::{ModelBlock, ModelInterval};
 
 /// Misalignment [rad] and displacement [m] beyond which the terms that the linear model drops are no longer small:
 /// 1e-3 of the solution.
@@ -63,32 +65,19 @@ impl SensorErrors {
     /// From the increments of an interval of length `t` [s], in parts of equal length.
     #[inline(always)] // 30 instructions less in each step
     pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
-        let errors = ideal.iter().zip(measured).map(|(ideal, measured)| Increment {
-            angle: measured.angle - ideal.angle,
-            velocity: measured.velocity - ideal.velocity,
-        });
+        let errors = ideal.iter().zip(measured).map(|(ideal, measured)| measured.minus(ideal));
         Self::of_increments(errors, t)
     }
 
     /// From the errors of these increments.
     #[inline(always)]
     pub fn of_increments(errors: impl ExactSizeIterator<Item = Increment>, t: f64) -> Self {
-        let (part, rate) = (1.0 / errors.len() as f64, 1.0 / t);
-        let (mut sum, mut moment) = (Increment::ZERO, Increment::ZERO);
-        for (i, Increment { angle, velocity }) in errors.enumerate() {
-            let from_middle = (i as f64 + 0.5) * part - 0.5;
-            sum.angle += angle;
-            sum.velocity += velocity;
-            moment.angle += angle * from_middle;
-            moment.velocity += velocity * from_middle;
+        let mut sums = ErrorSums::NONE;
+        let count = errors.len();
+        for (i, error) in errors.enumerate() {
+            sums.add(&error, ErrorSums::from_middle(i, count));
         }
-        // The first moment of a line about the middle is a twelfth of its change.
-        Self {
-            gyro_b: sum.angle * rate,
-            accel_b: sum.velocity * rate,
-            gyro_change_b: moment.angle * (12.0 * rate),
-            accel_change_b: moment.velocity * (12.0 * rate),
-        }
+        sums.errors(t)
     }
 
     /// Both together.
@@ -118,6 +107,49 @@ impl SensorErrors {
         let half_change = VectorPair::new(&self.gyro_change_b, &self.accel_change_b).times(Pair::both(0.5));
         [mean - half_change, mean, mean + half_change]
     }
+}
+
+/// Errors of the increments of an interval, summed up, and their first moment about the middle.
+#[derive(Debug, Clone, Copy)]
+struct ErrorSums {
+    sum: Increment,
+    moment: Increment,
+}
+
+impl ErrorSums {
+    const NONE: Self = Self { sum: Increment::ZERO, moment: Increment::ZERO };
+
+    /// Where increment `i` of `count` lies, -½ to ½.
+    #[inline(always)]
+    fn from_middle(i: usize, count: usize) -> f64 {
+        (i as f64 + 0.5) * (1.0 / count as f64) - 0.5
+    }
+
+    #[inline(always)]
+    fn add(&mut self, error: &Increment, from_middle: f64) {
+        self.sum.angle += error.angle;
+        self.sum.velocity += error.velocity;
+        self.moment.angle += error.angle * from_middle;
+        self.moment.velocity += error.velocity * from_middle;
+    }
+
+    /// Over an interval of length `t` [s]. The first moment of a line about the middle is a twelfth of its change.
+    #[inline(always)]
+    fn errors(&self, t: f64) -> SensorErrors {
+        let rate = 1.0 / t;
+        SensorErrors {
+            gyro_b: self.sum.angle * rate,
+            accel_b: self.sum.velocity * rate,
+            gyro_change_b: self.moment.angle * (12.0 * rate),
+            accel_change_b: self.moment.velocity * (12.0 * rate),
+        }
+    }
+}
+
+/// Whether a displacement is one that the model goes on with; of no number it is not.
+#[inline(always)]
+fn is_within(displacement: &Vector3<f64>) -> bool {
+    displacement.norm_squared() < LARGEST * LARGEST
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -212,11 +244,9 @@ impl ErrorModel {
     #[inline(always)]
     fn keep_within(&mut self) {
         let [.., displacement] = self.state();
-        // False for NaN too.
-        if displacement.norm_squared() < LARGEST * LARGEST {
-            return;
+        if !is_within(displacement) {
+            self.stop();
         }
-        self.stop();
     }
 
     /// Keeps the errors within [`LARGEST`].

@@ -5,6 +5,7 @@
 use nalgebra::Vector3;
 
 use super::super::bias::Bias;
+use super::super::failing::FailingTriad;
 use super::super::input::Input;
 use super::super::linear::Linear;
 use super::super::plan::Effect;
@@ -33,11 +34,6 @@ impl SharedInput {
 }
 
 impl Triad {
-    /// Whether the triads of many runs can go side by side: not those with failures, which differ in what they do.
-    pub(crate) fn goes_side_by_side(&self) -> bool {
-        !self.has_failed()
-    }
-
     /// Goes over what the active effects keep of this run.
     fn visit(&mut self, visitor: &mut impl Visitor) {
         for step in self.plan.steps() {
@@ -50,17 +46,17 @@ impl Triad {
                 Effect::Ramp => self.ramp.visit(visitor),
                 Effect::RandomWalk => self.random_walk.visit(visitor),
                 Effect::Quantization => self.quantization.visit(visitor),
-                // The same in all runs.
+                // The same in all runs, or kept beside the rows.
                 Effect::Size
                 | Effect::Bandwidth
                 | Effect::Asymmetry
                 | Effect::Quadratic
                 | Effect::GSensitivity
                 | Effect::Temperature
+                | Effect::AddedFailure
                 | Effect::DeadZone
-                | Effect::Range => {}
-                // Not side by side.
-                Effect::AddedFailure | Effect::Outage => {}
+                | Effect::Range
+                | Effect::Outage => {}
             }
         }
     }
@@ -80,6 +76,11 @@ impl Triad {
     /// Takes what this run keeps from a lane.
     pub(crate) fn take_from(&mut self, rows: &StateRows, lane: usize) {
         self.visit(&mut From { rows, lane, next: Count::default() });
+    }
+
+    /// The failures are those of another run, which has the same.
+    pub(crate) fn take_failures(&mut self, failures: &FailingTriad) {
+        (*self.failing).clone_from(failures);
     }
 
     /// What follows the signals is as in `other`, which got the same.
@@ -116,14 +117,16 @@ impl Triad {
         }
     }
 
-    /// What the first `count` runs of a block give in the interval that was [shared](Self::share): their part of `outputs`. Runs
-    /// beyond the range are marked.
+    /// What the first `count` runs of a block give in the interval that was [shared](Self::share): their part of `outputs`. Each has
+    /// its failures, and copies of the last run none. Runs beyond the range are marked.
     #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "rows that the compiler has to know to lie apart")]
     pub(crate) fn sense_block(
         &self,
         shared: &SharedInput,
         dt: f64,
         rows: &mut StateRows,
+        failures: &mut [FailingTriad],
         outputs: &mut [IncrementRows],
         saturated: &mut [u64; RUNS],
         count: usize,
@@ -162,6 +165,10 @@ impl Triad {
                 }
                 Effect::Ramp => self.ramp.apply_each(&mut states, dt, outputs, first, count),
                 Effect::RandomWalk => self.random_walk.apply_each(&mut states, outputs, first, count),
+                Effect::AddedFailure => {
+                    let count = failures.len();
+                    each_run(outputs, first, count, |lane, output| failures[lane].add(dt, output));
+                }
                 Effect::DeadZone => {
                     each_run(outputs, first, count, |_, output| self.dead_zone.apply(dt, output))
                 }
@@ -169,7 +176,11 @@ impl Triad {
                     saturated[lane] |= u64::from(self.range.apply(dt, output));
                 }),
                 Effect::Quantization => self.quantization.apply_each(&mut states, outputs, first, count),
-                // Of the input, and not side by side.
+                Effect::Outage => {
+                    let count = failures.len();
+                    each_run(outputs, first, count, |lane, output| failures[lane].replace(dt, output));
+                }
+                // Of the input.
                 _ => {}
             }
         }

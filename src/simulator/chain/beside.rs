@@ -1,12 +1,15 @@
 //! What only some flights have beside the plain chain: a mounting, gravity beyond the normal field, a closed loop.
 
+use nalgebra::Vector3;
+
 use super::Chain;
 use super::fly::navigate;
-use crate::mechanization::VerticalAid;
+use crate::mechanization::{Mechanization, VerticalAid};
 use crate::mounting::Block;
-use crate::signal::IntervalMotion;
+use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
+use crate::simulator::closed_loop::ClosedLoop;
 use crate::simulator::signals::Signals;
 use crate::simulator::suite::IntervalConditions;
 use crate::truth::{Recent, TruthPoint};
@@ -21,30 +24,46 @@ impl Chain {
         recent: &Recent<'_>,
         sensors: &mut SensorSuite,
     ) {
-        let (parts, next) = (self.parts.clone(), recent.next);
-        let t = next.interval_s;
-        let ideal = &mut self.signals.ideal[parts];
+        let mut signals = core::mem::take(&mut self.signals);
+        let ideal = &mut signals.ideal[self.parts.clone()];
+        self.mount_and_trim(motion, recent, !sensors.all_are_ideal(), ideal);
+        if let Some(disturbance) = &mut self.disturbance {
+            disturbance.fly(&self.earth, recent, motion, self.block.as_ref(), &mut sensors.gravity, ideal);
+        }
+        self.signals = signals;
+    }
+
+    /// What mounting and closed loop make of them, which is the same in all runs: gives by how much the navigators are to be shifted
+    /// [m/s], Earth-fixed axes, as this one is. `navigator_errs`: not all sensors are ideal.
+    #[inline(never)]
+    pub(super) fn mount_and_trim(
+        &mut self,
+        motion: &IntervalMotion<'_>,
+        recent: &Recent<'_>,
+        navigator_errs: bool,
+        ideal: &mut [Increment],
+    ) -> Option<Vector3<f64>> {
+        let (next, t) = (recent.next, recent.next.interval_s);
+        let mut shift_e = None;
         if let Some(block) = &mut self.block {
             let revised = self.generator.take_revised();
-            if let Some(dv_e) = block.mount(&self.earth, motion, recent.current, revised, ideal) {
-                self.mechanization.shift_velocity(&dv_e);
+            shift_e = block.mount(&self.earth, motion, recent.current, revised, ideal);
+            if let Some(dv_e) = &shift_e {
+                self.mechanization.shift_velocity(dv_e);
                 if let Some(closed_loop) = &mut self.closed_loop {
-                    closed_loop.shift_velocity(&dv_e);
+                    closed_loop.shift_velocity(dv_e);
                 }
             }
         }
         if let Some(closed_loop) = &mut self.closed_loop {
             closed_loop.trim(ideal, t);
-            if let Some(shadow) = closed_loop.shadow(&self.mechanization, !sensors.all_are_ideal()) {
+            if let Some(shadow) = closed_loop.shadow(&self.mechanization, navigator_errs) {
                 navigate(shadow, self.options.subsamples, ideal, t);
                 let aid = vertical_aid(self.options.vertical, next, Some);
                 aid_vertical(shadow, &self.earth, &aid, t, self.block.as_ref().map(Block::true_belief));
             }
         }
-        if let Some(disturbance) = &mut self.disturbance {
-            sensors.gravity.advance(&self.earth, recent.current, next);
-            disturbance.advance(sensors.gravity.at(&self.earth, next), motion, self.block.as_ref(), ideal);
-        }
+        shift_e
     }
 
     /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
@@ -54,10 +73,44 @@ impl Chain {
         if let Some(block) = &mut self.block {
             let Signals { ideal, measured } = &self.signals;
             let increments = if sensors_were_ideal { ideal } else { measured };
-            block.observe(&ideal[parts.clone()], &increments[parts], t);
+            block.observe(&Increment::sum(&ideal[parts.clone()]), &Increment::sum(&increments[parts]), t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);
+        self.close_loop(next);
+    }
+
+    /// What all runs share of the closed loop at the end of an interval, whose navigators are elsewhere; whether it is within its
+    /// limits, else it is as it was.
+    #[inline(never)]
+    pub(super) fn close_shared_loop(
+        &mut self,
+        next: &TruthPoint,
+        ideal: &[Increment],
+        before: Option<(ClosedLoop, Mechanization)>,
+    ) -> bool {
+        let (Some(closed_loop), Some((loop_before, navigator_before))) = (&mut self.closed_loop, before)
+        else {
+            return true;
+        };
+        let has_shadow = closed_loop.shadow_mut().is_some();
+        if !has_shadow {
+            // Nothing errs: this navigator is that of each run.
+            navigate(&mut self.mechanization, self.options.subsamples, ideal, next.interval_s);
+            let aid = vertical_aid(self.options.vertical, next, Some);
+            let belief = self.block.as_ref().map(Block::belief);
+            aid_vertical(&mut self.mechanization, &self.earth, &aid, next.interval_s, belief);
+        }
+        self.close_loop(next);
+        let is_good = self.closed_loop.as_ref().is_none_or(|closed_loop| closed_loop.check().is_ok())
+            && (has_shadow || self.mechanization.check().is_ok());
+        if !is_good {
+            (self.closed_loop, self.mechanization) = (Some(loop_before), navigator_before);
+        }
+        is_good
+    }
+
+    fn close_loop(&mut self, next: &TruthPoint) {
         if let Some(closed_loop) = &mut self.closed_loop {
             let truth = self.block.as_ref().map_or(next.state, |block| block.state(next));
             closed_loop.observe(&self.mechanization, &truth, next.time_s);

@@ -14,7 +14,7 @@ use crate::simulator::interval::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
-use crate::simulator::{ImuFlags, SensorSuite};
+use crate::simulator::{ImuFlags, Options, SensorSuite};
 use crate::truth::Recent;
 
 impl Chain {
@@ -113,7 +113,7 @@ impl Chain {
             self.generator.go_back(settled, recent);
             self.mechanization.go_back(&solution);
             self.parts = last;
-            self.undo_sensors(sensors);
+            Self::undo_sensors(&self.options, self.disturbance.is_some(), sensors);
             return Err(error);
         }
         self.last = LastInterval::Flown {
@@ -160,14 +160,14 @@ impl Chain {
     /// The sensors take the interval back: each of them that took part.
     #[cold]
     #[inline(never)]
-    fn undo_sensors(&self, sensors: &mut SensorSuite) {
+    pub(super) fn undo_sensors(options: &Options, is_disturbed: bool, sensors: &mut SensorSuite) {
         if !sensors.are_ideal() {
             sensors.undo();
         }
-        if self.options.vertical == VerticalMode::Damped {
+        if options.vertical == VerticalMode::Damped {
             sensors.altimeter.undo();
         }
-        if self.disturbance.is_some() {
+        if is_disturbed {
             sensors.gravity.undo();
         }
     }

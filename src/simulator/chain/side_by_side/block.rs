@@ -2,15 +2,22 @@
 
 use core::ops::Range;
 
+use nalgebra::Vector3;
+
+use super::disturbed::{Disturbed, DisturbedWorkspace};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::instruction_set::{InstructionSet, Work};
-use crate::mechanization::{AidOfEach, Mechanization, NavigatorBlock, Scheme, Scratch, VerticalAid};
+use crate::errors::{ErrorModel, ModelBlock, ModelInterval};
+use crate::mechanization::{Mechanization, NavigatorBlock, Scratch, VerticalAid, VerticalMode};
 use crate::memory::room;
-use crate::sensors::{Altimeter, SharedInput, StateRows};
-use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row, increment_of};
+use crate::mounting;
+use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, SharedInput, StateRows, Triad};
+use crate::signal::{
+    Increment, IncrementRows, IntervalMotion, MAX_INCREMENTS, RUNS, Row, increment_of, put_increment,
+};
 use crate::simulator::chain::Chain;
 use crate::simulator::{ImuFlags, ImuInterval, Options, SensorSuite};
+use crate::truth::Recent;
 
 /// What an interval brings to all blocks.
 pub(super) struct Interval<'a> {
@@ -18,15 +25,61 @@ pub(super) struct Interval<'a> {
     pub options: &'a Options,
     pub sensors: &'a SensorSuite,
     pub shared: &'a [SharedInput; 2],
-    /// Time of its start [s].
-    pub start_s: f64,
+    /// At its start.
+    pub last_good: LastGood,
     /// Length [s], and that of its increments.
     pub t: f64,
     pub dt: f64,
     /// Number of increments.
     pub count: usize,
-    /// Of an altimeter with errors the true height.
+    /// Of altimeters with errors the true height.
     pub aid: VerticalAid,
+    /// Whether each run has an altimeter of its own.
+    pub has_altimeters: bool,
+    /// Where the error model is on.
+    pub model: Option<ModelInterval<'a>>,
+    pub recent: &'a Recent<'a>,
+    pub motion: &'a IntervalMotion<'a>,
+    /// Error-free increments, but for gravity beyond the normal field.
+    pub ideal: &'a [Increment],
+    /// Where there is a mounting, and by how much it shifts the navigators [m/s], Earth-fixed axes.
+    pub mounting: Option<&'a mounting::Block>,
+    pub shift_e: Option<Vector3<f64>>,
+    /// Whether what all runs share is within its limits.
+    pub is_shared_good: bool,
+}
+
+impl Interval<'_> {
+    /// Whether a gyro and whether an accelerometer has failed.
+    pub fn have_failed(&self) -> [bool; 2] {
+        [self.sensors.gyro.has_failed(), self.sensors.accel.has_failed()]
+    }
+
+    /// The mounting of a run, as its sensors see it that gave `measured` in the whole interval.
+    pub fn mounting_of(&self, measured: &Increment) -> Option<mounting::Block> {
+        self.mounting.map(|block| {
+            let mut block = *block;
+            block.observe(&Increment::sum(self.ideal), measured, self.t);
+            block
+        })
+    }
+}
+
+/// The last good solution of a run that has diverged.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LastGood {
+    /// Time [s].
+    pub time_s: f64,
+    /// Length of the interval that led to it [s]; 0: it is the start.
+    pub interval_s: f64,
+}
+
+/// What is told of the last interval of a run beside its signals.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Report {
+    pub flags: ImuFlags,
+    /// Nothing aided the vertical channel.
+    pub is_unaided: bool,
 }
 
 /// Numbers in the longest vector of any instruction set.
@@ -35,40 +88,68 @@ const LANES: usize = 8;
 /// Up to [`RUNS`] runs.
 #[derive(Debug)]
 pub(super) struct Block {
-    count: usize,
+    pub(super) count: usize,
     /// Lanes that are computed: whole vectors. Those beyond the runs are copies of the last one.
-    lanes: usize,
-    gyro: StateRows,
-    accel: StateRows,
-    navigators: NavigatorBlock,
+    pub(super) lanes: usize,
+    pub(super) gyro: StateRows,
+    pub(super) accel: StateRows,
+    pub(super) navigators: NavigatorBlock,
+    /// None or one.
+    pub(super) models: Box<[ModelBlock]>,
     /// Sum of the measured increments of the last interval.
-    measured: IncrementRows,
-    /// Whether gyros and accelerometers were beyond their range in it.
-    saturated: [[bool; RUNS]; 2],
-    north_unknown: [bool; RUNS],
-    /// Time of the last good solution of a run that has diverged [s].
-    diverged_s: [Option<f64>; RUNS],
-    /// Where they have errors.
-    altimeters: Box<[Altimeter]>,
+    pub(super) measured: IncrementRows,
+    pub(super) reports: [Report; RUNS],
+    pub(super) north_unknown: [bool; RUNS],
+    /// Of runs that have diverged.
+    pub(super) diverged: [Option<LastGood>; RUNS],
+    /// Failures of gyros and accelerometers.
+    pub(super) failures: [Box<[FailingTriad]>; 2],
+    /// Where they damp the vertical channel; up to date where they have errors.
+    pub(super) altimeters: Box<[Altimeter]>,
+    /// Where gravity is other than normal, all sensors of each run, in place of what is above.
+    pub(super) disturbed: Box<[Disturbed]>,
 }
 
 /// What a step needs beside a block, and the block as it was before.
 #[derive(Debug)]
 pub(super) struct Workspace {
     /// Of the longest interval. By itself, or the compiler fears that it lies over the rest.
-    measured: Box<[IncrementRows]>,
-    scratch: Scratch,
-    heights_m: Row,
-    saturated: [[u64; RUNS]; 2],
-    is_good: [u64; RUNS],
-    gyro: StateRows,
-    accel: StateRows,
-    navigators: NavigatorBlock,
+    pub(super) measured: Box<[IncrementRows]>,
+    pub(super) scratch: Scratch,
+    pub(super) heights_m: Row,
+    pub(super) is_unaided: [bool; RUNS],
+    pub(super) saturated: [[u64; RUNS]; 2],
+    pub(super) is_good: [u64; RUNS],
+    pub(super) gyro: StateRows,
+    pub(super) accel: StateRows,
+    pub(super) navigators: NavigatorBlock,
+    pub(super) models: Box<[ModelBlock]>,
+    pub(super) failures: [Box<[FailingTriad]>; 2],
+    pub(super) reports: [Report; RUNS],
+    pub(super) sums: IncrementRows,
+    pub(super) disturbed: DisturbedWorkspace,
+}
+
+/// Room for the failures of so many runs.
+fn failures(sensors: &SensorSuite, count: usize) -> Result<[Box<[FailingTriad]>; 2], Error> {
+    let of = |triad: &Triad| {
+        let mut failures = room(count)?;
+        failures.resize(count, triad.failures().clone());
+        Ok(failures.into_boxed_slice())
+    };
+    Ok([of(&sensors.gyro)?, of(&sensors.accel)?])
+}
+
+/// Room for the error models of a block, where they are on.
+fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
+    let mut models = room(1)?;
+    models.extend(options.error_model.then(|| ModelBlock::new(options.frame)));
+    Ok(models.into_boxed_slice())
 }
 
 impl Workspace {
     /// For blocks with the sensors of `sensors`. On the heap, as it is much of a stack.
-    pub fn new(sensors: &mut SensorSuite) -> Result<Box<[Self]>, Error> {
+    pub fn new(options: &Options, sensors: &mut SensorSuite) -> Result<Box<[Self]>, Error> {
         let (gyro, accel) = (sensors.gyro.rows()?, sensors.accel.rows()?);
         let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
         measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
@@ -76,21 +157,33 @@ impl Workspace {
             measured: measured.into_boxed_slice(),
             scratch: Scratch::NONE,
             heights_m: [0.0; RUNS],
+            is_unaided: [false; RUNS],
             saturated: [[0; RUNS]; 2],
             is_good: [0; RUNS],
             gyro,
             accel,
-            navigators: NavigatorBlock::new(),
+            navigators: NavigatorBlock::new(options.frame),
+            models: models(options)?,
+            failures: failures(sensors, RUNS)?,
+            reports: [Report::default(); RUNS],
+            sums: [[0.0; RUNS]; 6],
+            disturbed: DisturbedWorkspace::new(sensors)?,
         });
         Ok(memory.into_boxed_slice())
+    }
+
+    /// An altimeter shows `indicated_m` at the true height `height_m` [m], or nothing.
+    pub fn put_height(&mut self, lane: usize, height_m: f64, indicated_m: Option<f64>) {
+        self.heights_m[lane] = indicated_m.unwrap_or(height_m);
+        self.is_unaided[lane] = indicated_m.is_none();
     }
 }
 
 impl Block {
     /// Room for `count` runs.
-    pub fn new(sensors: &mut SensorSuite, count: usize) -> Result<Self, Error> {
+    pub fn new(options: &Options, sensors: &mut SensorSuite, count: usize) -> Result<Self, Error> {
         let mut altimeters = Vec::new();
-        if !sensors.altimeter.is_ideal() {
+        if options.vertical == VerticalMode::Damped && !sensors.gravity.is_on() {
             altimeters = room(count)?;
             altimeters.resize(count, sensors.altimeter.clone());
         }
@@ -99,12 +192,15 @@ impl Block {
             lanes: count.next_multiple_of(LANES).min(RUNS),
             gyro: sensors.gyro.rows()?,
             accel: sensors.accel.rows()?,
-            navigators: NavigatorBlock::new(),
+            navigators: NavigatorBlock::new(options.frame),
+            models: models(options)?,
             measured: [[0.0; RUNS]; 6],
-            saturated: [[false; RUNS]; 2],
+            reports: [Report::default(); RUNS],
             north_unknown: [false; RUNS],
-            diverged_s: [None; RUNS],
+            diverged: [None; RUNS],
+            failures: failures(sensors, count)?,
             altimeters: altimeters.into_boxed_slice(),
+            disturbed: Disturbed::room(sensors, count)?,
         })
     }
 
@@ -117,6 +213,9 @@ impl Block {
             + self.gyro.bytes_of_run()
             + self.accel.bytes_of_run()
             + size_of_val(&*self.altimeters) / self.count
+            + 2 * size_of::<FailingTriad>()
+            + size_of_val(&*self.disturbed) / self.count
+            + size_of_val(&*self.models) / RUNS
     }
 
     /// Lays the sensors of a run in.
@@ -125,51 +224,106 @@ impl Block {
             sensors.gyro.put_into(&mut self.gyro, lane);
             sensors.accel.put_into(&mut self.accel, lane);
         }
+        self.failures[0][lane].clone_from(sensors.gyro.failures());
+        self.failures[1][lane].clone_from(sensors.accel.failures());
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.clone_from(&sensors.altimeter);
         }
+        if let Some(disturbed) = self.disturbed.get_mut(lane) {
+            disturbed.put(sensors);
+        }
+    }
+
+    /// Lets an output of all runs fail, whose last interval, if there was one, had the length `interval_s` [s].
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, interval_s: Option<f64>) {
+        for lane in 0..self.count {
+            let interval_s = match self.diverged[lane] {
+                Some(LastGood { interval_s, .. }) => Some(interval_s).filter(|interval_s| *interval_s > 0.0),
+                None => interval_s,
+            };
+            let sum = increment_of(&self.measured, lane);
+            let last = interval_s.map(|t| Increment { angle: sum.angle / t, velocity: sum.velocity / t });
+            if let Some(disturbed) = self.disturbed.get_mut(lane) {
+                disturbed.set_failure(output, failure, last.as_ref());
+                continue;
+            }
+            match output {
+                SensorOutput::Gyro(axis) => {
+                    let last = last.map(|mean| mean.angle[axis as usize]);
+                    self.failures[0][lane].set(axis, failure, last);
+                }
+                SensorOutput::Accelerometer(axis) => {
+                    let last = last.map(|mean| mean.velocity[axis as usize]);
+                    self.failures[1][lane].set(axis, failure, last);
+                }
+                SensorOutput::Altimeter => {
+                    if let Some(altimeter) = self.altimeters.get_mut(lane) {
+                        altimeter.set_failure(failure);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The altimeters of all runs, which were ideal, have shown what `altimeter` has.
+    pub fn follow(&mut self, altimeter: &Altimeter) {
+        self.altimeters.iter_mut().for_each(|of_run| of_run.follow_as(altimeter));
     }
 
     /// Takes what a run keeps out, over `sensors` of the same parameters and key.
     pub fn take_sensors(&self, lane: usize, sensors: &mut SensorSuite) {
+        if let Some(disturbed) = self.disturbed.get(lane) {
+            return disturbed.take(sensors);
+        }
         sensors.gyro.take_from(&self.gyro, lane);
         sensors.accel.take_from(&self.accel, lane);
+        sensors.take_failures(&self.failures[0][lane], &self.failures[1][lane]);
         if let Some(altimeter) = self.altimeters.get(lane) {
             sensors.altimeter.clone_from(altimeter);
         }
     }
 
     /// A run starts so, or cannot.
-    pub fn start(&mut self, lane: usize, height_m: f64, start: Option<(&Mechanization, bool)>, time_s: f64) {
+    pub fn start(&mut self, lane: usize, height_m: f64, start: Option<&Chain>, time_s: f64) {
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.reposition(height_m);
         }
+        if let Some(disturbed) = self.disturbed.get_mut(lane) {
+            disturbed.reposition(height_m);
+        }
         match start {
-            Some((navigator, north_unknown)) => {
-                self.put_navigator(lane, navigator);
-                self.north_unknown[lane] = north_unknown;
-            }
-            None => self.diverged_s[lane] = Some(time_s),
+            Some(chain) => self.put_run(lane, chain),
+            None => self.diverged[lane] = Some(LastGood { time_s, interval_s: 0.0 }),
         }
     }
 
     /// Time of the last good solution of a run that has diverged [s].
     pub fn diverged_s(&self, lane: usize) -> Option<f64> {
-        self.diverged_s[lane]
+        self.diverged[lane].map(|last_good| last_good.time_s)
     }
 
     /// All are good again.
     pub fn revive(&mut self) {
-        self.diverged_s = [None; RUNS];
+        self.diverged = [None; RUNS];
     }
 
-    pub fn navigator(&self, lane: usize, earth: &Earth, scheme: Scheme) -> Mechanization {
-        self.navigators.get(lane, earth, scheme)
+    pub fn navigator(&self, lane: usize, earth: &Earth, options: &Options) -> Mechanization {
+        self.navigators.get(lane, earth, options.scheme)
     }
 
-    /// The navigator of a run is another from now on.
-    pub fn put_navigator(&mut self, lane: usize, navigator: &Mechanization) {
-        self.copies_of(lane).for_each(|lane| self.navigators.put(lane, navigator));
+    /// Where it is on.
+    pub fn error_model(&self, lane: usize, earth: &Earth) -> Option<ErrorModel> {
+        self.models.first().map(|models| models.get(lane, earth))
+    }
+
+    /// Navigator and error model of a run are those of `chain` from now on.
+    pub fn put_solution(&mut self, lane: usize, chain: &Chain) {
+        for lane in self.copies_of(lane) {
+            self.navigators.put(lane, &chain.mechanization);
+            for (models, model) in self.models.iter_mut().zip(&chain.error_model) {
+                models.put(lane, model);
+            }
+        }
     }
 
     /// The lanes with the run at `lane`.
@@ -179,21 +333,21 @@ impl Block {
 
     /// Takes a run in that has flown as `chain` so far.
     pub fn put_run(&mut self, lane: usize, chain: &Chain) {
-        self.put_navigator(lane, &chain.mechanization);
+        self.put_solution(lane, chain);
+        if let Some(disturbed) = self.disturbed.get_mut(lane) {
+            disturbed.put_run(chain);
+        }
         self.north_unknown[lane] = chain.north_unknown;
-        if let Some(ImuInterval { measured: Increment { angle, velocity }, flags, .. }) = chain.imu() {
-            for axis in 0..3 {
-                self.measured[axis][lane] = angle[axis];
-                self.measured[3 + axis][lane] = velocity[axis];
-            }
-            self.saturated[0][lane] = flags.gyro_saturated;
-            self.saturated[1][lane] = flags.accel_saturated;
+        if let Some(ImuInterval { measured, flags, .. }) = chain.imu() {
+            put_increment(&mut self.measured, lane, &measured);
+            let is_unaided = chain.last.vertical_unaided().unwrap_or_default();
+            self.reports[lane] = Report { flags, is_unaided };
         }
     }
 
-    /// A run has diverged; its last good solution was at `time_s` [s].
-    pub fn put_diverged(&mut self, lane: usize, time_s: f64) {
-        self.diverged_s[lane] = Some(time_s);
+    /// A run has diverged.
+    pub fn put_diverged(&mut self, lane: usize, last_good: LastGood) {
+        self.diverged[lane] = Some(last_good);
     }
 
     pub fn north_unknown(&self, lane: usize) -> bool {
@@ -202,121 +356,16 @@ impl Block {
 
     /// What the sensors gave in the last interval, and their flags.
     pub fn measured(&self, lane: usize) -> (Increment, ImuFlags) {
-        let [gyro_saturated, accel_saturated] = self.saturated.map(|row| row[lane]);
-        let flags = ImuFlags { gyro_saturated, accel_saturated, ..ImuFlags::default() };
-        (increment_of(&self.measured, lane), flags)
+        (increment_of(&self.measured, lane), self.reports[lane].flags)
     }
 
-    /// Flies an interval.
-    pub fn fly(&mut self, set: InstructionSet, interval: &Interval<'_>, workspace: &mut Workspace) {
-        workspace.gyro.copy_from(&self.gyro);
-        workspace.accel.copy_from(&self.accel);
-        workspace.navigators.clone_from(&self.navigators);
-        if let (VerticalAid::Barometer { height_m }, false) = (interval.aid, self.altimeters.is_empty()) {
-            let lanes = self.altimeters.iter_mut().zip(&mut workspace.heights_m).zip(&self.diverged_s);
-            for ((altimeter, indicated_m), _) in lanes.filter(|(_, diverged_s)| diverged_s.is_none()) {
-                *indicated_m = altimeter.sense(height_m, interval.t).unwrap_or(height_m);
-            }
-        } else if let VerticalAid::Barometer { height_m } = interval.aid {
-            workspace.heights_m = [height_m; RUNS];
-        }
-        let before = (self.measured, self.saturated);
-        set.for_tables().run(Sensing { block: self, interval, workspace });
-        set.run(Navigating { block: self, interval, workspace });
-        for lane in 0..self.count {
-            if self.diverged_s[lane].is_some() || workspace.is_good[lane] == 0 {
-                self.look_closely(lane, interval, workspace, &before);
-            }
-        }
+    /// Whether nothing aided the vertical channel in it.
+    pub fn is_unaided(&self, lane: usize) -> bool {
+        self.reports[lane].is_unaided
     }
 
-    /// At the run at `lane`: it is still good, or it goes back and stays there.
-    #[cold]
-    #[inline(never)]
-    fn look_closely(
-        &mut self,
-        lane: usize,
-        interval: &Interval<'_>,
-        workspace: &Workspace,
-        (measured, saturated): &(IncrementRows, [[bool; RUNS]; 2]),
-    ) {
-        if self.diverged_s[lane].is_none() {
-            let options = interval.options;
-            if self.navigators.get(lane, interval.earth, options.scheme).check().is_ok() {
-                return;
-            }
-            self.diverged_s[lane] = Some(interval.start_s);
-            if let (Some(altimeter), VerticalAid::Barometer { .. }) =
-                (self.altimeters.get_mut(lane), interval.aid)
-            {
-                altimeter.undo();
-            }
-        }
-        self.navigators.go_back(lane, &workspace.navigators);
-        self.gyro.go_back(lane, &workspace.gyro);
-        self.accel.go_back(lane, &workspace.accel);
-        self.measured.iter_mut().zip(measured).for_each(|(row, before)| row[lane] = before[lane]);
-        self.saturated.iter_mut().zip(saturated).for_each(|(row, before)| row[lane] = before[lane]);
-    }
-}
-
-/// The sensors of a block in an interval.
-struct Sensing<'a> {
-    block: &'a mut Block,
-    interval: &'a Interval<'a>,
-    workspace: &'a mut Workspace,
-}
-
-impl Work for Sensing<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { block, interval, workspace } = self;
-        let Block { lanes, gyro, accel, measured: sums, saturated, .. } = block;
-        let Workspace { measured, saturated: marks, .. } = workspace;
-        let &Interval { sensors, shared, dt, count, .. } = interval;
-        let (lanes, measured) = (*lanes, &mut measured[..count]);
-
-        *marks = [[0; RUNS]; 2];
-        sensors.gyro.sense_block(&shared[0], dt, gyro, measured, &mut marks[0], lanes);
-        sensors.accel.sense_block(&shared[1], dt, accel, measured, &mut marks[1], lanes);
-        for (row, marks) in saturated.iter_mut().zip(marks) {
-            for lane in 0..RUNS {
-                row[lane] = marks[lane] != 0;
-            }
-        }
-        for (i, sum) in sums.iter_mut().enumerate() {
-            *sum = [0.0; RUNS];
-            for rows in measured.iter() {
-                for lane in 0..RUNS {
-                    sum[lane] += rows[i][lane];
-                }
-            }
-        }
-    }
-}
-
-/// Its navigators.
-struct Navigating<'a> {
-    block: &'a mut Block,
-    interval: &'a Interval<'a>,
-    workspace: &'a mut Workspace,
-}
-
-impl Work for Navigating<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { block, interval, workspace } = self;
-        let Workspace { measured, scratch, heights_m, is_good, .. } = workspace;
-        let &Interval { earth, options, t, count, aid, .. } = interval;
-        let (lanes, navigators, measured) = (block.lanes, &mut block.navigators, &measured[..count]);
-        let aid = match aid {
-            VerticalAid::None => AidOfEach::None,
-            VerticalAid::Truth { height_m, velocity_up_m_s } => {
-                AidOfEach::Truth { height_m, velocity_up_m_s }
-            }
-            VerticalAid::Barometer { .. } => AidOfEach::Barometer { heights_m },
-        };
-        navigators.navigate((earth, options.scheme), options.subsamples, measured, t, lanes, scratch);
-        navigators.aid_vertical(earth, &aid, t, lanes, is_good);
+    /// Where gravity is other than normal.
+    pub fn disturbed(&self, lane: usize) -> Option<&Disturbed> {
+        self.disturbed.get(lane)
     }
 }

@@ -2,6 +2,8 @@
 //! [`RUNS`](crate::signal::RUNS).
 
 mod block;
+mod disturbed;
+mod fly;
 mod start;
 
 use core::cell::RefCell;
@@ -10,19 +12,19 @@ use super::Chain;
 use super::beside::conditions;
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::NavigationErrors;
+use crate::errors::{ModelInterval, NavigationErrors};
 use crate::instruction_set::InstructionSet;
-use crate::mechanization::{VerticalMode, is_for_lanes};
-use crate::sensors::SharedInput;
+use crate::mechanization::VerticalMode;
+use crate::sensors::{Failure, SensorOutput, SharedInput};
 use crate::signal::{Increment, RUNS};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
-use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Simulator, Solution};
+use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
-use block::{Block, Interval, Workspace};
+use block::{Block, Interval, LastGood, Workspace};
 
 /// Runs over one truth, and what they share.
 #[derive(Debug)]
@@ -33,6 +35,8 @@ pub(crate) struct SideBySide {
     first_run: u64,
     /// What the host set, and what follows the signals.
     sensors: Box<[SensorSuite]>,
+    /// Whether the altimeters of the runs are behind that one, which has no errors.
+    heights_are_shared: bool,
     /// Those of one run while they are needed.
     of_one: RefCell<Box<[SensorSuite]>>,
     signals: Signals,
@@ -44,28 +48,25 @@ pub(crate) struct SideBySide {
 }
 
 impl SideBySide {
-    /// Whether so many runs of `template` can and should go side by side. Others have more that differs from run to run, and go one
-    /// after the other; a run alone is faster so.
-    pub fn is_for(template: &Simulator, runs: usize) -> bool {
-        let (options, sensors) = (template.options(), &template.sensors);
-        runs > 1
-            && is_for_lanes(options.frame, options.gravity)
-            && options.closed_loop_time_s.is_none()
-            && !options.error_model
-            && sensors.mounting().is_none()
-            && !sensors.gravity.is_on()
-            && sensors.gyro.goes_side_by_side()
-            && sensors.accel.goes_side_by_side()
-            && !sensors.altimeter.has_failed()
-    }
-
     /// Flies the interval that `recent` ends. An error is one of the truth, and then nothing has changed.
     pub fn step(&mut self, recent: &Recent<'_>) -> Result<(), Error> {
         self.options.check_truth(recent.next)?;
         if self.chain[0].is_none() {
             self.start(recent)?;
         }
-        let Self { set, options, earth, sensors, signals, shared, chain, blocks, workspace, .. } = self;
+        let Self {
+            set,
+            options,
+            earth,
+            sensors,
+            heights_are_shared,
+            signals,
+            shared,
+            chain,
+            blocks,
+            workspace,
+            ..
+        } = self;
         let ([Some(chain)], [workspace], [sensors]) = (&mut **chain, &mut **workspace, &mut **sensors) else {
             return Ok(());
         };
@@ -73,19 +74,54 @@ impl SideBySide {
         let motion = chain.generator.advance(recent);
         let ideal = &mut signals.ideal[..options.subsamples * options.updates_over(recent)];
         motion.integrate(ideal);
+        let before = chain.closed_loop.clone().map(|closed_loop| (closed_loop, chain.mechanization));
+        let shift_e = chain.mount_and_trim(&motion, recent, !sensors.all_are_ideal(), ideal);
+        let is_shared_good = chain.close_shared_loop(next, ideal, before);
         let dt = t / ideal.len() as f64;
-        sensors.begin_interval(t, || conditions(recent, &motion, None));
-        sensors.gyro.share(ideal, dt, &mut shared[0]);
-        sensors.accel.share(ideal, dt, &mut shared[1]);
+        let is_disturbed = sensors.gravity.is_on();
+        if !is_disturbed {
+            sensors.begin_interval(t, || conditions(recent, &motion, chain.block.as_ref()));
+            sensors.gyro.share(ideal, dt, &mut shared[0]);
+            sensors.accel.share(ideal, dt, &mut shared[1]);
+        }
 
-        let is_altimeter_ideal = sensors.altimeter.is_ideal();
+        let has_altimeters =
+            options.vertical == VerticalMode::Damped && (is_disturbed || !sensors.altimeter.is_ideal());
+        *heights_are_shared = !has_altimeters;
         let aid = vertical_aid(options.vertical, next, |height_m| {
-            // Where it is not, each run has its own.
-            if is_altimeter_ideal { sensors.altimeter.sense(height_m, t) } else { Some(height_m) }
+            if has_altimeters { Some(height_m) } else { sensors.altimeter.sense(height_m, t) }
         });
-        let start_s = recent.current.time_s;
-        let interval = Interval { earth, options, sensors, shared, start_s, t, dt, count: ideal.len(), aid };
-        blocks.iter_mut().for_each(|block| block.fly(*set, &interval, workspace));
+        let last_good = LastGood {
+            time_s: recent.current.time_s,
+            interval_s: chain.imu().map_or(0.0, |imu| imu.interval_s),
+        };
+        let model = options.error_model.then(|| ModelInterval::new(earth, &motion, next, ideal));
+        let count = ideal.len();
+        let interval = Interval {
+            earth,
+            options,
+            sensors,
+            shared,
+            last_good,
+            t,
+            dt,
+            count,
+            aid,
+            has_altimeters,
+            model,
+            recent,
+            motion: &motion,
+            ideal,
+            mounting: chain.block.as_ref(),
+            shift_e,
+            is_shared_good,
+        };
+        let mut rest = &mut **blocks;
+        while let [block, to_come @ ..] = rest {
+            to_come.first().into_iter().for_each(Block::prefetch);
+            block.fly(*set, &interval, workspace);
+            rest = to_come;
+        }
 
         chain.views = Views::default();
         chain.last = LastInterval::Loaded {
@@ -109,6 +145,25 @@ impl SideBySide {
     /// Refuses a sample without the temperature that a sensor effect needs.
     pub fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
         self.sensors[0].check_temperature(sample.temperature_c)
+    }
+
+    /// Lets an output of every run fail from the next interval on; `None` clears it.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
+        let Self { sensors, heights_are_shared, chain, blocks, .. } = self;
+        let interval_s = chain[0].as_ref().and_then(|chain| chain.imu()).map(|imu| imu.interval_s);
+        for block in blocks {
+            if *heights_are_shared {
+                block.follow(&sensors[0].altimeter);
+            }
+            block.set_failure(output, failure, interval_s);
+        }
+        *heights_are_shared = false;
+        sensors[0].set_failure(output, failure, None);
+    }
+
+    /// The failure of an output, which all runs share.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        self.sensors[0].failure(output)
     }
 
     /// How many runs.
@@ -164,11 +219,19 @@ impl SideBySide {
         let shared = self.chain[0].as_ref()?;
         let (block, lane) = (&self.blocks[place / RUNS], place % RUNS);
         let mut chain = shared.clone();
-        chain.mechanization = block.navigator(lane, &self.earth, self.options.scheme);
+        chain.mechanization = block.navigator(lane, &self.earth, &self.options);
+        chain.error_model = block.error_model(lane, &self.earth);
         chain.north_unknown = block.north_unknown(lane);
-        if let LastInterval::Loaded { imu, .. } = &mut chain.last {
+        if let LastInterval::Loaded { imu, vertical_unaided } = &mut chain.last {
             (imu.measured, imu.flags) = block.measured(lane);
+            *vertical_unaided = block.is_unaided(lane);
             imu.time_s = block.diverged_s(lane).unwrap_or(imu.time_s);
+            if let Some(mounting) = &mut chain.block {
+                mounting.observe(&imu.ideal, &imu.measured, imu.interval_s);
+            }
+        }
+        if let Some(disturbed) = block.disturbed(lane) {
+            disturbed.give(&mut chain);
         }
         chain.views = Views { truth: shared.views.truth.clone(), ..Views::default() };
         Some(chain)
@@ -183,14 +246,19 @@ impl SideBySide {
     #[cold]
     #[inline(never)]
     pub fn take_first_velocity(&mut self, point: &TruthPoint) {
+        let mut shared = None;
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
                 chain.take_first_velocity(point, &self.sensors[0]);
-                self.blocks[place / RUNS].put_navigator(place % RUNS, &chain.mechanization);
+                self.blocks[place / RUNS].put_solution(place % RUNS, &chain);
+                shared = Some((chain.closed_loop, chain.mechanization));
             }
         }
         if let Some(chain) = &mut self.chain[0] {
             chain.views = Views::default();
+            if let Some(shared) = shared {
+                (chain.closed_loop, chain.mechanization) = shared;
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use core::cell::RefCell;
 
-use super::block::{Block, Workspace};
+use super::block::{Block, LastGood, Workspace};
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
@@ -13,12 +13,12 @@ use crate::simulator::signals::Signals;
 use crate::simulator::snapshot::save_flight;
 use crate::simulator::start::is_of_truth;
 use crate::simulator::views::Views;
-use crate::simulator::{Mode, Options, SensorSuite, Simulator, push_simulator};
+use crate::simulator::{Mode, Options, SensorSuite, Simulator};
 use crate::snapshot::Writer;
 use crate::truth::{Intake, Recent, TruthPoint};
 
 impl SideBySide {
-    /// Runs from `first_run` on with the settings of `template`, for which [`Self::is_for`] holds.
+    /// Runs from `first_run` on with the settings of `template`.
     pub fn new(
         template: &Simulator,
         first_run: u64,
@@ -30,10 +30,10 @@ impl SideBySide {
         sensors[0].become_run(&template.sensors, &options);
         let mut chain = room(1)?;
         chain.push(None);
-        let workspace = Workspace::new(&mut sensors[0])?;
+        let workspace = Workspace::new(&options, &mut sensors[0])?;
         let mut blocks = room(runs.div_ceil(RUNS))?;
         for first in (0..runs).step_by(RUNS) {
-            blocks.push(Block::new(&mut sensors[0], RUNS.min(runs - first))?);
+            blocks.push(Block::new(&options, &mut sensors[0], RUNS.min(runs - first))?);
         }
         let mut runs = Self {
             set,
@@ -41,6 +41,7 @@ impl SideBySide {
             earth: options.earth(),
             first_run,
             sensors,
+            heights_are_shared: false,
             of_one: RefCell::new(SensorSuite::on_heap(&options)?),
             signals: Signals::new()?,
             shared: [SharedInput::new()?, SharedInput::new()?],
@@ -82,6 +83,9 @@ impl SideBySide {
         sensors.become_run(&self.sensors[0], &self.options_of(place));
         sensors.follow_as(&self.sensors[0]);
         self.blocks[place / RUNS].take_sensors(place % RUNS, sensors);
+        if self.heights_are_shared {
+            sensors.altimeter.follow_as(&self.sensors[0].altimeter);
+        }
         act(sensors)
     }
 
@@ -108,9 +112,8 @@ impl SideBySide {
             if place == 0 && matches!(&chain, Err(error) if is_of_truth(error)) {
                 return chain.map(|_| ());
             }
-            let start = chain.as_ref().ok().map(|chain| (&chain.mechanization, chain.north_unknown));
             let time_s = first.current.time_s;
-            self.blocks[place / RUNS].start(place % RUNS, height_m, start, time_s);
+            self.blocks[place / RUNS].start(place % RUNS, height_m, chain.as_ref().ok(), time_s);
             shared = shared.or(chain.ok());
         }
         self.chain[0] = Some(match shared {
@@ -122,31 +125,17 @@ impl SideBySide {
         Ok(())
     }
 
-    /// Pushes the simulator of a run, with the samples of `intake`, to `memory`, which has room for it.
-    pub fn push_simulator(
-        &self,
-        place: usize,
-        intake: &Intake,
-        memory: &mut Vec<Simulator>,
-    ) -> Result<(), Error> {
-        push_simulator(memory, &self.options_of(place))?;
-        if let Some(simulator) = memory.last_mut() {
-            simulator.intake = intake.clone();
-            self.with_sensors_of(place, |sensors| simulator.sensors.clone_from(sensors));
-            if let Some(mut chain) = self.chain_of(place) {
-                chain.signals = core::mem::take(&mut simulator.signals);
-                simulator.mode = Mode::Flying(chain);
-            }
-        }
-        Ok(())
-    }
-
     /// Writes a run as the simulator that it is, with the samples of `intake`.
     pub fn save_run(&self, place: usize, intake: &Intake, to: &mut Writer<'_>) {
         let chain = self.chain_of(place);
         self.with_sensors_of(place, |sensors| {
             save_flight(&self.options_of(place), sensors, intake, chain.as_ref(), to);
         });
+    }
+
+    /// Whether a simulator has the sensors of these runs, so that its state is one of theirs.
+    pub fn has_sensors_of(&self, simulator: &Simulator) -> bool {
+        self.sensors[0].is_set_as(&simulator.sensors)
     }
 
     /// Takes a run in that `simulator` has been so far.
@@ -161,12 +150,12 @@ impl SideBySide {
             }
         }
         if has_diverged {
-            let time_s = match (simulator.imu(), simulator.intake.front()) {
-                (Some(imu), _) => imu.time_s,
-                (None, Some(first)) => first.time_s,
-                (None, None) => 0.0,
+            let (time_s, interval_s) = match (simulator.imu(), simulator.intake.front()) {
+                (Some(imu), _) => (imu.time_s, imu.interval_s),
+                (None, Some(first)) => (first.time_s, 0.0),
+                (None, None) => (0.0, 0.0),
             };
-            block.put_diverged(lane, time_s);
+            block.put_diverged(lane, LastGood { time_s, interval_s });
         } else {
             self.sensors[0].follow_as(&simulator.sensors);
         }

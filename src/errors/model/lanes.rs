@@ -1,0 +1,265 @@
+//! Error models of many runs side by side: what follows the truth is made once an interval, the rest in loops over the runs, as
+//! those of the [navigators](crate::mechanization).
+
+#![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
+
+use nalgebra::Vector3;
+
+use super::earth_fixed::{Coefficients, EarthFixedForm};
+use super::geographic::GeographicForm;
+use super::{ErrorModel, ErrorSums, Form, SensorErrors, is_within};
+use crate::earth::Earth;
+use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
+use crate::mounting::Block;
+use crate::signal::{Increment, IncrementRows, IntervalMotion, RUNS, Row, TurnToEarth, increment_of};
+use crate::truth::TruthPoint;
+
+/// Models of one frame that get the same intervals.
+#[derive(Debug, Clone)]
+#[repr(align(64))]
+pub(crate) struct ModelBlock {
+    frame: Frame,
+    /// Errors of attitude, velocity and position, in the terms of the form.
+    state: [Row; 9],
+    vertical: VerticalRows,
+}
+
+/// An interval, which ends at `next`, and what it brings to the models of all runs alike.
+#[derive(Debug)]
+pub(crate) struct ModelInterval<'a> {
+    earth: &'a Earth,
+    motion: &'a IntervalMotion<'a>,
+    next: &'a TruthPoint,
+    /// Error-free increments.
+    ideal: &'a [Increment],
+    coefficients: Coefficients,
+    turn: TurnToEarth,
+}
+
+impl<'a> ModelInterval<'a> {
+    pub fn new(
+        earth: &'a Earth,
+        motion: &'a IntervalMotion<'a>,
+        next: &'a TruthPoint,
+        ideal: &'a [Increment],
+    ) -> Self {
+        let coefficients = Coefficients::new(earth, motion.interval_s, &motion.nodes());
+        Self { earth, motion, next, ideal, coefficients, turn: motion.turn_to_earth() }
+    }
+}
+
+impl ModelInterval<'_> {
+    /// The sensor errors of the run at `lane`.
+    pub fn errors(&self, measured: &[IncrementRows], lane: usize) -> SensorErrors {
+        let pairs = self.ideal.iter().zip(measured);
+        let errors = pairs.map(|(ideal, measured)| increment_of(measured, lane).minus(ideal));
+        SensorErrors::of_increments(errors, self.motion.interval_s)
+    }
+}
+
+impl ModelBlock {
+    /// A block of models that nothing is known of yet.
+    pub fn new(frame: Frame) -> Self {
+        Self { frame, state: [[0.0; RUNS]; 9], vertical: VerticalRows::new() }
+    }
+
+    /// Takes `model` in.
+    pub fn put(&mut self, lane: usize, model: &ErrorModel) {
+        let mut model = *model;
+        self.put_state(lane, model.state());
+        self.vertical.put(lane, &model.vertical);
+    }
+
+    /// The model at `lane`.
+    pub fn get(&self, lane: usize, earth: &Earth) -> ErrorModel {
+        let [phi, dv, dr] = self.state(lane);
+        let form = match self.frame {
+            Frame::EarthFixed => Form::EarthFixed(EarthFixedForm { psi: phi, dv, dr }),
+            Frame::Geographic => Form::Geographic(GeographicForm { phi, dv, d_place: dr }),
+        };
+        ErrorModel { earth: *earth, form, vertical: self.vertical.get(lane) }
+    }
+
+    /// The model at `lane` goes back to what it was in `before`.
+    pub fn go_back(&mut self, lane: usize, before: &Self) {
+        self.state.iter_mut().zip(&before.state).for_each(|(row, before)| row[lane] = before[lane]);
+        self.vertical.go_back(lane, &before.vertical);
+    }
+
+    #[inline(always)]
+    fn state(&self, lane: usize) -> [Vector3<f64>; 3] {
+        [0, 3, 6].map(|first: usize| Vector3::from_fn(|i, _| self.state[first + i][lane]))
+    }
+
+    #[inline(always)]
+    fn put_state(&mut self, lane: usize, [phi, dv, dr]: [&mut Vector3<f64>; 3]) {
+        for i in 0..3 {
+            self.state[i][lane] = phi[i];
+            self.state[3 + i][lane] = dv[i];
+            self.state[6 + i][lane] = dr[i];
+        }
+    }
+
+    #[inline(always)]
+    fn form(&self, lane: usize) -> EarthFixedForm {
+        let [psi, dv, dr] = self.state(lane);
+        EarthFixedForm { psi, dv, dr }
+    }
+
+    /// Over an interval with these increments of the first `count` runs, as [`ErrorModel::advance`].
+    #[inline(always)]
+    pub fn advance(
+        &mut self,
+        interval: &ModelInterval<'_>,
+        measured: &[IncrementRows],
+        aid: &AidOfEach<'_>,
+        count: usize,
+    ) {
+        if self.frame == Frame::Geographic {
+            return self
+                .advance_one_by_one(interval, aid, count, |lane| (interval.errors(measured, lane), None));
+        }
+        let &ModelInterval { motion, ideal, coefficients, turn, .. } = interval;
+        let mut sums = SumRows([[0.0; RUNS]; 12]);
+        for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
+            let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, interval.ideal.len()));
+            for lane in 0..count.min(RUNS) {
+                let mut of_run = sums.at(lane);
+                of_run.add(&increment_of(measured, lane).minus(&ideal), from_middle);
+                sums.put(lane, &of_run);
+            }
+        }
+        let t = motion.interval_s;
+        for lane in 0..count.min(RUNS) {
+            let mut form = self.form(lane);
+            form.advance_by(&coefficients, &turn.of(&sums.at(lane).errors(t).nodes()));
+            self.put_state(lane, form.state());
+        }
+        self.correct_vertical(interval, aid, count);
+        let mut beyond = 0;
+        for lane in 0..count.min(RUNS) {
+            beyond |= u64::from(!is_within(&self.form(lane).dr));
+        }
+        if beyond != 0 {
+            self.each(interval.earth, count, |_, model| model.keep_within());
+        }
+    }
+
+    /// The same with sensor errors and the block of each run.
+    #[cold]
+    #[inline(never)]
+    pub fn advance_one_by_one(
+        &mut self,
+        interval: &ModelInterval<'_>,
+        aid: &AidOfEach<'_>,
+        count: usize,
+        of_run: impl Fn(usize) -> (SensorErrors, Option<Block>),
+    ) {
+        let &ModelInterval { earth, motion, next, .. } = interval;
+        self.each(earth, count, |lane, model| {
+            let (errors, block) = of_run(lane);
+            model.advance(motion, next, &errors, &aid.at(lane), block.as_ref());
+        });
+    }
+
+    fn each(&mut self, earth: &Earth, count: usize, mut act: impl FnMut(usize, &mut ErrorModel)) {
+        for lane in 0..count.min(RUNS) {
+            let mut model = self.get(lane, earth);
+            act(lane, &mut model);
+            self.put(lane, &model);
+        }
+    }
+
+    #[inline(always)]
+    fn correct_vertical(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>, count: usize) {
+        let &ModelInterval { earth, next, motion, .. } = interval;
+        // By value, or the compiler fears that the rows lie over it.
+        let (truth, t) = (*next, motion.interval_s);
+        match *aid {
+            _ if !self.vertical.are_alike(count) => self.correct_one_by_one(interval, aid, count),
+            AidOfEach::Some { .. } => self.correct_one_by_one(interval, aid, count),
+            AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
+            AidOfEach::Same(VerticalAid::Truth { .. }) => {
+                self.shift_vertical(earth, &truth, count, |_, _, form| {
+                    let velocity_up = form.velocity_up_error(earth, &truth);
+                    VerticalCorrection::to_truth(-form.height_error(&truth), -velocity_up, t)
+                });
+            }
+            AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
+                self.follow(earth, &truth, t, count, |_| height_m);
+            }
+            AidOfEach::Barometer { heights_m } => {
+                self.follow(earth, &truth, t, count, |lane| heights_m[lane]);
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn correct_one_by_one(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>, count: usize) {
+        let &ModelInterval { earth, next, motion, .. } = interval;
+        self.each(earth, count, |lane, model| {
+            model.correct_vertical(motion.interval_s, next, &aid.at(lane), None);
+        });
+    }
+
+    /// Keeps the vertical channels by barometric heights.
+    #[inline(always)]
+    fn follow(
+        &mut self,
+        earth: &Earth,
+        truth: &TruthPoint,
+        t: f64,
+        count: usize,
+        height_m: impl Fn(usize) -> f64,
+    ) {
+        let beginning = self.vertical.begin(t);
+        let true_height_m = truth.sample.place.height_m;
+        self.shift_vertical(earth, truth, count, |vertical, lane, form| {
+            let altimeter_error = height_m(lane) - true_height_m;
+            vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)
+        });
+    }
+
+    #[inline(always)]
+    fn shift_vertical(
+        &mut self,
+        earth: &Earth,
+        truth: &TruthPoint,
+        count: usize,
+        correct: impl Fn(&mut VerticalRows, usize, &EarthFixedForm) -> VerticalCorrection,
+    ) {
+        for lane in 0..count.min(RUNS) {
+            let mut form = self.form(lane);
+            let correction = correct(&mut self.vertical, lane, &form);
+            form.shift_vertical(earth, truth, &correction);
+            self.put_state(lane, form.state());
+        }
+    }
+}
+
+/// [`ErrorSums`] of many runs.
+struct SumRows([Row; 12]);
+
+impl SumRows {
+    #[inline(always)]
+    fn at(&self, lane: usize) -> ErrorSums {
+        let vector = |first: usize| Vector3::from_fn(|i, _| self.0[first + i][lane]);
+        ErrorSums {
+            sum: Increment { angle: vector(0), velocity: vector(3) },
+            moment: Increment { angle: vector(6), velocity: vector(9) },
+        }
+    }
+
+    #[inline(always)]
+    fn put(&mut self, lane: usize, sums: &ErrorSums) {
+        let ErrorSums { sum, moment } = sums;
+        for (first, vector) in
+            [(0, &sum.angle), (3, &sum.velocity), (6, &moment.angle), (9, &moment.velocity)]
+        {
+            for i in 0..3 {
+                self.0[first + i][lane] = vector[i];
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! The vertical loops of many runs side by side.
+
+use super::{VerticalCorrection, VerticalLoop};
+use crate::signal::{RUNS, Row};
+
+/// What each loop keeps. Nearly always all of them have the gains of one interval: others follow from its length.
+#[derive(Debug, Clone)]
+#[repr(align(64))]
+pub(crate) struct VerticalRows {
+    bias_m_s2: Row,
+    residual_m: Row,
+    /// Length of the interval that a loop has the gains for [s]; 0: it has none.
+    t: Row,
+    /// The interval and the gains of those that go together.
+    shared: VerticalLoop,
+}
+
+impl VerticalRows {
+    /// Loops that have found no error yet.
+    pub fn new() -> Self {
+        Self { bias_m_s2: [0.0; RUNS], residual_m: [0.0; RUNS], t: [0.0; RUNS], shared: VerticalLoop::new() }
+    }
+
+    /// Takes a loop in.
+    #[inline(always)]
+    pub fn put(&mut self, lane: usize, channel: &VerticalLoop) {
+        self.bias_m_s2[lane] = channel.bias_m_s2;
+        self.residual_m[lane] = channel.residual_m;
+        self.t[lane] = channel.t;
+        if channel.t != 0.0 && channel.t != self.shared.t {
+            self.shared = *channel;
+        }
+    }
+
+    /// The loop at `lane`.
+    #[inline(always)]
+    pub fn get(&self, lane: usize) -> VerticalLoop {
+        let (bias_m_s2, residual_m, t) = (self.bias_m_s2[lane], self.residual_m[lane], self.t[lane]);
+        if t == self.shared.t {
+            self.shared.with(bias_m_s2, residual_m)
+        } else {
+            VerticalLoop::of_interval(t).with(bias_m_s2, residual_m)
+        }
+    }
+
+    /// The loop at `lane` goes back to what it was in `before`.
+    pub fn go_back(&mut self, lane: usize, before: &Self) {
+        self.put(lane, &before.get(lane));
+    }
+
+    /// Whether the loops of the first `count` runs have the same gains.
+    #[inline(always)]
+    pub fn are_alike(&self, count: usize) -> bool {
+        self.t.iter().take(count).all(|t| *t == self.shared.t)
+    }
+
+    /// [`VerticalLoop::skip`] of all.
+    pub fn skip(&mut self) {
+        self.shared.skip();
+        self.t = [self.shared.t; RUNS];
+    }
+
+    /// An interval of length `t` [s] of loops that [are alike](Self::are_alike): what [`Self::answer`] needs.
+    #[inline(always)]
+    pub fn begin(&mut self, t: f64) -> Beginning {
+        let is_first = self.shared.begin(t);
+        self.t = [self.shared.t; RUNS];
+        Beginning { shared: self.shared, is_first }
+    }
+
+    /// The corrections of the loop at `lane` for the residual `residual_m` [m].
+    #[inline(always)]
+    pub fn answer(&mut self, lane: usize, residual_m: f64, beginning: &Beginning) -> VerticalCorrection {
+        let before_m = if beginning.is_first { residual_m } else { self.residual_m[lane] };
+        let mut channel = beginning.shared.with(self.bias_m_s2[lane], before_m);
+        let correction = channel.answer(residual_m);
+        self.bias_m_s2[lane] = channel.bias_m_s2;
+        self.residual_m[lane] = channel.residual_m;
+        correction
+    }
+}
+
+/// What the loops share in an interval. By value, or the compiler fears that the rows lie over it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Beginning {
+    shared: VerticalLoop,
+    is_first: bool,
+}

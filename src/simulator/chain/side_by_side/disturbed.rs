@@ -1,0 +1,137 @@
+//! Runs in gravity other than normal: each flies through another one, so that the sensors of no two runs have the same input.
+
+use nalgebra::Vector3;
+
+use super::block::Interval;
+use crate::error::Error;
+use crate::errors::SensorErrors;
+use crate::mechanization::VerticalAid;
+use crate::memory::room;
+use crate::sensors::{Failure, SensorOutput};
+use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
+use crate::simulator::chain::Chain;
+use crate::simulator::chain::beside::conditions;
+use crate::simulator::disturbance::Disturbance;
+use crate::simulator::interval::LastInterval;
+use crate::simulator::{ImuFlags, SensorSuite};
+
+/// A run's sensors and its gravity.
+#[derive(Debug, Clone)]
+pub(super) struct Disturbed {
+    sensors: SensorSuite,
+    flown: Flown,
+    before: Flown,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Flown {
+    disturbance: Disturbance,
+    /// Error-free velocity over the last interval [m/s].
+    velocity: Vector3<f64>,
+}
+
+impl Flown {
+    const NONE: Self = Self {
+        disturbance: Disturbance::new(Vector3::new(0.0, 0.0, 0.0)),
+        velocity: Vector3::new(0.0, 0.0, 0.0),
+    };
+}
+
+/// What a step needs beside it.
+#[derive(Debug)]
+pub(super) struct DisturbedWorkspace {
+    pub ideal: Box<[Increment]>,
+    pub measured: Box<[Increment]>,
+    /// Of each run of a block, with the gravity that an INS takes for one.
+    pub errors: [SensorErrors; RUNS],
+}
+
+impl DisturbedWorkspace {
+    pub fn new(sensors: &SensorSuite) -> Result<Self, Error> {
+        let count = if sensors.gravity.is_on() { MAX_INCREMENTS } else { 0 };
+        let increments = || -> Result<Box<[Increment]>, Error> {
+            let mut increments = room(count)?;
+            increments.resize(count, Increment::ZERO);
+            Ok(increments.into_boxed_slice())
+        };
+        Ok(Self { ideal: increments()?, measured: increments()?, errors: [SensorErrors::NONE; RUNS] })
+    }
+}
+
+impl Disturbed {
+    /// Room for so many runs, where gravity is other than normal.
+    pub fn room(sensors: &SensorSuite, count: usize) -> Result<Box<[Self]>, Error> {
+        let count = if sensors.gravity.is_on() { count } else { 0 };
+        let mut memory = room(count)?;
+        memory.resize(count, Self { sensors: sensors.clone(), flown: Flown::NONE, before: Flown::NONE });
+        Ok(memory.into_boxed_slice())
+    }
+
+    pub fn put(&mut self, sensors: &SensorSuite) {
+        self.sensors.clone_from(sensors);
+    }
+
+    pub fn take(&self, sensors: &mut SensorSuite) {
+        sensors.clone_from(&self.sensors);
+    }
+
+    pub fn reposition(&mut self, height_m: f64) {
+        self.sensors.reposition(height_m);
+    }
+
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
+        self.sensors.set_failure(output, failure, last);
+    }
+
+    /// The run has flown as `chain` so far.
+    pub fn put_run(&mut self, chain: &Chain) {
+        if let Some(disturbance) = chain.disturbance {
+            let velocity = chain.imu().map(|imu| imu.ideal.velocity).unwrap_or_default();
+            self.flown = Flown { disturbance, velocity };
+        }
+    }
+
+    /// What `chain` has of it.
+    pub fn give(&self, chain: &mut Chain) {
+        chain.disturbance = Some(self.flown.disturbance);
+        if let LastInterval::Loaded { imu, .. } = &mut chain.last {
+            imu.ideal.velocity = self.flown.velocity;
+        }
+    }
+
+    /// Flies an interval: what the sensors give, as measured and as flags, and the indicated height, if there is one [m].
+    pub fn sense<'a>(
+        &mut self,
+        interval: &Interval<'_>,
+        workspace: &'a mut DisturbedWorkspace,
+        lane: usize,
+    ) -> (&'a [Increment], ImuFlags, Option<f64>) {
+        let &Interval { earth, recent, motion, mounting, t, count, aid, .. } = interval;
+        let Self { sensors, flown, before } = self;
+        *before = *flown;
+        let DisturbedWorkspace { ideal, measured, errors } = workspace;
+        let (ideal, measured) = (&mut ideal[..count], &mut measured[..count]);
+        ideal.copy_from_slice(interval.ideal);
+        flown.disturbance.fly(earth, recent, motion, mounting, &mut sensors.gravity, ideal);
+        flown.velocity = Increment::sum(ideal).velocity;
+        let flags = if sensors.are_ideal() {
+            measured.copy_from_slice(ideal);
+            ImuFlags::default()
+        } else {
+            sensors.begin_interval(t, || conditions(recent, motion, mounting));
+            sensors.sense(ideal, interval.dt, measured)
+        };
+        errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.felt());
+        let indicated_m = match aid {
+            VerticalAid::Barometer { height_m } => sensors.altimeter.sense(height_m, t),
+            _ => None,
+        };
+        (measured, flags, indicated_m)
+    }
+
+    /// Takes the interval back.
+    pub fn undo(&mut self, interval: &Interval<'_>) {
+        Chain::undo_sensors(interval.options, true, &mut self.sensors);
+        self.flown = self.before;
+    }
+}

@@ -1,0 +1,225 @@
+//! A block of runs over an interval.
+
+use core::slice::from_ref;
+
+use super::block::{Block, Interval, Report, Workspace};
+use crate::errors::SensorErrors;
+use crate::instruction_set::{InstructionSet, Work, prefetch};
+use crate::mechanization::{AidOfEach, VerticalAid, check_state};
+use crate::mounting;
+use crate::sensors::FailingTriad;
+use crate::signal::{Increment, RUNS, increment_of, put_increment};
+use crate::simulator::ImuFlags;
+use crate::simulator::aid::aid_vertical;
+
+impl Block {
+    /// Flies an interval.
+    pub fn fly(&mut self, set: InstructionSet, interval: &Interval<'_>, workspace: &mut Workspace) {
+        workspace.navigators.clone_from(&self.navigators);
+        workspace.models.clone_from(&self.models);
+        (workspace.sums, workspace.reports) = (self.measured, self.reports);
+        workspace.is_unaided = [interval.aid == VerticalAid::None; RUNS];
+        if self.disturbed.is_empty() {
+            workspace.gyro.copy_from(&self.gyro);
+            workspace.accel.copy_from(&self.accel);
+            self.begin_failures(interval, workspace);
+            self.sense_heights(interval, workspace);
+            set.for_tables().run(Sensing { block: self, interval, workspace });
+        } else {
+            self.sense_disturbed(interval, workspace);
+        }
+        set.run(Navigating { block: self, interval, workspace });
+        for lane in 0..self.count {
+            let is_good = interval.is_shared_good && workspace.is_good[lane] != 0;
+            if self.diverged[lane].is_some() || !is_good {
+                self.look_closely(lane, interval, workspace);
+            }
+        }
+    }
+
+    /// Asks for the memory that an interval needs of it, while another block flies.
+    pub fn prefetch(&self) {
+        prefetch(from_ref(self));
+        prefetch(&self.models);
+        self.gyro.prefetch();
+        self.accel.prefetch();
+    }
+
+    /// The interval begins for the failures, if there are any.
+    #[inline]
+    fn begin_failures(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
+        for (triad, _) in interval.have_failed().iter().enumerate().filter(|(_, has_failed)| **has_failed) {
+            workspace.failures[triad][..self.count].clone_from_slice(&self.failures[triad]);
+            self.failures[triad].iter_mut().for_each(|failures| failures.begin_interval(interval.t));
+        }
+    }
+
+    /// What the altimeters show, where each run has its own.
+    #[inline]
+    fn sense_heights(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
+        if let (VerticalAid::Barometer { height_m }, true) = (interval.aid, interval.has_altimeters) {
+            for lane in (0..self.count).filter(|lane| self.diverged[*lane].is_none()) {
+                let indicated_m = self.altimeters[lane].sense(height_m, interval.t);
+                workspace.put_height(lane, height_m, indicated_m);
+            }
+        }
+    }
+
+    /// The same and all other sensors, where gravity is other than normal.
+    #[cold]
+    #[inline(never)]
+    fn sense_disturbed(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
+        for lane in 0..self.count {
+            if self.diverged[lane].is_some() {
+                continue;
+            }
+            let (measured, flags, indicated_m) =
+                self.disturbed[lane].sense(interval, &mut workspace.disturbed, lane);
+            put_increment(&mut self.measured, lane, &Increment::sum(measured));
+            for (rows, increment) in workspace.measured.iter_mut().zip(measured) {
+                put_increment(rows, lane, increment);
+            }
+            if let VerticalAid::Barometer { height_m } = interval.aid {
+                workspace.put_height(lane, height_m, indicated_m);
+            }
+            self.reports[lane] = Report { flags, is_unaided: workspace.is_unaided[lane] };
+        }
+    }
+
+    /// At the run at `lane`: it is still good, or it goes back and stays there.
+    #[cold]
+    #[inline(never)]
+    fn look_closely(&mut self, lane: usize, interval: &Interval<'_>, workspace: &Workspace) {
+        if self.diverged[lane].is_none() {
+            if self.is_good(lane, interval) {
+                return;
+            }
+            self.diverged[lane] = Some(interval.last_good);
+            if let Some(disturbed) = self.disturbed.get_mut(lane) {
+                disturbed.undo(interval);
+            } else if interval.has_altimeters {
+                self.altimeters[lane].undo();
+            }
+        }
+        self.navigators.go_back(lane, &workspace.navigators);
+        for (models, before) in self.models.iter_mut().zip(&workspace.models) {
+            models.go_back(lane, before);
+        }
+        self.measured.iter_mut().zip(&workspace.sums).for_each(|(row, before)| row[lane] = before[lane]);
+        self.reports[lane] = workspace.reports[lane];
+        if self.disturbed.is_empty() {
+            self.gyro.go_back(lane, &workspace.gyro);
+            self.accel.go_back(lane, &workspace.accel);
+            for (triad, _) in interval.have_failed().iter().enumerate().filter(|(_, has_failed)| **has_failed)
+            {
+                self.failures[triad][lane].clone_from(&workspace.failures[triad][lane]);
+            }
+        }
+    }
+
+    /// Whether all solutions of a run are within their limits.
+    fn is_good(&self, lane: usize, interval: &Interval<'_>) -> bool {
+        let navigator = self.navigator(lane, interval.earth, interval.options);
+        let mounting = interval.mounting_of(&increment_of(&self.measured, lane));
+        let is_reference_point_good = |mounting: mounting::Block| {
+            check_state(interval.earth, &mounting.belief().reference_point(&navigator.state())).is_ok()
+        };
+        interval.is_shared_good && navigator.check().is_ok() && mounting.is_none_or(is_reference_point_good)
+    }
+}
+
+/// The sensors of a block in an interval.
+struct Sensing<'a> {
+    block: &'a mut Block,
+    interval: &'a Interval<'a>,
+    workspace: &'a mut Workspace,
+}
+
+impl Work for Sensing<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { block, interval, workspace } = self;
+        let Block { lanes, gyro, accel, measured: sums, reports, failures, .. } = block;
+        let [gyro_failures, accel_failures] = failures;
+        let Workspace { measured, saturated: marks, is_unaided, .. } = workspace;
+        let &Interval { sensors, shared, dt, count, .. } = interval;
+        let (lanes, measured) = (*lanes, &mut measured[..count]);
+
+        *marks = [[0; RUNS]; 2];
+        sensors.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0], lanes);
+        sensors.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1], lanes);
+        for (lane, report) in reports.iter_mut().enumerate() {
+            let is_silent =
+                |failures: &[FailingTriad]| failures.get(lane).is_some_and(FailingTriad::are_silent);
+            *report = Report {
+                flags: ImuFlags {
+                    gyro_saturated: marks[0][lane] != 0,
+                    accel_saturated: marks[1][lane] != 0,
+                    gyro_invalid: sensors.gyro.has_failed() && is_silent(gyro_failures),
+                    accel_invalid: sensors.accel.has_failed() && is_silent(accel_failures),
+                },
+                is_unaided: is_unaided[lane],
+            };
+        }
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = [0.0; RUNS];
+            for rows in measured.iter() {
+                for lane in 0..RUNS {
+                    sum[lane] += rows[i][lane];
+                }
+            }
+        }
+    }
+}
+
+/// Its navigators and error models.
+struct Navigating<'a> {
+    block: &'a mut Block,
+    interval: &'a Interval<'a>,
+    workspace: &'a mut Workspace,
+}
+
+impl Work for Navigating<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { block, interval, workspace } = self;
+        let Workspace { measured, scratch, heights_m, is_unaided, is_good, disturbed, .. } = workspace;
+        let &Interval { earth, options, t, count, aid, has_altimeters, .. } = interval;
+        let Block { lanes, navigators, models, measured: sums, .. } = block;
+        let (lanes, measured, sums) = (*lanes, &measured[..count], &*sums);
+        let aid = match has_altimeters {
+            false => AidOfEach::Same(aid),
+            true if is_unaided[..lanes].contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
+            true => AidOfEach::Barometer { heights_m },
+        };
+        let kind = (earth, options.scheme);
+        let mounting_of = |lane: usize| interval.mounting_of(&increment_of(sums, lane));
+        if let Some(shift_e) = &interval.shift_e {
+            navigators.each(kind, lanes, |_, navigator| navigator.shift_velocity(shift_e));
+        }
+        navigators.navigate(kind, options.subsamples, measured, t, lanes, scratch);
+        if interval.mounting.is_none() {
+            navigators.aid_vertical(kind, &aid, t, lanes, is_good);
+        } else {
+            navigators.each(kind, lanes, |lane, navigator| {
+                let belief = mounting_of(lane).map(|mounting| mounting.belief());
+                aid_vertical(navigator, earth, &aid.at(lane), t, belief);
+            });
+            *is_good = [0; RUNS];
+        }
+        for (models, interval_of_models) in models.iter_mut().zip(&interval.model) {
+            if !block.disturbed.is_empty() {
+                let errors: &[SensorErrors; RUNS] = &disturbed.errors;
+                models.advance_one_by_one(interval_of_models, &aid, lanes, |lane| {
+                    (errors[lane], mounting_of(lane))
+                });
+            } else if interval.mounting.is_some() {
+                models.advance_one_by_one(interval_of_models, &aid, lanes, |lane| {
+                    (interval_of_models.errors(measured, lane), mounting_of(lane))
+                });
+            } else {
+                models.advance(interval_of_models, measured, &aid, lanes);
+            }
+        }
+    }
+}
