@@ -91,7 +91,7 @@ impl Ensemble {
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
-        self.intake.newest().map(|point| point.sample.time_s)
+        self.intake.newest().map(|point| point.stamp_s())
     }
 
     /// Time [s] and errors of the run at `place`, and whether the truth is near a pole.
@@ -118,7 +118,7 @@ impl Ensemble {
         match self.diverged_s(place) {
             None => Ok(place),
             Some(time_s) => {
-                let rule = Rule::WordsAnd("has diverged; its last good solution was at time_s =", time_s);
+                let rule = Rule::SentenceWith("has diverged; its last good solution was at time_s =", time_s);
                 Err(Error::of(ErrorKind::Diverged, "run", run, rule))
             }
         }

@@ -90,7 +90,7 @@ impl Ensemble {
         }
         match runs {
             Some(runs) => Ok(Self { first_run, options, intake, intervals, runs }),
-            None => Err(from.refused(0.0, Rule::Words("is no number of runs"))),
+            None => Err(from.refused(0.0, Rule::Sentence("is no number of runs"))),
         }
     }
 }
@@ -109,5 +109,5 @@ fn same_flight(
         && (has_diverged
             || simulator.waiting_samples() == intake.waiting()
                 && simulator.intervals() == intervals
-                && simulator.last_sample_time_s() == intake.newest().map(|point| point.sample.time_s))
+                && simulator.last_sample_time_s() == intake.newest().map(|point| point.stamp_s()))
 }

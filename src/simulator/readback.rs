@@ -46,6 +46,6 @@ impl Simulator {
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
-        self.intake.newest().map(|point: &TruthPoint| point.sample.time_s)
+        self.intake.newest().map(|point: &TruthPoint| point.stamp_s())
     }
 }

@@ -69,7 +69,7 @@ fn aligned(
 ) -> Result<Aligned, Error> {
     let at_rest = AtRest::new(earth, state, truth, disturbance_e)?;
     let error_n = |triad: &Triad| {
-        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.sample.temperature_c);
+        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.temperature_c());
         rotate(&truth.q_nb, &steady)
     };
     // To an INS that computes with normal gravity the rest is an error of its accelerometers.

@@ -31,7 +31,7 @@ impl IntervalConditions {
         let turning =
             block.map_or(turning, |block| turning.in_axes(|vector_b| block.in_block_axes(vector_b)));
         Self {
-            temperatures_c: [recent.current.sample.temperature_c, recent.next.sample.temperature_c],
+            temperatures_c: [recent.current.temperature_c(), recent.next.temperature_c()],
             turning: Some(turning),
         }
     }
@@ -50,7 +50,7 @@ pub(super) struct SensorSuite {
     mounting: Option<MountingParameters>,
     gyro_parameters: TriadParameters,
     accel_parameters: TriadParameters,
-    /// What [`Self::decide`] has found.
+    /// What [`Self::update_summary`] has found.
     triads_are_ideal: bool,
     all_are_ideal: bool,
     depend_on_temperature: bool,
@@ -122,7 +122,7 @@ impl Stored for SensorSuite {
         self.accel.load(from)?;
         self.altimeter.load(from)?;
         self.gravity.load(from)?;
-        self.decide();
+        self.update_summary();
         Ok(())
     }
 }
@@ -209,18 +209,18 @@ impl SensorSuite {
     pub fn set_gyro(&mut self, parameters: &TriadParameters) {
         self.gyro_parameters = *parameters;
         self.gyro.set(parameters);
-        self.decide();
+        self.update_summary();
     }
 
     pub fn set_accel(&mut self, parameters: &TriadParameters) {
         self.accel_parameters = *parameters;
         self.accel.set(parameters);
-        self.decide();
+        self.update_summary();
     }
 
     pub fn set_mounting(&mut self, mounting: Option<MountingParameters>) {
         self.mounting = mounting;
-        self.decide();
+        self.update_summary();
     }
 
     pub fn mounting(&self) -> Option<&MountingParameters> {
@@ -229,13 +229,13 @@ impl SensorSuite {
 
     pub fn set_gravity_disturbance(&mut self, parameters: &GravityDisturbanceParameters) {
         self.gravity.set(parameters);
-        self.decide();
+        self.update_summary();
     }
 
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
         self.altimeter_parameters = *parameters;
         self.altimeter.set(parameters);
-        self.decide();
+        self.update_summary();
     }
 
     /// Takes a failure of an output, or clears it; `last` are the mean signals of the interval before, if there was one.
@@ -251,14 +251,14 @@ impl SensorSuite {
             }
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
-        self.decide();
+        self.update_summary();
     }
 
     /// The failures of gyros and accelerometers are those of another run, which has the same.
     pub fn take_failures(&mut self, gyro: &FailingTriad, accel: &FailingTriad) {
         self.gyro.take_failures(gyro);
         self.accel.take_failures(accel);
-        self.decide();
+        self.update_summary();
     }
 
     /// What the host set of all that can be random.
@@ -295,8 +295,8 @@ impl SensorSuite {
         }
     }
 
-    /// Decides what each interval need not ask again.
-    fn decide(&mut self) {
+    /// Brings up to date what each interval asks, after a change.
+    fn update_summary(&mut self) {
         self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
         self.all_are_ideal = self.triads_are_ideal
             && self.altimeter.is_ideal()
@@ -396,7 +396,7 @@ fn no_temperature() -> Error {
         field: "sample.temperature_c",
         index: None,
         value: None,
-        rule: Rule::Words(
+        rule: Rule::Sentence(
             "is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags, while temperature coefficients are set",
         ),
     }

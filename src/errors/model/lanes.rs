@@ -214,7 +214,7 @@ impl ModelBlock {
         height_m: impl Fn(usize) -> f64,
     ) {
         let beginning = self.vertical.begin(t);
-        let true_height_m = truth.sample.place.height_m;
+        let true_height_m = truth.height_m();
         self.shift_vertical(earth, truth, count, |vertical, lane, form| {
             let altimeter_error = height_m(lane) - true_height_m;
             vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)

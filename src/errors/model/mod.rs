@@ -281,7 +281,7 @@ impl ErrorModel {
                 t,
             ),
             VerticalAid::Barometer { height_m } => {
-                let altimeter_error = height_m - truth.sample.place.height_m;
+                let altimeter_error = height_m - truth.height_m();
                 self.vertical.correct(self.height_error(truth, block) - altimeter_error, t)
             }
         };

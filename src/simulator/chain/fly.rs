@@ -129,7 +129,7 @@ impl Chain {
             let increments = if sensors_were_ideal { ideal } else { measured };
             let mut errors = SensorErrors::between(&ideal[parts.clone()], &increments[parts], t);
             if let Some(disturbance) = &self.disturbance {
-                errors = errors.plus(disturbance.felt());
+                errors = errors.plus(disturbance.apparent_errors());
             }
             model.advance(&motion, next, &errors, &aid, self.block.as_ref());
         }

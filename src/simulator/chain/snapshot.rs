@@ -100,7 +100,7 @@ impl Chain {
             return Ok(current);
         }
         from.enter("snapshot: samples that were flown");
-        Err(from.refused(0.0, Rule::Words("must be at least 1 in flight")))
+        Err(from.refused(0.0, Rule::Sentence("must be at least 1 in flight")))
     }
 
     /// A chain at the point `current`, over which that of a snapshot can be read.

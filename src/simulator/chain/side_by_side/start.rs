@@ -106,7 +106,7 @@ impl SideBySide {
     #[cold]
     #[inline(never)]
     pub(super) fn start(&mut self, first: &Recent<'_>) -> Result<(), Error> {
-        let height_m = first.current.sample.place.height_m;
+        let height_m = first.current.height_m();
         let mut shared = None;
         for place in 0..self.runs() {
             let chain = self.start_of(place, first.current, Some(first));
