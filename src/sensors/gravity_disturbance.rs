@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
-use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
+use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
 use crate::error::{Error, check_range};
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
@@ -111,7 +111,7 @@ impl Stored for Field {
         let Self { has_moved, x, streams } = self;
         has_moved.load(from)?;
         if *has_moved {
-            Numbers::load(x, from, DEVIATES)?;
+            Numbers::load(x, from, MAX_NORMAL)?;
             streams.load(from)?;
         }
         Ok(())

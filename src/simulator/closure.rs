@@ -15,7 +15,7 @@ const FLAG_SHARE: f64 = 0.01;
 
 /// Closure of the navigated solution on the truth.
 ///
-/// A host's positions are never quite the integral of its velocities. The INS integrates the velocities and feels gravity
+/// A host's positions are never quite the integral of its velocities. The INS integrates the velocities and senses gravity
 /// at the positions, so what the host contradicts itself by comes back Schuler-tuned; the rest of the closure is the
 /// simulator's own (and the sensors').
 #[derive(Debug, Clone, Copy, PartialEq)]

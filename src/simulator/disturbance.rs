@@ -1,4 +1,4 @@
-//! Gravity beyond the normal field in flight: what perfect accelerometers feel of it.
+//! Gravity beyond the normal field in flight: what perfect accelerometers sense of it.
 
 use nalgebra::Vector3;
 

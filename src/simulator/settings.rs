@@ -71,8 +71,8 @@ impl Simulator {
         Ok(())
     }
 
-    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host have felt their
-    /// own.
+    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host contain
+    /// their own.
     pub fn set_gravity_disturbance(
         &mut self,
         parameters: &GravityDisturbanceParameters,

@@ -43,7 +43,7 @@ pub(super) struct SensorSuite {
     pub gyro: Triad,
     pub accel: Triad,
     pub altimeter: Altimeter,
-    /// Of the gravity that the accelerometers feel.
+    /// Gravity beyond the normal field, which acts on the accelerometers.
     pub gravity: GravityDisturbance,
     pub initial: InitialErrorParameters,
     /// Where gyros and accelerometers sit, if not at the reference point.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Beside, Chain};
+use super::{Chain, Extension};
 use crate::earth::Earth;
 use crate::error::{Error, Rule};
 use crate::mechanization::Mechanization;
@@ -106,14 +106,14 @@ impl Chain {
     /// A chain at the point `current`, over which that of a snapshot can be read.
     pub fn to_load(options: &Options, earth: Earth, current: &TruthPoint, sensors: &SensorSuite) -> Self {
         let navigator = Mechanization::new(earth, options.frame, options.scheme, &current.state);
-        let beside = Beside {
+        let extension = Extension {
             block: sensors
                 .mounting()
                 .map(|mounting| block_at_start(mounting, options, &earth, current, None)),
             disturbance: sensors.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
             sensors_state: current.state,
         };
-        Self::new(options, earth, current, &Start::TRUE, navigator, true, beside)
+        Self::new(options, earth, current, &Start::TRUE, navigator, true, extension)
     }
 
     /// Looks back at the points `behind`, newest first.
