@@ -43,8 +43,8 @@ impl Start {
         disturbance_e: Option<&Vector3<f64>>,
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
-        let mut start = Self { errors: sensors.initial.draw(options.key), north_unknown: false };
-        if sensors.initial.alignment == sensors::Alignment::LevelAndGyrocompass {
+        let mut start = Self { errors: sensors.set().initial.draw(options.key), north_unknown: false };
+        if sensors.set().initial.alignment == sensors::Alignment::LevelAndGyrocompass {
             let disturbance_e = disturbance_e.copied().unwrap_or_default();
             let aligned = aligned(earth, (first, state), truth, &disturbance_e, sensors)?;
             let given = rotation_quaternion(&-start.errors.misalignment_n);
