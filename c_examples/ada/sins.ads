@@ -1172,7 +1172,8 @@ package Sins is
    --  biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
    --  gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not
    --  contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
-   --  propagation is one second of flight. A parameter that is set in flight counts from the start of its second.
+   --  propagation is one second of flight. A parameter that is set in flight counts from the start of its second. A second with at
+   --  least one height of the altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
    type sins_covariance is record
       --  sizeof(sins_covariance)
       struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;

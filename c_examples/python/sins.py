@@ -1470,7 +1470,8 @@ class covariance(_Struct):
     and white noise; the random fields of gravity; the altimeter's Gauss-Markov error and noise; quantization, as
     white noise of the same variance. It does not contain: given errors and failures, which change the mean; dead
     zones and ranges, which are not linear. One step of the propagation is one second of flight. A parameter that is
-    set in flight counts from the start of its second.
+    set in flight counts from the start of its second. A second with at least one height of the altimeter counts as
+    aided throughout, so drop-outs shorter than a second do not show.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE; sins.ERRORS_OUTSIDE_VALIDITY where a
         standard deviation is.

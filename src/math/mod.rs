@@ -8,6 +8,7 @@ mod euler;
 mod gauss;
 mod mix;
 mod pair;
+mod quantile;
 mod rotation;
 mod sine;
 mod stencil;
@@ -20,6 +21,7 @@ pub use euler::{Euler, attitude_from_euler, attitude_from_half_angles, euler_fro
 pub use gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5};
 pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
+pub use quantile::{chi_square_quantile, normal_quantile, wilson_hilferty};
 pub use rotation::{
     AxisTurn, RotationSeries, inverse_right_jacobian, quarter_square, relative_rotation, right_jacobian,
     rotate, rotate_inverse, rotated_z, rotation_increment, rotation_increment_by, rotation_matrix,
