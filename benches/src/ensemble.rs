@@ -34,7 +34,7 @@ fn main() {
 
 fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
     let c_samples = c_scene::c_samples(samples);
-    let error_data_1 = if error_model { SINS_ERROR_MODEL_ON } else { SINS_ERROR_MODEL_OFF };
+    let error_data_1 = if error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF };
     let options = sins_options { error_model: error_data_1, ..c_scene::c_options() };
     let sim = c_scene::simulator(&options, true);
     let template = template(error_model);

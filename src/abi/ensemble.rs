@@ -36,9 +36,8 @@ pub(super) fn with_ensemble(
 /// What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
 /// and machines, and their statistics merged. The library starts no thread.
 ///
-/// Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set: geographic
-/// axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
-/// is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+/// What all runs share is computed once a step, and runs go side by side: a run takes a fraction of the time of a simulator, and
+/// BYTES_OF_RUN of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
@@ -162,11 +161,9 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
     })
 }
 
-/// Lets one output of every run fail, or clears its failure: as sins_set_failure(). The first failure of an ensemble whose runs go
-/// side by side makes each run a simulator (see sins_ensemble_create()): that call allocates.
+/// Lets one output of every run fail, or clears its failure: as sins_set_failure(). No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-/// SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,

@@ -9,12 +9,14 @@ mod earth_fixed;
 mod geographic;
 mod lanes;
 mod polynomial;
+mod scratch;
 mod vertical;
 mod vertical_rows;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
-pub(crate) use lanes::{AidOfEach, NavigatorBlock, Scratch};
+pub(crate) use lanes::{AidOfEach, NavigatorBlock};
+pub(crate) use scratch::Scratch;
 use vertical::KeptLoop;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
 pub(crate) use vertical_rows::VerticalRows;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::block::Interval;
+use super::interval::Interval;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::VerticalAid;

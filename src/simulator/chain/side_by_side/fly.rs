@@ -2,7 +2,8 @@
 
 use core::slice::from_ref;
 
-use super::block::{Block, Interval, Report, Workspace};
+use super::block::{Block, Report};
+use super::interval::{Interval, Workspace};
 use crate::errors::SensorErrors;
 use crate::instruction_set::{InstructionSet, Work, prefetch};
 use crate::mechanization::{AidOfEach, VerticalAid, check_state};

@@ -4,6 +4,7 @@
 mod block;
 mod disturbed;
 mod fly;
+mod interval;
 mod start;
 
 use core::cell::RefCell;
@@ -24,7 +25,8 @@ use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
 use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
-use block::{Block, Interval, LastGood, Workspace};
+use block::{Block, LastGood};
+use interval::{Interval, Workspace};
 
 /// Runs over one truth, and what they share.
 #[derive(Debug)]

@@ -1,8 +1,9 @@
-//! The runs of an ensemble from one by one to side by side, and back.
+//! The runs of an ensemble at their start, and from and to the simulators that they are.
 
 use core::cell::RefCell;
 
-use super::block::{Block, LastGood, Workspace};
+use super::block::{Block, LastGood};
+use super::interval::Workspace;
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
