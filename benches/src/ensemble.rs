@@ -11,7 +11,7 @@ use std::time::Instant;
 use sins::abi::*;
 use sins::ensemble::Ensemble;
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::{Options, Simulator};
+use sins::{Error, Options, Simulator};
 
 /// Samples of the flight, which is flown once.
 const SAMPLES: usize = 40_001;
@@ -71,10 +71,7 @@ fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
 }
 
 fn fly(ensemble: &mut Ensemble, samples: &[FlightSample]) {
-    for sample in samples {
-        ensemble.push_sample(sample).unwrap();
-        ensemble.step().unwrap();
-    }
+    ensemble.run(samples.len(), |index| Ok::<_, Error>(samples[index])).unwrap();
 }
 
 /// The time below which a tenth of the rounds lie; the first, in which the flight starts, is none of them.

@@ -164,8 +164,7 @@ impl Chain {
                 (time_s, interval_s, sensors_were_ideal, flags)
             }
         };
-        let Signals { ideal, measured } = &self.signals;
-        let measured = if sensors_were_ideal { ideal } else { measured };
+        let measured = self.signals.sensed(sensors_were_ideal);
         Some(ImuInterval {
             time_s,
             interval_s,

@@ -23,6 +23,12 @@ impl Signals {
         Ok(Self { ideal: increments()?, measured: increments()? })
     }
 
+    /// What the sensors gave; ideal ones leave `measured` as it was.
+    #[inline(always)]
+    pub fn sensed(&self, sensors_were_ideal: bool) -> &[Increment] {
+        if sensors_were_ideal { &self.ideal } else { &self.measured }
+    }
+
     /// Where the increments of an interval begin whose predecessor's begin at `last`.
     #[inline]
     pub fn place_after(last: usize) -> usize {

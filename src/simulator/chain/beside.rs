@@ -10,7 +10,6 @@ use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
 use crate::simulator::closed_loop::ClosedLoop;
-use crate::simulator::signals::Signals;
 use crate::simulator::suite::IntervalConditions;
 use crate::truth::{Recent, TruthPoint};
 
@@ -71,9 +70,8 @@ impl Chain {
     pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
         let (parts, t) = (self.parts.clone(), next.interval_s);
         if let Some(block) = &mut self.block {
-            let Signals { ideal, measured } = &self.signals;
-            let increments = if sensors_were_ideal { ideal } else { measured };
-            block.observe(&Increment::sum(&ideal[parts.clone()]), &Increment::sum(&increments[parts]), t);
+            let measured = &self.signals.sensed(sensors_were_ideal)[parts.clone()];
+            block.observe(&Increment::sum(&self.signals.ideal[parts]), &Increment::sum(measured), t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);

@@ -126,9 +126,8 @@ impl Chain {
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let Signals { ideal, measured } = &self.signals;
-            let increments = if sensors_were_ideal { ideal } else { measured };
-            let mut errors = SensorErrors::between(&ideal[parts.clone()], &increments[parts], t);
+            let measured = &self.signals.sensed(sensors_were_ideal)[parts.clone()];
+            let mut errors = SensorErrors::between(&self.signals.ideal[parts], measured, t);
             if let Some(disturbance) = &self.disturbance {
                 errors = errors.plus(disturbance.felt());
             }

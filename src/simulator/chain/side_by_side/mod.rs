@@ -118,12 +118,7 @@ impl SideBySide {
             shift_e,
             is_shared_good,
         };
-        let mut rest = &mut **blocks;
-        while let [block, to_come @ ..] = rest {
-            to_come.first().into_iter().for_each(Block::prefetch);
-            block.fly(*set, &interval, workspace);
-            rest = to_come;
-        }
+        blocks.iter_mut().for_each(|block| block.fly(*set, &interval, workspace));
 
         chain.views = Views::default();
         chain.last = LastInterval::Loaded {
