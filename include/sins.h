@@ -2311,9 +2311,8 @@ SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *sna
  * What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
  * and machines, and their statistics merged. The library starts no thread.
  *
- * Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set: geographic
- * axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
- * is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+ * What all runs share is computed once a step, and runs go side by side: a run takes a fraction of the time of a simulator, and
+ * 1.7 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
  *
  * After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
@@ -2353,7 +2352,7 @@ SINS_API sins_status SINS_CALL sins_ensemble_push_sample(
 SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
 
 /*
- * Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
+ * Pushes and steps count samples, faster than single calls where there are thousands of runs. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
  * samples[0].struct_size tells how far apart the samples are; the others' may be 0.
  *
  * SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
@@ -2376,11 +2375,9 @@ SINS_API sins_status SINS_CALL sins_ensemble_reposition(
 SINS_API sins_status SINS_CALL sins_ensemble_reset(sins_ensemble *ensemble);
 
 /*
- * Lets one output of every run fail, or clears its failure: as sins_set_failure(). The first failure of an ensemble whose runs go
- * side by side makes each run a simulator (see sins_ensemble_create()): that call allocates.
+ * Lets one output of every run fail, or clears its failure: as sins_set_failure(). No allocation, no system call.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
- * SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_set_failure(
     sins_ensemble *ensemble, int32_t sensor, int32_t axis, const struct sins_failure *failure);

@@ -2523,9 +2523,8 @@ def ensemble_create(configured, first_run, runs, ensemble):
     What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads,
     processes and machines, and their statistics merged. The library starts no thread.
 
-    Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set:
-    geographic axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a
-    failure. Then each run is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+    What all runs share is computed once a step, and runs go side by side: a run takes a fraction of the time of a
+    simulator, and 1.7 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
 
     After an error *ensemble is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
 
@@ -2567,8 +2566,9 @@ def ensemble_step(ensemble):
 
 @_function(status, ensemble, _Array(flight_sample, is_input=True))
 def ensemble_run(ensemble, samples):
-    """Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping
-    sample by sample. samples[0].struct_size tells how far apart the samples are; the others' may be 0.
+    """Pushes and steps count samples, faster than single calls where there are thousands of runs. Any split of a flight
+    into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size tells how far
+    apart the samples are; the others' may be 0.
 
     sins.GAP: all samples were flown, and at least one of them ended a gap. Any error of sins.ensemble_push_sample()
     or sins.ensemble_step() stops the run at the sample that it concerns, which sins.last_error() names: the samples
@@ -2594,11 +2594,9 @@ def ensemble_reset(ensemble):
 
 @_function(status, ensemble, c_int32, c_int32, POINTER(failure))
 def ensemble_set_failure(ensemble, sensor, axis, failure):
-    """Lets one output of every run fail, or clears its failure: as sins.set_failure(). The first failure of an ensemble
-    whose runs go side by side makes each run a simulator (see sins.ensemble_create()): that call allocates.
+    """Lets one output of every run fail, or clears its failure: as sins.set_failure(). No allocation, no system call.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.set_failure().
-    sins.ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
     """
 
 

@@ -1,7 +1,7 @@
 //! `sins_ensemble`: the life of an ensemble, and its steps.
 
 use super::boundary::{enter, enter_without_simulator};
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_GAP, SINS_OK, sins_status};
 use super::handle::{hand_out, with_object};
 use super::memory::{Array, read};
 use super::sample::sins_flight_sample;
@@ -33,9 +33,8 @@ pub(super) fn with_ensemble(
 /// What a run does never depends on the other runs: ensembles over disjoint runs may be flown by different threads, processes
 /// and machines, and their statistics merged. The library starts no thread.
 ///
-/// Runs go side by side, in 540 bytes each and a fraction of the time of a simulator, unless one of these is set: geographic
-/// axes, Somigliana's gravity, closed-loop signals, the error model, a mounting, a gravity disturbance, a failure. Then each run
-/// is flown as a simulator, and takes 40 KB. Not for a real-time frame: it allocates.
+/// What all runs share is computed once a step, and runs go side by side: a run takes a fraction of the time of a simulator, and
+/// 1.7 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
@@ -97,7 +96,7 @@ pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sin
     with_ensemble(ensemble, |ensemble| Ok(stepped(ensemble.step()?)))
 }
 
-/// Pushes and steps count samples. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
+/// Pushes and steps count samples, faster than single calls where there are thousands of runs. Any split of a flight into calls gives the same bits as pushing and stepping sample by sample.
 /// samples[0].struct_size tells how far apart the samples are; the others' may be 0.
 ///
 /// SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
@@ -119,17 +118,10 @@ pub unsafe extern "C" fn sins_ensemble_run(
 fn run(ensemble: &mut Ensemble, samples: &Array<sins_flight_sample>) -> Result<sins_status, Failure> {
     // What waited in the queue before the call goes first.
     while stepped(ensemble.step()?) == SINS_OK {}
-    let mut answer = SINS_OK;
-    for index in 0..samples.count() {
-        let of_sample = |failure: Failure| failure.of_sample(index);
-        let sample = samples.read(index).and_then(sins_flight_sample::to_sample).map_err(of_sample)?;
-        let status = pushed(ensemble.push_sample(&sample).map_err(Failure::from).map_err(of_sample)?);
-        if status != SINS_OK {
-            answer = status;
-        }
-        while stepped(ensemble.step().map_err(Failure::from).map_err(of_sample)?) != SINS_NEED_SAMPLE {}
-    }
-    Ok(answer)
+    let sample = |index| samples.read(index).and_then(sins_flight_sample::to_sample);
+    let of_sample = |(index, failure): (usize, Failure)| failure.of_sample(index);
+    let has_gap = ensemble.run(samples.count(), sample).map_err(of_sample)?;
+    Ok(if has_gap { SINS_GAP } else { SINS_OK })
 }
 
 /// Truth jumps to the sample, and every run starts again there with its initial errors, the diverged ones too: as
@@ -158,11 +150,9 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
     })
 }
 
-/// Lets one output of every run fail, or clears its failure: as sins_set_failure(). The first failure of an ensemble whose runs go
-/// side by side makes each run a simulator (see sins_ensemble_create()): that call allocates.
+/// Lets one output of every run fail, or clears its failure: as sins_set_failure(). No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-/// SINS_ERROR_OUT_OF_MEMORY: no memory; nothing has changed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,

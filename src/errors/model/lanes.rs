@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 
 use super::earth_fixed::{Coefficients, EarthFixedForm};
 use super::geographic::GeographicForm;
-use super::{ErrorModel, ErrorSums, Form, SensorErrors, is_within};
+use super::sensor_errors::ErrorSums;
+use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
 use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;

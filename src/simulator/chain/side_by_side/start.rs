@@ -1,9 +1,10 @@
-//! The runs of an ensemble from one by one to side by side, and back.
+//! The runs of an ensemble at their start, and from and to the simulators that they are.
 
 use core::cell::RefCell;
 
-use super::block::{Block, Workspace};
+use super::block::Block;
 use super::interval::LastGood;
+use super::workspace::Workspace;
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
