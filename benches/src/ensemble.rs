@@ -11,7 +11,7 @@ use std::time::Instant;
 use sins::abi::*;
 use sins::ensemble::Ensemble;
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::{Options, Simulator};
+use sins::{Error, Options, Simulator};
 
 /// Samples of the flight, which is flown once.
 const SAMPLES: usize = 40_001;
@@ -34,7 +34,7 @@ fn main() {
 
 fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
     let c_samples = c_scene::c_samples(samples);
-    let error_data_1 = if error_model { SINS_ERROR_MODEL_ON } else { SINS_ERROR_MODEL_OFF };
+    let error_data_1 = if error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF };
     let options = sins_options { error_model: error_data_1, ..c_scene::c_options() };
     let sim = c_scene::simulator(&options, true);
     let template = template(error_model);
@@ -71,10 +71,7 @@ fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
 }
 
 fn fly(ensemble: &mut Ensemble, samples: &[FlightSample]) {
-    for sample in samples {
-        ensemble.push_sample(sample).unwrap();
-        ensemble.step().unwrap();
-    }
+    ensemble.run(samples.len(), |index| Ok::<_, Error>(samples[index])).unwrap();
 }
 
 /// The time below which a tenth of the rounds lie; the first, in which the flight starts, is none of them.

@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 
 use super::earth_fixed::{Coefficients, EarthFixedForm};
 use super::geographic::GeographicForm;
-use super::{ErrorModel, ErrorSums, Form, SensorErrors, is_within};
+use super::sensor_errors::ErrorSums;
+use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
 use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;
@@ -214,7 +215,7 @@ impl ModelBlock {
         height_m: impl Fn(usize) -> f64,
     ) {
         let beginning = self.vertical.begin(t);
-        let true_height_m = truth.sample.place.height_m;
+        let true_height_m = truth.height_m();
         self.shift_vertical(earth, truth, count, |vertical, lane, form| {
             let altimeter_error = height_m(lane) - true_height_m;
             vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)
