@@ -47,7 +47,7 @@ allan() {
         --imu rest_imu.csv --force --out "$figures/allan.out"
     "$sins" allan "$figures/allan.out/rest_imu.csv" --force -o "$figures/allan.out/allan.svg"
 }
-allan_estimator() { long -p sins-cli --test allan_estimator --test allan_closure; }
+allan_estimator() { long --test allan; }
 
 # scenes.md, host_time.md, packages.md
 library_sizes() {

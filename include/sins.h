@@ -422,6 +422,18 @@ enum sins_navigation_flags {
     SINS_NAVIGATION_NORTH_UNKNOWN = 8
 };
 
+/* Flags of a sins_imu. */
+enum sins_imu_flags {
+    /* The mean rate of a sub-increment was beyond the range of a gyro. */
+    SINS_IMU_GYRO_SATURATED = 1,
+    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
+    SINS_IMU_ACCEL_SATURATED = 2,
+    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
+    SINS_IMU_GYRO_INVALID = 4,
+    /* An accelerometer had no signal in the interval: dead, or dropped out. */
+    SINS_IMU_ACCEL_INVALID = 8
+};
+
 /* The two sources of errors. */
 enum sins_errors_source {
     /* Navigation minus truth: the paper's error data 2. */
@@ -444,18 +456,6 @@ enum sins_errors_flags {
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
     /* In a sins_record: not computed, all zero. */
     SINS_ERRORS_NOT_COMPUTED = 4
-};
-
-/* Flags of a sins_imu. */
-enum sins_imu_flags {
-    /* The mean rate of a sub-increment was beyond the range of a gyro. */
-    SINS_IMU_GYRO_SATURATED = 1,
-    /* The mean force of a sub-increment was beyond the range of an accelerometer. */
-    SINS_IMU_ACCEL_SATURATED = 2,
-    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
-    SINS_IMU_GYRO_INVALID = 4,
-    /* An accelerometer had no signal in the interval: dead, or dropped out. */
-    SINS_IMU_ACCEL_INVALID = 8
 };
 
 /* Grades of sensors. */
@@ -1081,52 +1081,55 @@ typedef struct sins_gravity_params {
 
 /* A solution within a sins_record; never grows. Fields as in sins_navigation. */
 typedef struct sins_record_solution {
-    /* Geodetic latitude [rad]. */
+    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
     double latitude_rad;
-    /* Longitude, east positive [rad]. */
+    /* Longitude, east positive, -pi to pi [rad]. */
     double longitude_rad;
     /* Height above the ellipsoid [m]. */
     double height_m;
     /* Velocity against the Earth, east-north-up [m/s]. */
     double velocity_enu_m_s[3];
-    /* Roll, right wing down positive [rad]. */
+    /* Roll, right wing down positive, -pi to pi [rad]. */
     double roll_rad;
-    /* Pitch, nose up positive [rad]. */
+    /* Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
     double pitch_rad;
-    /* Heading, clockwise from true north [rad]. */
+    /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
     double heading_rad;
     /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
     double quaternion_nb[4];
     /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
     /* 0 */
-    uint32_t reserved;
+    uint32_t reserved2;
 } sins_record_solution;
 
 /* Errors within a sins_record; never grows. Fields as in sins_errors. */
 typedef struct sins_record_errors {
-    /* Displacement from truth along true east and north, and error of height [m]. */
+    /* Position error: displacement from truth along true east and north, and difference of heights [m]. */
     double position_enu_m[3];
     /* Error of latitude [rad]. */
     double latitude_rad;
-    /* Error of longitude [rad]. */
+    /* Error of longitude, wrapped to -pi to pi [rad]. */
     double longitude_rad;
     /* Error of height [m]. */
     double height_m;
-    /* Error of velocity, east-north-up [m/s]. */
+    /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
-    /* Misalignment phi, east-north-up [rad]. */
+    /*
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+     * error model it is of first order: computed C = (I - [phi x]) C.
+     */
     double misalignment_enu_rad[3];
-    /* Error of roll [rad]. */
+    /* Error of roll, wrapped to -pi to pi [rad]. */
     double roll_rad;
     /* Error of pitch [rad]. */
     double pitch_rad;
-    /* Error of heading [rad]. */
+    /* Error of heading, wrapped to -pi to pi [rad]. */
     double heading_rad;
     /* Flags of enum sins_errors_flags, or'ed. */
     int32_t flags;
     /* 0 */
-    uint32_t reserved;
+    uint32_t reserved2;
 } sins_record_errors;
 
 /* Truth, navigation and both errors at one instant. */
@@ -1397,7 +1400,8 @@ typedef struct sins_truth_summary {
  * misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's
  * Gauss-Markov error and noise; quantization, as white noise of the same variance.
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
- * One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second.
+ * One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second. A
+ * second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
@@ -1659,7 +1663,7 @@ typedef struct sins_scene_setup {
     double every_s;
 } sins_scene_setup;
 
-/* A failure that a scene plans. */
+/* A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE. */
 typedef struct sins_planned_failure {
     /* sizeof(sins_planned_failure) */
     uint32_t struct_size;
@@ -1673,19 +1677,19 @@ typedef struct sins_planned_failure {
     double from_s;
     /* End of the failure, likewise; 0: the end of the flight [s]. */
     double until_s;
-    /* Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE. */
+    /* Kind of the failure, of enum sins_failure_kind. */
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
-    /* Size, as in sins_failure. */
+    /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
     double size;
-    /* Density, as in sins_failure. */
+    /* Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)]. */
     double density;
-    /* Interval, as in sins_failure [s]. */
+    /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
     double interval_s;
-    /* Duration, as in sins_failure [s]. */
+    /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
     double duration_s;
-    /* Probability, as in sins_failure. */
+    /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
     double probability;
 } sins_planned_failure;
 
@@ -1910,9 +1914,6 @@ SINS_API const char *SINS_CALL sins_version_string(void);
  */
 SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 
-/* Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
-SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
-
 /*
  * Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
  *
@@ -1929,6 +1930,9 @@ SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, s
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
+
+/* Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
+SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
 
 /*
  * Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.

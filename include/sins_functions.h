@@ -18,9 +18,9 @@
     X(uint32_t, sins_abi_version, (void)) \
     X(const char *, sins_version_string, (void)) \
     X(const char *, sins_status_string, (sins_status status)) \
-    X(sins_status, sins_get_options, (sins_sim *sim, sins_options *options)) \
     X(sins_status, sins_create, (const sins_options *options, sins_sim **sim)) \
     X(sins_status, sins_destroy, (sins_sim *sim)) \
+    X(sins_status, sins_get_options, (sins_sim *sim, sins_options *options)) \
     X(sins_status, sins_push_sample, (sins_sim *sim, const sins_flight_sample *sample)) \
     X(sins_status, sins_step, (sins_sim *sim)) \
     X(sins_status, sins_move_time, (sins_sim *sim, double time_s)) \

@@ -17,17 +17,17 @@ need python3 python3
 shift
 [ $# -gt 0 ] || set -- linux64 win64 win32 aarch64-linux
 
-# linux PLATFORM PROCESSOR
+# linux PLATFORM PROCESSOR: with the dependencies of release/linux.sh, so with its lines for a debugger, which are stripped.
 linux() {
     local target=$2-unknown-linux-gnu work=$PWD/target/release-linux/$2
     mkdir -p "$work" "$out/$1"
     rustup target add "$target" 2>/dev/null
     zig_cc "$2" "$work/unit_cc"
     env "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER=$PWD/release/fmu_linker.sh" UNIT_LINKER="$work/unit_cc" \
-        CARGO_ENCODED_RUSTFLAGS="$(flags "$(rustup show active-toolchain | cut -d' ' -f1)" -Cstrip=symbols)" \
-        cargo rustc --quiet --locked --release --package sins-fmu --lib --crate-type cdylib --target "$target" \
-        --target-dir "$work/build/cargo"
-    cp "$work/build/cargo/$target/release/libsins_fmu.so" "$out/$1"
+        CARGO_ENCODED_RUSTFLAGS="$(flags "$(rustup show active-toolchain | cut -d' ' -f1)")" \
+        CARGO_PROFILE_RELEASE_DEBUG=line-tables-only \
+        cargo rustc --quiet --locked --release --package sins-fmu --lib --crate-type cdylib --target "$target" -- -Cstrip=symbols
+    cp "target/$target/release/libsins_fmu.so" "$out/$1"
     check_glibc "$out/$1/libsins_fmu.so"
     files+=("binaries/$1/sins_fmu.so=$out/$1/libsins_fmu.so")
 }
@@ -55,4 +55,4 @@ for platform; do
             ;;
     esac
 done
-cargo run --quiet --locked --release --package sins-fmu --bin pack-fmu -- "$out/sins.fmu" "${files[@]}"
+cargo run --quiet --locked --profile unoptimised --package sins-fmu --bin pack-fmu -- "$out/sins.fmu" "${files[@]}"

@@ -35,7 +35,8 @@
 //! Each block is a module, and each arrow is a type. All blocks use [`earth`] (ellipsoid, gravity) and [`math`]. [`flight`] makes
 //! samples from manoeuvres, `simulator` connects the blocks, and [`snapshot`] saves the state of all of them. With the feature
 //! `scenes`, `scene` reads and writes a whole scene as text, and `log` reads flight logs. With [`Options::covariance`],
-//! [`covariance`] propagates the covariance of the errors along the same truth, with the equations of `errors::model`.
+//! [`covariance`] propagates the covariance of the errors along the same truth, with the equations of `errors::model`. [`allan`]
+//! estimates the noise of a sensor from its record.
 //!
 //! # Notation
 //!
@@ -79,7 +80,7 @@
 //! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/alignment.rs` |
 //! | a gravity disturbance acts as its closed form | `tests/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
-//! | the Allan deviation of noise gives its parameters back | `cli/tests/allan_closure.rs`, the estimator `cli/tests/allan_estimator.rs` |
+//! | the Allan deviation of noise gives its parameters back | `tests/allan/closure.rs`, the estimator `tests/allan/estimator.rs` |
 //! | the same bits on every platform and for any sequence of calls | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | no host can damage the library, and the library does not damage its host | `tests/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
@@ -145,6 +146,8 @@
 
 pub mod abi;
 #[forbid(unsafe_code)]
+pub mod allan;
+#[forbid(unsafe_code)]
 pub mod budget;
 #[forbid(unsafe_code)]
 pub mod covariance;
@@ -193,6 +196,6 @@ pub mod units;
 
 pub use error::{Error, ErrorKind, Rule, Value};
 pub use simulator::{
-    ClosureFigures, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator, Solution, Step,
-    TrimFigures,
+    ClosureFigures, ErrorParameters, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator,
+    Solution, Step, TrimFigures,
 };

@@ -216,19 +216,7 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
             ),
         ]
     };
-    let flights: [(&str, Vec<FlightSample>); 2] = [
-        ("patrol", {
-            let flight = support::patrol(2400.0);
-            (0..=24_000).map(|k| flight.sample_at(0.1 * f64::from(k)).unwrap()).collect()
-        }),
-        ("aerobatics", {
-            let scene = sins::scene::builtin("aerobatics").unwrap();
-            let flight = scene.flight().unwrap();
-            let count = (flight.duration_s() * 50.0) as u32;
-            (0..=count).map(|k| flight.sample_at(0.02 * f64::from(k)).unwrap()).collect()
-        }),
-    ];
-    for (name, samples) in &flights {
+    for (name, samples) in &flights() {
         for (is_gyro, triad) in &triads {
             for (vertical, frame) in [
                 (VerticalMode::Damped, Frame::EarthFixed),
@@ -253,7 +241,7 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
                     simulator.step().unwrap();
                     // At moments that are no ends of stretches too.
                     if k > 1000 && k % 997 == 0 {
-                        errors.push(nine(&simulator));
+                        errors.push(nine(&simulator, ErrorSource::Model));
                         sigmas.push(simulator.covariance().unwrap().unwrap().1.sigma());
                     }
                 }
@@ -274,8 +262,117 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
     assert_eq!(count, 2 * 8 * 3 * 3);
 }
 
-fn nine(simulator: &Simulator) -> [f64; 9] {
-    let (_, errors) = simulator.errors(ErrorSource::Model).unwrap().unwrap();
+fn flights() -> [(&'static str, Vec<FlightSample>); 2] {
+    [
+        ("patrol", {
+            let flight = support::patrol(2400.0);
+            (0..=24_000).map(|k| flight.sample_at(0.1 * f64::from(k)).unwrap()).collect()
+        }),
+        ("aerobatics", {
+            let scene = sins::scene::builtin("aerobatics").unwrap();
+            let flight = scene.flight().unwrap();
+            let count = (flight.duration_s() * 50.0) as u32;
+            (0..=count).map(|k| flight.sample_at(0.02 * f64::from(k)).unwrap()).collect()
+        }),
+    ]
+}
+
+/// What the host sets of a run.
+#[derive(Default)]
+struct Setting {
+    gyro: TriadParameters,
+    accel: TriadParameters,
+    initial: InitialErrorParameters,
+}
+
+impl Setting {
+    fn simulator(&self, samples: &[FlightSample], covariance: bool) -> Simulator {
+        let intake = IntakeLimits { period_s: Some(samples[1].time_s), ..IntakeLimits::default() };
+        let mut simulator = Simulator::new(&Options { covariance, intake, ..Options::default() }).unwrap();
+        simulator.set_gyro(&self.gyro).unwrap();
+        simulator.set_accel(&self.accel).unwrap();
+        simulator.set_initial_errors(&self.initial).unwrap();
+        simulator
+    }
+}
+
+/// An effect by its constant, by its standard deviation, and how large.
+struct Effect {
+    name: &'static str,
+    constant: fn(&mut Setting) -> &mut f64,
+    sigma: fn(&mut Setting) -> &mut f64,
+    size: f64,
+}
+
+const EFFECTS: [Effect; 11] = {
+    macro_rules! effect {
+        ($part:ident . $constant:ident, $sigma:ident $at:tt, $size:expr) => {
+            Effect {
+                name: concat!(stringify!($part), ".", stringify!($constant), stringify!($at)),
+                constant: |setting| &mut setting.$part.$constant$at,
+                sigma: |setting| &mut setting.$part.$sigma$at,
+                size: $size,
+            }
+        };
+    }
+    [
+        effect!(gyro.bias, bias_sigma[1], 0.01 * DEG_PER_HOUR),
+        effect!(gyro.bias, bias_sigma[2], 0.01 * DEG_PER_HOUR),
+        effect!(gyro.scale_factor, scale_factor_sigma[2], 1e-5),
+        effect!(gyro.misalignment, misalignment_sigma[(1, 0)], 1e-5),
+        effect!(accel.bias, bias_sigma[0], 10.0 * MICRO_G),
+        effect!(accel.bias, bias_sigma[2], 10.0 * MICRO_G),
+        effect!(accel.scale_factor, scale_factor_sigma[2], 1e-5),
+        effect!(accel.misalignment, misalignment_sigma[(1, 2)], 1e-5),
+        effect!(initial.position_n, position_sigma_n[1], 10.0),
+        effect!(initial.velocity_n, velocity_sigma_n[0], 0.1),
+        effect!(initial.misalignment_n, misalignment_sigma_n[2], 1e-4),
+    ]
+};
+
+/// A draw of one sigma is a given error of this size: half the difference of the navigation of two runs, with it and with its
+/// opposite, is the sigma of each of the nine errors. So the covariance is held to the navigation itself, and in absolute size.
+#[test]
+fn a_sigma_is_half_the_difference_of_two_runs() {
+    for (name, samples) in &flights() {
+        for Effect { name: effect, constant, sigma, size } in &EFFECTS {
+            let set = |of: fn(&mut Setting) -> &mut f64, size: f64, covariance| {
+                let mut setting = Setting::default();
+                *of(&mut setting) = size;
+                setting.simulator(samples, covariance)
+            };
+            let mut with = set(*constant, *size, false);
+            let mut opposite = set(*constant, -size, false);
+            let mut random = set(*sigma, *size, true);
+            let (mut largest, mut worst) = ([0.0f64; 3], [0.0f64; 3]);
+            for (k, sample) in samples.iter().enumerate() {
+                for simulator in [&mut with, &mut opposite, &mut random] {
+                    simulator.push_sample(sample).unwrap();
+                    simulator.step().unwrap();
+                }
+                if k == 0 || k % 997 != 0 {
+                    continue;
+                }
+                let [a, b] = [&with, &opposite].map(|simulator| nine(simulator, ErrorSource::Navigation));
+                let sigmas = random.covariance().unwrap().unwrap().1.sigma();
+                for state in 0..9 {
+                    let found = 0.5 * (a[state] - b[state]).abs();
+                    largest[state / 3] = largest[state / 3].max(found);
+                    worst[state / 3] = worst[state / 3].max((found - sigmas[state]).abs());
+                }
+            }
+            let apart: [f64; 3] = core::array::from_fn(|group| worst[group] / largest[group]);
+            let [position, velocity, attitude] = apart;
+            println!(
+                "{name}, {effect}: position {position:.1e}, velocity {velocity:.1e}, attitude {attitude:.1e}"
+            );
+            assert!(apart.iter().all(|apart| *apart < MODEL), "{name}, {effect}: {apart:?}");
+        }
+    }
+}
+
+fn nine(simulator: &Simulator, source: ErrorSource) -> [f64; 9] {
+    let (_, errors) = simulator.errors(source).unwrap().unwrap();
     let mut nine = [0.0; 9];
     nine[..3].copy_from_slice(errors.position_n.as_slice());
     nine[3..6].copy_from_slice(errors.velocity_n.as_slice());

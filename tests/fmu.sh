@@ -5,10 +5,13 @@
 #
 #     tests/fmu.sh                                        with a unit of this machine's binary
 #     release/fmu.sh OUT && FMU=OUT/sins.fmu tests/fmu.sh with that of the release
+#
+# SINS_LIB_DIR: a folder with a program sins to take instead of building it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/wine.sh
+. tests/support/built.sh
 
 folder=$PWD/target/fmu
 mkdir -p "$folder"
@@ -16,12 +19,13 @@ need g++ c++
 need unzip unzip
 need python3-venv /usr/share/doc/python3-venv
 
-cargo build --quiet --release -p sins-cli
+build_program
 if [ -z "${FMU:-}" ]; then
     FMU=$folder/sins.fmu
-    cargo build --quiet --release -p sins-fmu
+    cargo build --quiet --release -p sins-fmu --lib
+    cargo build --quiet --profile unoptimised -p sins-fmu --bin pack-fmu
     for unit in "$FMU" "$folder/again.fmu"; do
-        target/release/pack-fmu "$unit" binaries/linux64/sins_fmu.so=target/release/libsins_fmu.so
+        target/unoptimised/pack-fmu "$unit" binaries/linux64/sins_fmu.so=target/release/libsins_fmu.so
     done
     cmp "$FMU" "$folder/again.fmu"
 fi
@@ -34,7 +38,7 @@ from_pypi() {
 
 echo "== FMPy"
 if from_pypi venv fmpy==0.3.32 numpy; then
-    "$folder/venv/bin/python" tests/fmu/fly.py "$FMU" "$folder"
+    "$folder/venv/bin/python" tests/fmu/fly.py "$FMU" "$folder" "$built/sins"
     # The program of docs/fmu.md, in a folder with what it names.
     sed -n '/^```python$/,/^```$/{/^```/d;p}' docs/fmu.md >"$folder/ten_lines.py"
     ln -sfn "$PWD/c_examples" "$folder/c_examples"
@@ -49,7 +53,7 @@ fi
 
 echo "== Ecos"
 if need libtbb12 /usr/lib/x86_64-linux-gnu/libtbb.so.12 && from_pypi ecos ecospy==0.7.2 pythonfmu==0.7.0; then
-    PATH=$folder/ecos/bin:$PATH python tests/fmu/couple.py "$FMU" "$folder"
+    PATH=$folder/ecos/bin:$PATH python tests/fmu/couple.py "$FMU" "$folder" "$built/sins"
 else
     could_not "the Functional Mock-up Unit by Ecos" "no Ecos to be had"
 fi

@@ -10,12 +10,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/built.sh
 
 hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
-library=$(realpath -m "${SINS_LIB_DIR:-target/release}")
-link=(-L "$library" -lsins "-Wl,-rpath,$library")
+link=(-L "$built" -lsins "-Wl,-rpath,$built")
 
 # The C host and the C compiler say what is right.
 c() {
@@ -93,7 +93,7 @@ python() {
     for package in numpy matplotlib pycparser; do
         need "python3-$package" "$packages/$package/__init__.py"
     done
-    export SINS_LIBRARY=$library/libsins.so PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
+    export SINS_LIBRARY=$built/libsins.so PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
     mkdir -p "$out/python"
     for program in fly:c_examples/python/fly.py layout:tests/hosts/layout_python.py calls:tests/hosts/calls.py; do
         printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$@"\n' "$PWD/${program#*:}" >"$out/python/${program%:*}"
@@ -114,8 +114,7 @@ python() {
 octave() {
     need octave-dev mkoctfile
     mkdir -p "$out/octave"
-    mkoctfile --mex -Wall -Wextra -Werror -Iinclude -o "$out/octave/sins_fly.mex" c_examples/octave/sins_fly.c \
-        "-L$library" -lsins "-Wl,-rpath,$library"
+    mkoctfile --mex -Wall -Wextra -Werror -Iinclude -o "$out/octave/sins_fly.mex" c_examples/octave/sins_fly.c "${link[@]}"
     octave-cli --norc --path "$out/octave" c_examples/octave/fly.m >"$out/fighter.octave"
     grep -q "^sins:SINS_ERROR_TIME_ORDER" "$out/fighter.octave"
     target/c_examples/harness c_examples/scenes/fighter.toml >"$out/fighter.c"

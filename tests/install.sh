@@ -47,7 +47,8 @@ for example in minimal cpp_host; do
     "target/c_examples/$example" >"$out/$example.txt"
 done
 
-echo "== installed, and moved"
+echo "== installed, and moved" # not optimised, which takes a quarter of the time: tests/packages.sh has the optimised one
+export CARGO_PROFILE_RELEASE_{OPT_LEVEL=1,LTO=off,CODEGEN_UNITS=16}
 rm -rf "$first" "$moved" "$hosts"
 cmake -S . -B "$out/build"
 cmake --build "$out/build"
@@ -109,7 +110,7 @@ echo "== find_package"
 cmake_hosts "$hosts/installed" -DCMAKE_PREFIX_PATH="$moved"
 grep -F "sins_DIR:PATH=$moved/" "$hosts/installed/CMakeCache.txt" || fail "find_package found another sins"
 
-echo "== add_subdirectory" # with what cargo built above
+echo "== add_subdirectory" # with the dependencies that cargo built above
 cmake_hosts "$hosts/together" -DSINS_SOURCE="$PWD" -DSINS_CARGO_TARGET_DIR="$out/build/cargo"
 
 echo "== Windows by a cross compiler: configured"

@@ -9,16 +9,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/built.sh
 
 [ $# -gt 0 ] || set -- mpich openmpi
 need g++ c++
-if [ -n "${SINS_LIB_DIR:-}" ]; then
-    lib=$(cd "$SINS_LIB_DIR" && pwd)
-else
-    cargo build --release --quiet -p sins-cli
-    cargo rustc --release --quiet --lib --crate-type cdylib
-    lib=$PWD/target/release
-fi
+build_program
+build_library
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
@@ -28,7 +24,7 @@ runs=420
 machine=$(c++ -dumpmachine)
 
 # A scene with both error data and a sensor that fails on the way; and in the place of its flight a log.
-"$lib/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.05 --set flight.rate_hz=20 \
+"$built/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.05 --set flight.rate_hz=20 \
     --set options.error_model=rk4 --set options.run=5
 cat >>"$out/scene.toml" <<'END'
 
@@ -40,10 +36,10 @@ size_deg_h = 3
 from_s = 60
 until_s = 120
 END
-"$lib/sins" ensemble "$out/scene.toml" --runs $runs --quiet --out "$out"
+"$built/sins" ensemble "$out/scene.toml" --runs $runs --quiet --out "$out"
 mv "$out/scene_ensemble.csv" "$out/expected.csv"
 log=c_examples/flights/airliner_cruise.csv
-"$lib/sins" ensemble "$out/scene.toml" --log $log --runs 70 --quiet --out "$out"
+"$built/sins" ensemble "$out/scene.toml" --log $log --runs 70 --quiet --out "$out"
 
 fly() { # RANKS OUT.csv
     timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" 2>"$2.words" || {
@@ -105,7 +101,7 @@ for mpi; do
         continue
     }
     mpirun=mpirun.$mpi
-    MPICC=mpicc.$mpi SINS_LIB_DIR=$lib c_examples/ensemble_mpi.sh "$out/$mpi" >/dev/null
+    MPICC=mpicc.$mpi SINS_LIB_DIR=$built c_examples/ensemble_mpi.sh "$out/$mpi" >/dev/null
     for ranks in 1 2 3 4; do
         fly $ranks "$out/$mpi/by_$ranks.csv"
         same "$out/$mpi/by_$ranks.csv" "$ranks ranks"

@@ -63,10 +63,14 @@ impl Settings {
         let mut gravity: sins_gravity_params = filled(all(size_of::<sins_gravity_params>()));
         (gravity.deflection_north_distance_m, gravity.deflection_east_distance_m) = (1e3, 2e3);
         gravity.anomaly_distance_m = 3e3;
-        let failure = |kind: i32, fields: &[usize]| sins_failure { kind, ..filled(fields.iter().copied()) };
+        let failure = |kind: i32, fields: &[usize]| {
+            let mut failure: sins_failure = filled(fields.iter().copied());
+            failure.fields.kind = kind;
+            failure
+        };
         // Places of size, density, interval, duration, probability: 2 to 6. The pulse is shorter than the interval.
         let mut spikes = failure(SINS_FAILURE_SPIKES, &[2, 4, 5]);
-        spikes.interval_s = 0.5;
+        spikes.fields.interval_s = 0.5;
         let failures = vec![
             (SINS_SENSOR_GYRO, 0, failure(SINS_FAILURE_STUCK, &[])),
             (SINS_SENSOR_GYRO, 1, failure(SINS_FAILURE_BIAS_STEP, &[2])),

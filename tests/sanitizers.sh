@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool first has to find a
 # mistake that is planted. The first two need nightly Rust; what cannot be had, or takes too long to build, is told at the end.
+# SINS_LIB_DIR: a folder with a libsins.so to take for valgrind instead of building one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/built.sh
 
 target=x86_64-unknown-linux-gnu
 folder=$PWD/target/sanitizers/programs
-built=target/sanitizers/$target/debug
+sanitized=target/sanitizers/$target/debug
 longest_build_s=900
 addressed="misuse struct_sizes sentences run snapshot ensemble recommend budget threads destroyed"
 # Those that fly little: valgrind takes minutes for the others.
@@ -56,7 +58,7 @@ library() {
 
 address_sanitizer() {
     library address cdylib || return 0
-    cp "$built/libsins.so" "$folder/libsins.so"
+    cp "$sanitized/libsins.so" "$folder/libsins.so"
     for name in planted $addressed panic; do
         compile "$name" -fsanitize=address,undefined -fno-sanitize-recover=all -L "$folder" -lsins -Wl,-rpath,"$folder"
     done
@@ -64,7 +66,7 @@ address_sanitizer() {
     for name in $addressed; do
         clean "$folder/$name"
     done
-    cp "$built/libsins.so" "$folder/second.so"
+    cp "$sanitized/libsins.so" "$folder/second.so"
     clean "$folder/panic" "$folder/second.so"
 }
 
@@ -77,7 +79,7 @@ thread_sanitizer() {
     for name in planted threads destroyed; do
         compile "$name" -DSINS_STATIC -fsanitize=thread -c
         mv "$folder/$name" "$folder/$name.o"
-        gcc -rdynamic "$folder/$name.o" "$built/libsins.a" -Wl,--whole-archive "$runtime" -Wl,--no-whole-archive \
+        gcc -rdynamic "$folder/$name.o" "$sanitized/libsins.a" -Wl,--whole-archive "$runtime" -Wl,--no-whole-archive \
             -o "$folder/$name" -lpthread -ldl -lm -lgcc_s
     done
     finds "data race" setarch -R "$folder/planted" race
@@ -87,8 +89,8 @@ thread_sanitizer() {
 }
 
 memcheck() {
-    cargo build --quiet
-    cp target/debug/libsins.so "$folder/libsins.so"
+    build_library
+    cp "$built/libsins.so" "$folder/libsins.so"
     local valgrind=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect)
     for name in planted $checked; do
         compile "$name" -L "$folder" -lsins -Wl,-rpath,"$folder"

@@ -174,7 +174,7 @@ fn what_is_set_is_given_back_and_a_bad_value_changes_nothing() {
         assert_eq!(sins_scene_get_setup(scene, &mut again), SINS_OK);
         assert_eq!((again.duration_s, again.flown_s), (60.0, 60.0));
         let mut failure = init::<sins_planned_failure>();
-        (failure.kind, failure.from_s, failure.until_s) = (SINS_FAILURE_DEAD, 10.0, 20.0);
+        (failure.fields.kind, failure.from_s, failure.until_s) = (SINS_FAILURE_DEAD, 10.0, 20.0);
         assert_eq!(sins_scene_add_failure(scene, &failure), SINS_OK);
         (failure.from_s, failure.until_s) = (19.0, 30.0);
         assert_eq!(sins_scene_add_failure(scene, &failure), SINS_ERROR_INVALID_ARGUMENT, "they overlap");
@@ -210,7 +210,7 @@ fn prepare_rejects_what_no_push_takes_and_changes_nothing() {
             (sample.time_s, sample.latitude_rad) = (time_s, latitude_rad);
             assert_eq!(sins_scene_prepare(scene, sim, start_s, &mut sample), SINS_ERROR_INVALID_ARGUMENT);
             assert_eq!(sins_get_failure(sim, SINS_SENSOR_ALTIMETER, 0, &mut failure), SINS_OK);
-            assert_eq!(failure.kind, SINS_FAILURE_DEAD);
+            assert_eq!(failure.fields.kind, SINS_FAILURE_DEAD);
         }
         assert_eq!(sins_destroy(sim), SINS_OK);
         assert_eq!(sins_scene_destroy(scene), SINS_OK);

@@ -55,8 +55,8 @@ quiet = true
     // A preset comes first, wherever it stands: what the text sets beside it stays.
     let consumer = set(TEXT, &[("gyro.preset", "consumer"), ("options.subsamples", "2")]).unwrap();
     let bias = [1.0, 2.0, 3.0].map(|bias: f64| bias * (core::f64::consts::PI / 648_000.0));
-    assert_eq!(consumer.gyro.bias.as_slice(), bias);
-    assert_eq!(consumer.gyro.random_walk, sins::sensors::Grade::Consumer.parameters().0.random_walk);
+    assert_eq!(consumer.errors.gyro.bias.as_slice(), bias);
+    assert_eq!(consumer.errors.gyro.random_walk, sins::sensors::Grade::Consumer.parameters().0.random_walk);
 }
 
 /// Faults of settings have their number, beside those of the text with its lines; the words are those of a text.

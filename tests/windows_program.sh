@@ -6,7 +6,10 @@ cd "$(dirname "$0")/.."
 . tests/support/need.sh
 
 target=x86_64-pc-windows-gnu
-export WINEPREFIX=$PWD/target/wine WINEDEBUG=-all WINESERVER=/usr/lib/wine/wineserver64
+# A folder of wine's own: other scripts end its server for target/wine.
+export WINEPREFIX=$PWD/target/windows/program/wine WINEDEBUG=-all WINESERVER=/usr/lib/wine/wineserver64
+# What the program does with files and orders does not depend on its speed, and most of the time goes into its build.
+export CARGO_PROFILE_DEV_OPT_LEVEL=1
 need gcc-mingw-w64-x86-64 x86_64-w64-mingw32-gcc
 if ! [ -x /usr/lib/wine/wine64 ] && ! install wine64; then
     could_not "the program on Windows" "no wine to be had"

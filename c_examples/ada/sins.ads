@@ -267,6 +267,17 @@ package Sins is
    --  the INS starts again.
    SINS_NAVIGATION_NORTH_UNKNOWN : constant sins_navigation_flags := 8;
 
+   --  Flags of a sins_imu.
+   subtype sins_imu_flags is Unsigned_32;
+   --  The mean rate of a sub-increment was beyond the range of a gyro.
+   SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
+   --  The mean force of a sub-increment was beyond the range of an accelerometer.
+   SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
+   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
+   SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
+   --  An accelerometer had no signal in the interval: dead, or dropped out.
+   SINS_IMU_ACCEL_INVALID : constant sins_imu_flags := 8;
+
    --  The two sources of errors.
    subtype sins_errors_source is Integer_32;
    --  Navigation minus truth: the paper's error data 2.
@@ -284,17 +295,6 @@ package Sins is
    SINS_ERRORS_OUTSIDE_VALIDITY : constant sins_errors_flags := 2;
    --  In a sins_record: not computed, all zero.
    SINS_ERRORS_NOT_COMPUTED : constant sins_errors_flags := 4;
-
-   --  Flags of a sins_imu.
-   subtype sins_imu_flags is Unsigned_32;
-   --  The mean rate of a sub-increment was beyond the range of a gyro.
-   SINS_IMU_GYRO_SATURATED : constant sins_imu_flags := 1;
-   --  The mean force of a sub-increment was beyond the range of an accelerometer.
-   SINS_IMU_ACCEL_SATURATED : constant sins_imu_flags := 2;
-   --  A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
-   SINS_IMU_GYRO_INVALID : constant sins_imu_flags := 4;
-   --  An accelerometer had no signal in the interval: dead, or dropped out.
-   SINS_IMU_ACCEL_INVALID : constant sins_imu_flags := 8;
 
    --  Grades of sensors.
    subtype sins_grade is Integer_32;
@@ -871,53 +871,54 @@ package Sins is
 
    --  A solution within a sins_record; never grows. Fields as in sins_navigation.
    type sins_record_solution is record
-      --  Geodetic latitude [rad].
+      --  Geodetic latitude, -pi/2 to pi/2 [rad].
       latitude_rad : double := 0.0;
-      --  Longitude, east positive [rad].
+      --  Longitude, east positive, -pi to pi [rad].
       longitude_rad : double := 0.0;
       --  Height above the ellipsoid [m].
       height_m : double := 0.0;
       --  Velocity against the Earth, east-north-up [m/s].
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Roll, right wing down positive [rad].
+      --  Roll, right wing down positive, -pi to pi [rad].
       roll_rad : double := 0.0;
-      --  Pitch, nose up positive [rad].
+      --  Pitch, nose up positive, -pi/2 to pi/2 [rad].
       pitch_rad : double := 0.0;
-      --  Heading, clockwise from true north [rad].
+      --  Heading, clockwise from true north, 0 to 2 pi [rad].
       heading_rad : double := 0.0;
       --  Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
       quaternion_nb : sins_double_4 := (others => 0.0);
       --  Flags of enum sins_navigation_flags, or'ed.
       flags : Integer_32 := 0;
       --  0
-      reserved : Unsigned_32 := 0;
+      reserved2 : Unsigned_32 := 0;
    end record with Convention => C;
    type sins_record_solution_array is array (size_t range <>) of aliased sins_record_solution with Convention => C;
 
    --  Errors within a sins_record; never grows. Fields as in sins_errors.
    type sins_record_errors is record
-      --  Displacement from truth along true east and north, and error of height [m].
+      --  Position error: displacement from truth along true east and north, and difference of heights [m].
       position_enu_m : sins_double_3 := (others => 0.0);
       --  Error of latitude [rad].
       latitude_rad : double := 0.0;
-      --  Error of longitude [rad].
+      --  Error of longitude, wrapped to -pi to pi [rad].
       longitude_rad : double := 0.0;
       --  Error of height [m].
       height_m : double := 0.0;
-      --  Error of velocity, east-north-up [m/s].
+      --  Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Misalignment phi, east-north-up [rad].
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+      --  error model it is of first order: computed C = (I - [phi x]) C.
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
-      --  Error of roll [rad].
+      --  Error of roll, wrapped to -pi to pi [rad].
       roll_rad : double := 0.0;
       --  Error of pitch [rad].
       pitch_rad : double := 0.0;
-      --  Error of heading [rad].
+      --  Error of heading, wrapped to -pi to pi [rad].
       heading_rad : double := 0.0;
       --  Flags of enum sins_errors_flags, or'ed.
       flags : Integer_32 := 0;
       --  0
-      reserved : Unsigned_32 := 0;
+      reserved2 : Unsigned_32 := 0;
    end record with Convention => C;
    type sins_record_errors_array is array (size_t range <>) of aliased sins_record_errors with Convention => C;
 
@@ -1171,7 +1172,8 @@ package Sins is
    --  biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
    --  gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not
    --  contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
-   --  propagation is one second of flight. A parameter that is set in flight counts from the start of its second.
+   --  propagation is one second of flight. A parameter that is set in flight counts from the start of its second. A second with at
+   --  least one height of the altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
    type sins_covariance is record
       --  sizeof(sins_covariance)
       struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
@@ -1418,7 +1420,7 @@ package Sins is
    end record with Convention => C;
    type sins_scene_setup_array is array (size_t range <>) of aliased sins_scene_setup with Convention => C;
 
-   --  A failure that a scene plans.
+   --  A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
    type sins_planned_failure is record
       --  sizeof(sins_planned_failure)
       struct_size : Unsigned_32 := SINS_SIZEOF_PLANNED_FAILURE;
@@ -1432,19 +1434,19 @@ package Sins is
       from_s : double := 0.0;
       --  End of the failure, likewise; 0: the end of the flight [s].
       until_s : double := 0.0;
-      --  Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+      --  Kind of the failure, of enum sins_failure_kind.
       kind : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  Size, as in sins_failure.
+      --  Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
       size : double := 0.0;
-      --  Density, as in sins_failure.
+      --  Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
       density : double := 0.0;
-      --  Interval, as in sins_failure [s].
+      --  Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
       interval_s : double := 0.0;
-      --  Duration, as in sins_failure [s].
+      --  Spikes: length of one spike, 1e-9 s to interval_s [s].
       duration_s : double := 0.0;
-      --  Probability, as in sins_failure.
+      --  Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
       probability : double := 0.0;
    end record with Convention => C;
    type sins_planned_failure_array is array (size_t range <>) of aliased sins_planned_failure with Convention => C;
@@ -1622,10 +1624,6 @@ package Sins is
    function sins_status_string (status : sins_status) return chars_ptr
      with Import, Convention => C, External_Name => "sins_status_string";
 
-   --  Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
-   function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
-     with Import, Convention => C, External_Name => "sins_get_options";
-
    --  Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
    --
    --  On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
@@ -1640,6 +1638,10 @@ package Sins is
    --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
    function sins_destroy (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_destroy";
+
+   --  Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
+   function sins_get_options (sim : sins_sim; options : in out sins_options) return sins_status
+     with Import, Convention => C, External_Name => "sins_get_options";
 
    --  Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
    --

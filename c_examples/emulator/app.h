@@ -1,13 +1,14 @@
 /* The main window: four pages, the scene as its document, and the flight. */
 #pragma once
-#include "dialog.h"
 #include "flight.h"
+#include "form.h"
 #include "plot.h"
 
 class App;
 
 /* A page of the main window: its fields go into the scene as soon as they are left. */
-class Page : public Dialog {
+class Page : public Form
+{
 public:
     explicit Page(App &app) : app_(app) {}
     /* Shows the scene; all_is_new: what was typed wrong goes too. */
@@ -15,13 +16,15 @@ public:
 
 protected:
     void on_change(int id, int code) override;
+    void on_refusal(const std::wstring &sentence) override; /* in the status line */
     App &app_;
 };
 
 Page *trajectory_page(App &app);
 Page *general_page(App &app);
 
-class DisplayPage : public Page {
+class DisplayPage : public Page
+{
 public:
     using Page::Page;
     void refresh(bool) override { update(); }
@@ -38,56 +41,65 @@ private:
     Plot plot_;
 };
 
-class App {
+/* What stays when the window is built again in the other language. */
+struct Document {
+    Scene scene{"simulation2"};
+    fs::path path;
+    std::string saved = scene.text(); /* as it was opened or saved */
+    std::unique_ptr<Flight> flight;
+    RECT place = {}; /* of the window */
+    int page = 0;
+    /* Of the command line. */
+    Texts arguments;
+    fs::path export_folder, picture_path;
+};
+
+class App : public Dialog
+{
 public:
-    App();
-    int run(HINSTANCE instance);
-    /* The scene was edited: the sentence of a fault, or "". */
-    void edited(const std::wstring &fault);
+    explicit App(Document &document);
+    bool run();                                  /* true: the language changed, and a new window follows */
+    void edited(const std::wstring &fault);      /* the scene was edited: the sentence of a fault, or "" */
     void say_line(const std::wstring &sentence); /* in the status line */
     void command(int id);
     void open_builtin(const std::string &name);
-    std::wstring folder() const { return folder_of(path_); }
-    const Texts &builtins() const { return builtins_; }
-    HWND window() const { return window_; }
-    Flight *flight() { return flight_.get(); }
+    fs::path folder() const { return document_.path.parent_path(); }
+    Flight *flight() { return document_.flight.get(); }
 
-    Scene scene;
+    Texts builtins;
+    Scene &scene;
+
+protected:
+    void on_init() override;
+    void on_command(int id, int code) override;
+    void on_notify(NMHDR *notice) override;
+    bool on_message(UINT message, WPARAM wparam, LPARAM lparam) override;
 
 private:
-    static LRESULT CALLBACK procedure(HWND, UINT, WPARAM, LPARAM);
-    LRESULT handle(UINT message, WPARAM wparam, LPARAM lparam);
-    void create_window(HINSTANCE instance);
-    void build();
     void build_menu();
     void layout();
+    void show_all();
     void show_page(int index);
     void show_title();
     void change_language(bool chinese);
     void leave_field();
-
-    /* The document. */
-    bool open(const std::wstring &path);
-    void replaced(const std::wstring &path);
+    void open(const fs::path &path);
+    void replaced(const fs::path &path);
     bool save(bool ask);
     bool may_discard();
-    void remember(const std::wstring &path);
+    void remember(const fs::path &path);
     void fly();
-    void export_records(const std::wstring &path);
-    void save_picture(const std::wstring &path);
-    bool is_input(const std::wstring &path) const;
+    void export_records(const fs::path &path);
+    void save_picture(const fs::path &path);
+    void refuse_input(const fs::path &path);
     void follow_command_line();
     void finish_unattended();
 
-    HWND window_ = NULL, tabs_ = NULL, status_ = NULL;
+    Document &document_;
     std::unique_ptr<Page> pages_[4];
-    DisplayPage *display_ = NULL; /* the last of them */
-    std::unique_ptr<Flight> flight_;
-    std::wstring path_;
-    std::string saved_; /* text of the scene as it was opened or saved */
-    Texts builtins_, recent_;
-    bool runs_ = false;                         /* /run */
-    std::wstring export_folder_, picture_path_; /* of the command line */
+    DisplayPage *display_ = new DisplayPage(*this); /* the last of them */
+    Texts recent_;
+    bool changes_language_ = false;
 };
 
 /* What the program keeps from run to run: "Language", "Recent". */

@@ -1,10 +1,10 @@
-/* Curves of any length in memory of one size: each cell has the extremes of the points that it stands for. */
+/* Curves of any length in memory of one size: each cell has the extremes of what it stands for. */
 #pragma once
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <vector>
 
-/* What is drawn over time: three components each, but for the time. */
+/* What is drawn over time: three components each. */
 enum Channel {
     ATTITUDE_ERROR = 0,  /* roll, pitch, heading [rad]: error data 2, then error data 1 */
     VELOCITY_ERROR = 6,  /* east, north, up [m/s] */
@@ -17,23 +17,66 @@ enum Channel {
     CHANNELS = 42
 };
 
-typedef std::array<double, CHANNELS> Point;
-
 struct Cell {
-    double low, high, last;
+    double low = 1e300, high = -1e300, last = 0;
+    void join(const Cell &next) { *this = {std::min(low, next.low), std::max(high, next.high), next.last}; }
 };
+typedef std::array<Cell, CHANNELS> Cells;
 
-class Curves {
+class Curves
+{
 public:
-    /* The point at a time; low and high are of all that happened since the point before. */
-    void add(double time_s, const Point &low, const Point &high, const Point &last);
-    const std::vector<double> &times() const { return times_; } /* of the ends of the cells [s] */
-    std::vector<Cell> channel(int channel) const;
-    std::vector<double> last(int channel) const; /* of each cell */
+    /* Three values of a channel, now. */
+    void put(int channel, const double *values)
+    {
+        for (int k = 0; k < 3; k++) {
+            now_[channel + k].join({values[k], values[k], values[k]});
+        }
+    }
+
+    /* A point ends: what was put since the point before. */
+    void end_point(double time_s)
+    {
+        if (points_ == stride_ && times.size() == MOST) {
+            halve();
+        }
+        if (points_ == stride_) {
+            times.push_back(time_s);
+            cells.emplace_back();
+            points_ = 0;
+        }
+        join(cells.back(), now_);
+        times.back() = time_s;
+        now_ = Cells();
+        points_++;
+    }
+
+    std::vector<double> times; /* of the ends of the cells [s] */
+    std::vector<Cells> cells;
 
 private:
-    void halve();
-    std::vector<double> times_;
-    std::vector<std::array<Cell, CHANNELS>> cells_;
-    size_t points_ = 0, stride_ = 1; /* points in the last cell, and in each */
+    static const size_t MOST = 2048;
+
+    static void join(Cells &cells, const Cells &next)
+    {
+        for (int k = 0; k < CHANNELS; k++) {
+            cells[k].join(next[k]);
+        }
+    }
+
+    void halve()
+    {
+        for (size_t k = 0; k < MOST / 2; k++) {
+            cells[k] = cells[2 * k];
+            join(cells[k], cells[2 * k + 1]);
+            times[k] = times[2 * k + 1];
+        }
+        times.resize(MOST / 2);
+        cells.resize(MOST / 2);
+        stride_ *= 2;
+        points_ = stride_;
+    }
+
+    Cells now_;
+    size_t points_ = 1, stride_ = 1; /* points in the last cell, and in each */
 };

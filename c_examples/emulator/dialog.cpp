@@ -9,19 +9,19 @@ Dialog::~Dialog()
     }
 }
 
-static const DLGTEMPLATE *layout_of(UINT id)
+static const DLGTEMPLATE *template_of(UINT id)
 {
     return (const DLGTEMPLATE *)resource(MAKEINTRESOURCEW(5), id); /* RT_DIALOG */
 }
 
-bool Dialog::create(HWND parent, UINT id)
+void Dialog::create(HWND parent, UINT id)
 {
-    return CreateDialogIndirectParamW(NULL, layout_of(id), parent, procedure, (LPARAM)this) != NULL;
+    CreateDialogIndirectParamW(NULL, template_of(id), parent, procedure, (LPARAM)this);
 }
 
 INT_PTR Dialog::modal(HWND parent, UINT id)
 {
-    return DialogBoxIndirectParamW(NULL, layout_of(id), parent, procedure, (LPARAM)this);
+    return DialogBoxIndirectParamW(NULL, template_of(id), parent, procedure, (LPARAM)this);
 }
 
 INT_PTR CALLBACK Dialog::procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
@@ -31,16 +31,24 @@ INT_PTR CALLBACK Dialog::procedure(HWND window, UINT message, WPARAM wparam, LPA
         SetWindowLongPtrW(window, GWLP_USERDATA, lparam);
         dialog = (Dialog *)lparam;
         dialog->window_ = window;
-        dialog->init();
-        return TRUE;
     }
-    return dialog == NULL ? FALSE : dialog->handle(message, wparam, lparam);
+    if (dialog == NULL) {
+        return FALSE;
+    }
+    try {
+        return dialog->handle(message, wparam, lparam);
+    } catch (const Refusal &refusal) {
+        dialog->on_refusal(refusal.sentence);
+    } catch (const std::exception &error) {
+        dialog->on_refusal(wide(error.what()));
+    }
+    return TRUE;
 }
 
+/* Translates the controls. */
 void Dialog::init()
 {
     RECT client;
-    std::vector<std::pair<std::string, size_t>> keys;
     GetClientRect(window_, &client);
     size_ = {client.right, client.bottom};
     SetWindowTextW(window_, text(narrow(window_text(window_))).c_str());
@@ -49,48 +57,30 @@ void Dialog::init()
     SendMessageW(tips_, TTM_SETMAXTIPWIDTH, 0, scaled(360));
     SendMessageW(tips_, TTM_SETDELAYTIME, TTDT_AUTOPOP, 30000);
     for (HWND own = GetWindow(window_, GW_CHILD); own != NULL; own = GetWindow(own, GW_HWNDNEXT)) {
-        init_control(own, keys);
+        std::vector<std::string> pieces = split(narrow(window_text(own)) + "|", "|");
+        if (!pieces[0].empty()) {
+            SetWindowTextW(own, text(pieces[0]).c_str());
+        }
+        if (GetDlgCtrlID(own) == IDC_HEADING) {
+            static HFONT bold = NULL;
+            LOGFONTW font;
+            if (bold == NULL &&
+                GetObjectW((HFONT)SendMessageW(own, WM_GETFONT, 0, 0), sizeof font, &font) != 0) {
+                font.lfWeight = FW_BOLD;
+                bold = CreateFontIndirectW(&font);
+            }
+            SendMessageW(own, WM_SETFONT, (WPARAM)bold, FALSE);
+        }
+        on_control(own, pieces[1]);
     }
     on_init();
 }
 
-/* Translates a control. A label names the keys of the fields behind it; each of these takes the next element.
- */
-void Dialog::init_control(HWND control, std::vector<std::pair<std::string, size_t>> &keys)
-{
-    static HFONT bold = NULL;
-    LOGFONTW font;
-    WCHAR kind[16] = L"";
-    std::vector<std::string> pieces = split(narrow(window_text(control)), "|");
-    GetClassNameW(control, kind, 16);
-    if (lstrcmpiW(kind, L"Static") == 0) {
-        keys.clear();
-        for (const std::string &path : split(pieces.size() > 1 ? pieces[1] : "", " ")) {
-            const Key *key = key_of(path);
-            for (size_t k = 0; key != NULL && k < max((size_t)1, key->count); k++) {
-                keys.push_back({path, k});
-            }
-        }
-    } else if (!keys.empty()) {
-        bind(control, keys[0].first, keys[0].second);
-        keys.erase(keys.begin());
-    }
-    if (!pieces[0].empty()) {
-        SetWindowTextW(control, text(pieces[0]).c_str());
-    }
-    if (GetDlgCtrlID(control) == IDC_HEADING) {
-        if (bold == NULL &&
-            GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font) != 0) {
-            font.lfWeight = FW_BOLD;
-            bold = CreateFontIndirectW(&font);
-        }
-        SendMessageW(control, WM_SETFONT, (WPARAM)bold, FALSE);
-    }
-}
-
 INT_PTR Dialog::handle(UINT message, WPARAM wparam, LPARAM lparam)
 {
+    NMHDR *notice = (NMHDR *)lparam;
     switch (message) {
+    case WM_INITDIALOG: init(); return TRUE;
     case WM_COMMAND:
         if (LOWORD(wparam) == IDCANCEL && (GetWindowLongW(window_, GWL_STYLE) & WS_POPUP) != 0) {
             finish(IDCANCEL);
@@ -102,17 +92,51 @@ INT_PTR Dialog::handle(UINT message, WPARAM wparam, LPARAM lparam)
         return TRUE;
     case WM_NOTIFY:
         SetWindowLongPtrW(window_, DWLP_MSGRESULT, 0);
-        on_notify((NMHDR *)lparam);
+        if (notice->code == (UINT)NM_CUSTOMDRAW && rows_.count(notice->idFrom) != 0) {
+            SetWindowLongPtrW(window_, DWLP_MSGRESULT, draw_row((NMLVCUSTOMDRAW *)notice));
+        } else if (notice->code == (UINT)LVN_GETDISPINFOW && !rows_[notice->idFrom].empty()) {
+            LVITEMW &entry = ((NMLVDISPINFOW *)notice)->item;
+            const Rows &rows = rows_[notice->idFrom];
+            const Texts &cells = rows[min((size_t)entry.iItem, rows.size() - 1)].cells;
+            if ((entry.mask & LVIF_TEXT) != 0 && entry.iSubItem < (int)cells.size()) {
+                lstrcpynW(entry.pszText, cells[entry.iSubItem].c_str(), entry.cchTextMax);
+            }
+        } else {
+            on_notify(notice);
+        }
         return TRUE;
-    case WM_SIZE: layout(); return TRUE;
-    case WM_TIMER: on_timer(); return TRUE;
+    case WM_SIZE: layout(); break;
     case WM_CTLCOLORDLG:
     case WM_CTLCOLORSTATIC:
     case WM_CTLCOLORBTN:
     case WM_CTLCOLOREDIT: return (INT_PTR)color((HDC)wparam, (HWND)lparam);
     case WM_DESTROY: window_ = NULL;
     }
-    return FALSE;
+    return on_message(message, wparam, lparam);
+}
+
+/* What is off is grey; the second column may be a bar. */
+LRESULT Dialog::draw_row(NMLVCUSTOMDRAW *draw) const
+{
+    const Rows &rows = rows_.at(draw->nmcd.hdr.idFrom);
+    DWORD stage = draw->nmcd.dwDrawStage;
+    size_t row = draw->nmcd.dwItemSpec;
+    if (stage == CDDS_PREPAINT) {
+        return CDRF_NOTIFYITEMDRAW;
+    }
+    if (stage == CDDS_ITEMPREPAINT && row < rows.size()) {
+        draw->clrText = rows[row].is_grey ? RGB(150, 150, 150) : RGB(0, 0, 0);
+        return CDRF_NOTIFYPOSTPAINT;
+    }
+    if (stage == CDDS_ITEMPOSTPAINT && row < rows.size() && rows[row].bar > 0) {
+        RECT bar;
+        ListView_GetSubItemRect(draw->nmcd.hdr.hwndFrom, (int)row, 1, LVIR_BOUNDS, &bar);
+        InflateRect(&bar, -3, -3);
+        bar.right = bar.left + (LONG)((bar.right - bar.left) * rows[row].bar);
+        SetDCBrushColor(draw->nmcd.hdc, RGB(0, 110, 200));
+        FillRect(draw->nmcd.hdc, &bar, (HBRUSH)GetStockObject(DC_BRUSH));
+    }
+    return CDRF_DODEFAULT;
 }
 
 HBRUSH Dialog::color(HDC dc, HWND control) const
@@ -132,6 +156,17 @@ HBRUSH Dialog::color(HDC dc, HWND control) const
     return GetSysColorBrush(COLOR_WINDOW);
 }
 
+void Dialog::mark(HWND control, const std::wstring &sentence)
+{
+    bool is_new = sentence.empty() ? marked_.erase(control) > 0 : marked_[control] != sentence;
+    if (is_new) {
+        InvalidateRect(control, NULL, TRUE);
+    }
+    if (!sentence.empty()) {
+        marked_[control] = sentence;
+    }
+}
+
 void Dialog::grow(std::initializer_list<int> ids, int x, int y, int w, int h)
 {
     for (int id : ids) {
@@ -144,30 +179,25 @@ void Dialog::grow(std::initializer_list<int> ids, int x, int y, int w, int h)
 
 void Dialog::layout() const
 {
-    RECT client;
+    RECT client, place;
     GetClientRect(window_, &client);
     int wider = max(0, (int)(client.right - size_.cx)), higher = max(0, (int)(client.bottom - size_.cy));
     auto part = [](int share, int of) { return share == 2 ? of / 2 : share * of; };
-    for (const auto &entry : growth_) {
-        const Growth &own = entry.second;
+    for (const auto &[id, own] : growth_) {
         int width = own.place.right - own.place.left, height = own.place.bottom - own.place.top;
-        MoveWindow(item(entry.first), own.place.left + part(own.x, wider),
-                   own.place.top + part(own.y, higher), width + part(own.w, wider),
-                   height + part(own.h, higher), TRUE);
+        MoveWindow(item(id), own.place.left + part(own.x, wider), own.place.top + part(own.y, higher),
+                   width + part(own.w, wider), height + part(own.h, higher), TRUE);
     }
-    fit_columns();
-}
-
-std::wstring window_text(HWND window)
-{
-    std::wstring text((size_t)GetWindowTextLengthW(window) + 1, L'\0');
-    text.resize((size_t)GetWindowTextW(window, &text[0], (int)text.size()));
-    return text;
-}
-
-std::wstring Dialog::get(int id) const
-{
-    return window_text(item(id));
+    for (const auto &[id, widths] : widths_) {
+        GetWindowRect(item(id), &place);
+        int rest = place.right - place.left - GetSystemMetrics(SM_CXVSCROLL) - scaled(4);
+        for (int width : widths) {
+            rest -= scaled(width);
+        }
+        for (size_t k = 0; k < widths.size(); k++) {
+            ListView_SetColumnWidth(item(id), (int)k, widths[k] == 0 ? rest : scaled(widths[k]));
+        }
+    }
 }
 
 void Dialog::set(int id, const std::wstring &text) const
@@ -195,7 +225,7 @@ void Dialog::tip(HWND control, const std::wstring &text)
     tool.uFlags = TTF_IDISHWND | TTF_SUBCLASS;
     tool.hwnd = window_;
     tool.uId = (UINT_PTR)control;
-    tool.lpszText = &tip_texts_[control][0];
+    tool.lpszText = tip_texts_[control].data();
     SendMessageW(tips_, is_new ? TTM_ADDTOOLW : TTM_UPDATETIPTEXTW, 0, (LPARAM)&tool);
 }
 
@@ -206,50 +236,19 @@ void Dialog::columns(int id, const std::string &titles, const std::vector<int> &
     for (size_t k = 0; k < names.size(); k++) {
         LVCOLUMNW column = {};
         column.mask = LVCF_TEXT | LVCF_SUBITEM;
-        column.pszText = &names[k][0];
+        column.pszText = names[k].data();
         column.iSubItem = (int)k;
         ListView_InsertColumn(item(id), (int)k, &column);
     }
     widths_[id] = widths;
-    fit_columns();
+    layout();
 }
 
-void Dialog::fit_columns() const
+void Dialog::rows(int id, const Rows &rows)
 {
-    for (const auto &entry : widths_) {
-        RECT client;
-        GetWindowRect(item(entry.first), &client);
-        int rest = client.right - client.left - GetSystemMetrics(SM_CXVSCROLL) - scaled(4);
-        for (int width : entry.second) {
-            rest -= scaled(width);
-        }
-        for (size_t k = 0; k < entry.second.size(); k++) {
-            int width = entry.second[k] == 0 ? rest : scaled(entry.second[k]);
-            ListView_SetColumnWidth(item(entry.first), (int)k, width);
-        }
-    }
-}
-
-void Dialog::rows(int id, const std::vector<Texts> &rows) const
-{
-    HWND list = item(id);
-    LVITEMW entry = {};
-    WCHAR now[256];
-    while ((size_t)ListView_GetItemCount(list) > rows.size()) {
-        ListView_DeleteItem(list, (int)rows.size());
-    }
-    for (size_t k = 0; k < rows.size(); k++) {
-        entry.iItem = (int)k;
-        if (ListView_GetItemCount(list) <= (int)k) {
-            SendMessageW(list, LVM_INSERTITEMW, 0, (LPARAM)&entry);
-        }
-        for (int column = 0; column < (int)rows[k].size(); column++) {
-            std::wstring text = rows[k][(size_t)column];
-            ListView_GetItemText(list, (int)k, column, now, 256);
-            if (text != now) {
-                ListView_SetItemText(list, (int)k, column, &text[0]);
-            }
-        }
+    if (rows_.count(id) == 0 || rows_[id] != rows) {
+        rows_[id] = rows;
+        ListView_SetItemCountEx(item(id), (int)rows.size(), LVSICF_NOSCROLL);
     }
 }
 
@@ -257,4 +256,51 @@ void Dialog::select(int id, size_t row) const
 {
     ListView_SetItemState(item(id), (int)row, LVIS_SELECTED | LVIS_FOCUSED, LVIS_SELECTED | LVIS_FOCUSED);
     ListView_EnsureVisible(item(id), (int)row, FALSE);
+}
+
+std::wstring window_text(HWND window)
+{
+    std::wstring text(GetWindowTextLengthW(window) + 1, L'\0');
+    text.resize(GetWindowTextW(window, text.data(), (int)text.size()));
+    return text;
+}
+
+std::wstring ask_file(HWND owner, bool save, const std::string &filter, const wchar_t *ending,
+                      const std::wstring &proposal)
+{
+    WCHAR path[32768] = L"";
+    std::wstring pairs = text(filter) + L'\0';
+    OPENFILENAMEW ask = {};
+    std::replace(pairs.begin(), pairs.end(), L';', L'\0');
+    lstrcpynW(path, proposal.c_str(), 32768);
+    ask.lStructSize = sizeof ask;
+    ask.hwndOwner = owner;
+    ask.lpstrFilter = pairs.c_str();
+    ask.lpstrFile = path;
+    ask.nMaxFile = 32768;
+    ask.lpstrDefExt = ending;
+    ask.Flags = OFN_NOCHANGEDIR | OFN_HIDEREADONLY | (save ? OFN_OVERWRITEPROMPT : OFN_FILEMUSTEXIST);
+    return (save ? GetSaveFileNameW(&ask) : GetOpenFileNameW(&ask)) ? path : L"";
+}
+
+int scaled(int pixels)
+{
+    HDC screen = GetDC(NULL);
+    int dots = GetDeviceCaps(screen, LOGPIXELSY);
+    ReleaseDC(NULL, screen);
+    return MulDiv(pixels, dots, 96);
+}
+
+bool is_unattended = false, has_failed = false;
+
+void say(HWND owner, const std::wstring &sentence, UINT icon)
+{
+    if (!is_unattended) {
+        MessageBoxW(owner, sentence.c_str(), text("title").c_str(), MB_OK | icon);
+        return;
+    }
+    std::string line = "SINS_Emulator: " + narrow(sentence) + "\n";
+    DWORD written;
+    WriteFile(GetStdHandle(STD_ERROR_HANDLE), line.data(), (DWORD)line.size(), &written, NULL);
+    has_failed = true;
 }

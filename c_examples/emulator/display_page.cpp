@@ -1,8 +1,6 @@
 /* Display of the simulation data: panel (d) of the paper's figure 2. */
 #include "app.h"
 
-#include <cmath>
-
 static const double PACES[] = {1, 10, 100, 1000, 0}; /* as the text "paces"; 0: as fast as it goes */
 
 /* What the diagram shows, in the order of the text "quantities". */
@@ -53,49 +51,55 @@ void DisplayPage::update()
 {
     static const COLORREF NEW = RGB(0, 70, 160), OTHER = RGB(255, 150, 60);
     const auto &view = VIEWS[chosen(IDC_QUANTITY)];
-    const Texts axes = parts(view.axes), names = parts(view.traces[0] == '\0' ? "data" : view.traces);
     const bool is_map = view.channel == PLACE, has_two = view.traces[0] != '\0',
                is_error = view.channel < RATE;
-    bool has_second = !is_error;
+    const Texts axes = parts(view.axes), names = parts(has_two ? view.traces : "data");
+    bool has_model = false;
     Curves curves;
-    std::vector<Panel> panels;
     if (app_.flight() != NULL) {
         Flight::Status status = app_.flight()->status();
-        has_second = has_second || (status.record.model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0;
+        has_model = (status.record.model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0;
         curves = app_.flight()->curves();
         show_values(status);
     } else {
         rows(IDC_VALUES, {});
         set(IDC_PROGRESS, text("ready"));
     }
-    for (int k = 0; k < 3; k++) {
-        enable(IDC_AXIS + k, !is_map);
-        set(IDC_AXIS + k, is_map ? get(IDC_AXIS + k) : axes[(size_t)k]);
-        if (is_map ? k > 0 : !checked(IDC_AXIS + k)) {
-            continue;
+    auto trace = [&](const std::wstring &name, COLORREF color, bool is_wide, int channel) {
+        Trace trace = {name, color, is_wide, {}};
+        for (const Cells &cells : curves.cells) {
+            trace.cells.push_back(cells[channel]);
         }
-        Panel panel = {axes[is_map ? 0 : (size_t)k], view.quantity, curves.times(), {}};
-        if (is_map) {
-            panel.x = curves.last(PLACE + 1);
+        return trace;
+    };
+    std::vector<Panel> panels;
+    for (int k = 0; k < (is_map ? 1 : 3); k++) {
+        Panel panel = {axes[k], view.quantity, curves.times, {}};
+        for (size_t m = 0; is_map && m < panel.x.size(); m++) {
+            panel.x[m] = curves.cells[m][PLACE + 1].last;
         }
         /* Error data 1 below error data 2; of motion the truth, which comes first, below the navigation. */
         int first = view.channel + k, second = first + 3;
-        if (has_two && checked(IDC_DATA1) && has_second) {
-            panel.traces.push_back({names[1], OTHER, true, curves.channel(is_error ? second : first)});
+        if (has_two && checked(IDC_DATA1) && (has_model || !is_error)) {
+            panel.traces.push_back(trace(names[1], OTHER, true, is_error ? second : first));
         }
-        if (has_two && checked(IDC_DATA2)) {
-            panel.traces.push_back({names[0], NEW, false, curves.channel(is_error ? first : second)});
-        } else if (!has_two) {
-            panel.traces.push_back({L"", NEW, false, curves.channel(first)});
+        if (!has_two || checked(IDC_DATA2)) {
+            panel.traces.push_back(
+                trace(has_two ? names[0] : L"", NEW, false, !has_two || is_error ? first : second));
         }
-        panels.push_back(panel);
+        if (is_map || checked(IDC_AXIS + k)) {
+            panels.push_back(panel);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        enable(IDC_AXIS + k, !is_map);
+        set(IDC_AXIS + k, is_map ? get(IDC_AXIS + k) : axes[k]);
     }
     for (int k = 0; k < 2; k++) {
-        set(IDC_DATA2 + k, names[(size_t)k]);
         enable(IDC_DATA2 + k, has_two);
+        set(IDC_DATA2 + k, names[k]);
     }
-    plot_.show(panels, is_map ? DEGREES : DURATION, checked(IDC_LOGARITHMIC),
-               is_map ? label("plot.longitude", "longitude") : text("time"));
+    plot_.show(panels, is_map ? DEGREES : DURATION, checked(IDC_LOGARITHMIC));
 }
 
 static std::wstring of_three(const double *values, double unit)
@@ -115,7 +119,9 @@ void DisplayPage::show_values(const Flight::Status &status)
     const sins_record_errors &errors = status.record.navigation_errors, &model = status.record.model_errors;
     const sins_accuracy &accuracy = status.accuracy;
     const double *closure = accuracy.closure_position_enu_m;
-    const bool has_rate = accuracy.window_samples > 1;
+    auto rate = [&](double m_s) {
+        return accuracy.window_samples > 1 ? shown(m_s / SINS_NMI_PER_HOUR, 4) : L"-";
+    };
     const Texts names = parts("progress");
     const Texts values = {shown(navigation.latitude_rad / SINS_DEG, 9),
                           shown(navigation.longitude_rad / SINS_DEG, 9),
@@ -128,15 +134,15 @@ void DisplayPage::show_values(const Flight::Status &status)
                           of_three(errors.velocity_enu_m_s, 1),
                           of_three(errors.misalignment_enu_rad, SINS_ARCMIN),
                           shown(std::hypot(closure[0], closure[1]), 5),
-                          has_rate ? shown(accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR, 4) : L"-",
-                          has_rate ? shown(accuracy.radial_95_rate_m_s / SINS_NMI_PER_HOUR, 4) : L"-"};
-    std::vector<Texts> lines;
-    for (size_t k = 0; k < min(names.size(), values.size()); k++) {
-        lines.push_back({names[k], values[k]});
+                          rate(accuracy.cep_rate_m_s),
+                          rate(accuracy.radial_95_rate_m_s)};
+    Rows lines;
+    for (size_t k = 0; k < names.size(); k++) {
+        lines.push_back({{names[k], values[k]}});
     }
     rows(IDC_VALUES, lines);
     std::wstring time = shown(status.time_s / 3600, 6) + L" / " + shown(status.duration_s / 3600, 6) + L" h";
-    set(IDC_PROGRESS, parts("states")[(size_t)status.state] + L"\n" + time);
+    set(IDC_PROGRESS, parts("states")[status.state] + L"\n" + time);
     if (status.state == Flight::FAILED) {
         app_.say_line(status.sentence);
     }

@@ -1,61 +1,38 @@
-/* The main window's document: its scene in files, its flight, and the commands of the menu. */
+/* The main window's document: its scene in files, its flight, and the commands of the menu and the command
+ * line. */
+#include <utility>
+
 #include "app.h"
 
-static const wchar_t REGISTRY[] = L"Software\\SINS_Emulator";
 static const size_t RECENT = 8;
 
-std::wstring registry_text(const wchar_t *name)
-{
-    WCHAR value[16384] = L"";
-    DWORD size = sizeof value;
-    RegGetValueW(HKEY_CURRENT_USER, REGISTRY, name, RRF_RT_REG_SZ, NULL, value, &size);
-    return value;
-}
-
-void set_registry_text(const wchar_t *name, const std::wstring &value)
-{
-    DWORD size = (DWORD)((value.size() + 1) * sizeof(WCHAR));
-    RegSetKeyValueW(HKEY_CURRENT_USER, REGISTRY, name, REG_SZ, value.c_str(), size);
-}
-
 /* Another scene is the document. */
-void App::replaced(const std::wstring &path)
+void App::replaced(const fs::path &path)
 {
-    path_ = path;
-    saved_ = scene.text();
-    flight_.reset();
-    if (display_ != NULL) {
-        say_line(L"");
-        for (auto &page : pages_) {
-            page->refresh(true);
-        }
-        show_title();
-    }
+    document_.path = path;
+    document_.saved = scene.text();
+    document_.flight.reset();
+    show_all();
 }
 
-bool App::open(const std::wstring &path)
+void App::open(const fs::path &path)
 {
-    std::string bytes;
+    if (lstrcmpiW(path.extension().c_str(), L".csv") == 0) { /* a log, for this scene's simulator */
+        scene.set_text(SINS_SCENE_TEXT_LOG, narrow(path));
+        edited(L"");
+        return;
+    }
     std::wstring why;
-    if (path.size() > 4 &&
-        lstrcmpiW(&path[path.size() - 4], L".csv") == 0) { /* a log, for this scene's simulator */
-        why = scene.set_text(SINS_SCENE_TEXT_LOG, narrow(path));
-        edited(why);
-        return why.empty();
+    Faults faults = scene.read(read_file(path));
+    for (size_t k = 0; k < faults.size() && k < 8; k++) {
+        why += path.wstring() + L":" + std::to_wstring(faults[k].item) + L": " + told(faults[k].sentence) +
+               L"\n";
     }
-    if (read_file(path, bytes, why)) {
-        Faults faults = scene.read(bytes);
-        for (size_t k = 0; k < faults.size() && k < 8; k++) {
-            why += path + L":" + std::to_wstring(faults[k].item) + L": " + told(faults[k].sentence) + L"\n";
-        }
-    }
-    if (!why.empty()) {
-        say(window_, why);
-        return false;
+    if (!faults.empty()) {
+        throw Refusal{why};
     }
     replaced(path);
     remember(path);
-    return true;
 }
 
 void App::open_builtin(const std::string &name)
@@ -67,11 +44,11 @@ void App::open_builtin(const std::string &name)
 }
 
 /* The files that were open last: in the menu and in the registry. */
-void App::remember(const std::wstring &path)
+void App::remember(const fs::path &path)
 {
     std::wstring all;
-    recent_.erase(std::remove(recent_.begin(), recent_.end(), path), recent_.end());
-    recent_.insert(recent_.begin(), path);
+    std::erase(recent_, path.wstring());
+    recent_.insert(recent_.begin(), path.wstring());
     recent_.resize(min(recent_.size(), RECENT));
     for (const std::wstring &own : recent_) {
         all += own + L"|";
@@ -82,30 +59,26 @@ void App::remember(const std::wstring &path)
 
 bool App::save(bool ask)
 {
-    std::wstring path = path_, why, log = wide(scene.words(SINS_SCENE_TEXT_LOG));
+    std::wstring log = wide(scene.words(SINS_SCENE_TEXT_LOG));
+    fs::path path = document_.path, log_path = folder() / log;
     if (path.empty() || ask) {
-        path = ask_file(window_, true, "filter_scene", L"toml", path_);
+        path = ask_file(window_, true, "filter_scene", L"toml", path);
     }
     if (path.empty()) {
         return false;
     }
-    std::wstring log_path = is_absolute(log) ? log : folder() + log;
     if (same_file(path, log_path)) {
-        say(window_, text("is_input", {path}));
-        return false;
+        throw Refusal{text("is_input", {path})};
     }
-    if (!log.empty() && folder_of(path) != folder()) { /* a log is seen from the scene's folder */
+    if (!log.empty() && path.parent_path() != folder()) { /* a log is seen from the scene's folder */
         scene.set_text(SINS_SCENE_TEXT_LOG, narrow(log_path));
     }
-    auto write = [this](FILE *file) {
-        return fwrite(scene.text().data(), 1, scene.text().size(), file) == scene.text().size();
-    };
-    if (!write_file(path, write, why)) {
-        say(window_, why);
-        return false;
-    }
-    path_ = path;
-    saved_ = scene.text();
+    write_file(path, [this](const fs::path &to) {
+        std::ofstream file(to, std::ios::binary);
+        return (file << scene.text()).flush().good();
+    });
+    document_.path = path;
+    document_.saved = scene.text();
     remember(path);
     show_title();
     return true;
@@ -114,7 +87,7 @@ bool App::save(bool ask)
 bool App::may_discard()
 {
     leave_field();
-    if (scene.text() == saved_ || is_unattended) {
+    if (scene.text() == document_.saved || is_unattended) {
         return true;
     }
     UINT buttons = MB_YESNOCANCEL | MB_ICONQUESTION;
@@ -124,70 +97,64 @@ bool App::may_discard()
 
 void App::fly()
 {
-    std::wstring why;
     for (int k = 0; k < 3; k++) {
         if (pages_[k]->has_marks()) {
             show_page(k);
-            say(window_, text("not_in_flight"));
-            return;
+            throw Refusal{text("not_in_flight")};
         }
     }
-    if (flight_ != NULL && flight_->status().state == Flight::PAUSED) {
-        flight_->pause(false);
+    if (flight() != NULL && flight()->status().state == Flight::PAUSED) {
+        flight()->pause(false);
         return;
     }
-    flight_.reset(new Flight());
-    if (!flight_->start(scene, folder(), display_->pace(), why)) {
-        flight_.reset();
-        say(window_, why);
-        return;
-    }
+    document_.flight.reset();
+    document_.flight.reset(new Flight(scene, folder(), display_->pace()));
     say_line(L"");
     show_page(3);
 }
 
 /* No output replaces the scene or the log that it came from. */
-bool App::is_input(const std::wstring &path) const
+void App::refuse_input(const fs::path &path)
 {
-    bool is_one = same_file(path, path_) || same_file(path, flight_->log_path());
-    if (is_one) {
-        say(window_, text("is_input", {path}));
+    if (same_file(path, document_.path) || same_file(path, flight()->log_path())) {
+        throw Refusal{text("is_input", {path})};
     }
-    return is_one;
 }
 
 /* The records, and beside them the measured increments if the scene names a file for them. */
-void App::export_records(const std::wstring &path)
+void App::export_records(const fs::path &path)
 {
-    std::wstring why, name = flight_->increments_name(), increments = folder_of(path) + name;
-    bool is_own =
-        is_absolute(name) || name.find_first_of(L"/\\:") != std::wstring::npos || increments == path;
-    if (path.empty() || is_input(path)) {
+    fs::path name = flight()->increments_name(), increments = path.parent_path() / name;
+    if (path.empty()) {
         return;
     }
-    if (!flight_->write_records(path, why)) {
-        say(window_, why);
-    } else if (!name.empty() && is_own) {
-        say(window_, text("increments_name", {name}));
-    } else if (!name.empty() && !is_input(increments) && !flight_->write_increments(increments, why)) {
-        say(window_, why);
+    refuse_input(path);
+    flight()->write_records(path);
+    if (!name.empty()) {
+        if (name != name.filename() || increments == path) {
+            throw Refusal{text("increments_name", {name})};
+        }
+        refuse_input(increments);
+        flight()->write_increments(increments);
     }
 }
 
-void App::save_picture(const std::wstring &path)
+void App::save_picture(const fs::path &path)
 {
-    if (!path.empty() && !is_input(path) && !display_->plot().save(path)) {
-        say(window_, text("cannot_write", {path, L"PNG"}));
+    if (!path.empty()) {
+        refuse_input(path);
+        display_->plot().save(path);
     }
 }
 
 void App::command(int id)
 {
-    std::wstring path, why;
-    bool of_flight = id == ID_EXPORT || id == ID_PICTURE || id == ID_COPY || id == ID_SNAPSHOT ||
-                     id == ID_GO_BACK || id == ID_PAUSE || id == ID_STOP;
+    static const int OF_FLIGHT[] = {ID_EXPORT,  ID_PICTURE, ID_COPY, ID_SNAPSHOT,
+                                    ID_GO_BACK, ID_PAUSE,   ID_STOP};
+    std::wstring path, name = document_.path.stem();
+    size_t builtin = id - ID_BUILTIN, recent = id - ID_RECENT, page = id - ID_PAGE;
     leave_field();
-    if (flight_ == NULL && of_flight) {
+    if (flight() == NULL && std::find(OF_FLIGHT, std::end(OF_FLIGHT), id) != std::end(OF_FLIGHT)) {
         say_line(text("nothing_flown"));
         return;
     }
@@ -201,39 +168,91 @@ void App::command(int id)
         break;
     case ID_SAVE: save(false); break;
     case ID_SAVE_AS: save(true); break;
-    case ID_EXPORT: export_records(ask_file(window_, true, "filter_csv", L"csv", name_of(path_))); break;
-    case ID_PICTURE: save_picture(ask_file(window_, true, "filter_png", L"png", name_of(path_))); break;
+    case ID_EXPORT: export_records(ask_file(window_, true, "filter_csv", L"csv", name)); break;
+    case ID_PICTURE: save_picture(ask_file(window_, true, "filter_png", L"png", name)); break;
     case ID_COPY: say_line(text(display_->plot().copy() ? "copied" : "not_copied")); break;
     case ID_QUIT: SendMessageW(window_, WM_CLOSE, 0, 0); return;
     case ID_FLY: fly(); break;
-    case ID_PAUSE: flight_->pause(flight_->status().state == Flight::FLYING); break;
-    case ID_STOP: flight_->stop(); break;
+    case ID_PAUSE: flight()->pause(flight()->status().state == Flight::FLYING); break;
+    case ID_STOP: flight()->stop(); break;
     case ID_RESET:
-        flight_.reset();
+        document_.flight.reset();
         say_line(L"");
         break;
     case ID_FAILURE: edit_failures(*this); break;
     case ID_SNAPSHOT:
-        say_line(flight_->save_snapshot(why) ? text("snapshot_at", {shown(flight_->status().snapshot_s, 8)})
-                                             : why);
+        flight()->save_snapshot();
+        say_line(text("snapshot_at", {shown(flight()->status().snapshot_s, 8)}));
         break;
-    case ID_GO_BACK:
-        flight_->go_back(why);
-        say_line(why);
-        break;
+    case ID_GO_BACK: flight()->go_back(); break;
     case ID_RECOMMEND: recommend(*this); break;
     case ID_BUDGET: error_budget(*this); break;
-    case ID_ENGLISH: change_language(false); break;
-    case ID_CHINESE: change_language(true); break;
+    case ID_ENGLISH:
+    case ID_CHINESE: change_language(id == ID_CHINESE); return;
     case ID_ABOUT: say(window_, text("about", {wide(lib.sins_version_string())}), MB_ICONINFORMATION); break;
     default:
-        if (id >= ID_BUILTIN && (size_t)(id - ID_BUILTIN) < builtins_.size()) {
-            open_builtin(narrow(builtins_[(size_t)(id - ID_BUILTIN)]));
-        } else if (id >= ID_RECENT && (size_t)(id - ID_RECENT) < recent_.size() && may_discard()) {
-            open(std::wstring(recent_[(size_t)(id - ID_RECENT)]));
-        } else if (id >= ID_PAGE && id < ID_PAGE + 4) {
-            show_page(id - ID_PAGE);
+        if (builtin < builtins.size()) {
+            open_builtin(narrow(builtins[builtin]));
+        } else if (recent < recent_.size() && may_discard()) {
+            open(recent_[recent]);
+        } else if (page < 4) {
+            show_page((int)page);
         }
     }
     display_->update();
+}
+
+/* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /quit; or a FILE. */
+void App::follow_command_line()
+{
+    Texts arguments = std::exchange(document_.arguments, {});
+    bool runs = false;
+    for (size_t k = 0; k < arguments.size(); k++) {
+        const std::wstring &option = arguments[k], value = k + 1 < arguments.size() ? arguments[k + 1] : L"";
+        bool has_value = true;
+        if (option == L"/scene" && value.find(L'.') == std::wstring::npos) {
+            open_builtin(narrow(value));
+        } else if (option == L"/scene") {
+            open(value);
+        } else if (option == L"/export") {
+            document_.export_folder = value;
+        } else if (option == L"/picture") {
+            document_.picture_path = value;
+        } else if (option != L"/language") {
+            has_value = false;
+            runs = runs || option == L"/run";
+            if (!option.starts_with(L"/")) {
+                open(option);
+            }
+        }
+        k += has_value;
+    }
+    if (runs) {
+        fly();
+    }
+}
+
+/* At the end of a flight: what the command line asked for. */
+void App::finish_unattended()
+{
+    Flight::Status status = flight()->status();
+    bool has_more = !document_.export_folder.empty() || !document_.picture_path.empty() || is_unattended;
+    if (status.state == Flight::FLYING || status.state == Flight::PAUSED || !has_more) {
+        return;
+    }
+    fs::path folder = std::exchange(document_.export_folder, {}),
+             picture = std::exchange(document_.picture_path, {});
+    if (status.state == Flight::FAILED && is_unattended) {
+        say(window_, status.sentence);
+    }
+    if (!folder.empty()) {
+        std::wstring name = document_.path.empty() ? L"flight" : document_.path.stem().wstring();
+        fs::create_directories(folder);
+        export_records(folder / (name + L".csv"));
+    }
+    save_picture(picture);
+    if (is_unattended) {
+        document_.flight.reset();
+        DestroyWindow(window_);
+    }
 }

@@ -6,7 +6,8 @@
 static const char *const SECTIONS[] = {"gyro",  "accelerometer", "altimeter", "gravity", "mounting",
                                        "start", "options",       "flight",    "output"};
 
-class GeneralPage : public Page {
+class GeneralPage : public Page
+{
 public:
     using Page::Page;
 
@@ -14,16 +15,17 @@ public:
     {
         std::string own = section();
         bool is_other = effects_.empty() || effects_[0]->section != own;
-        std::vector<Texts> lines;
+        Rows lines;
         effects_.clear();
         enable(IDC_PRESET, own == "gyro" || own == "accelerometer");
         for (const Key &key : keys()) {
             if (key.section == own && key.name != "preset") {
+                std::string value = app_.scene.get(key.path);
+                bool is_off = value.empty();
                 effects_.push_back(&key);
-                std::string value = app_.scene.get(key.path());
-                std::wstring unit = value.empty() ? L"" : wide(key.unit);
-                lines.push_back(
-                    {label(key.path(), key.doc), value.empty() ? text("off") : seen(key, value), unit});
+                lines.push_back({{label(key.path, key.doc), is_off ? text("off") : seen(key, value),
+                                  wide(is_off ? "" : key.unit)},
+                                 is_off});
             }
         }
         rows(IDC_EFFECTS, lines);
@@ -38,11 +40,10 @@ public:
 protected:
     void on_init() override
     {
-        Texts grades = key_of("gyro.preset")->word_labels();
-        for (size_t k = 0; k < grades.size(); k++) {
-            grades[k] = label("preset." + key_of("gyro.preset")->words[k], narrow(grades[k]));
+        Texts grades = {text("preset")};
+        for (const std::string &word : preset_.words) {
+            grades.push_back(label("preset." + word, word));
         }
-        grades.insert(grades.begin(), text("preset"));
         fill(item(IDC_SECTION), parts("sections"));
         fill(item(IDC_PRESET), grades);
         columns(IDC_EFFECTS, "columns_effects", {0, 130, 90});
@@ -60,13 +61,13 @@ protected:
             si_path_ = "";
             refresh(true);
         } else if (id == IDC_PRESET && code == CBN_SELCHANGE && chosen(IDC_PRESET) > 0) {
-            take_preset(key_of("gyro.preset")->words[(size_t)chosen(IDC_PRESET) - 1]);
+            take_preset(preset_.words[chosen(IDC_PRESET) - 1]);
         } else if (id == IDC_UNIT && code == CBN_SELCHANGE && key != NULL) {
-            si_path_ = chosen(IDC_UNIT) == 1 ? key->path() : "";
+            si_path_ = chosen(IDC_UNIT) == 1 ? key->path : "";
             refresh(true);
         } else if (id == IDC_OFF && key != NULL) {
             unbind_values();
-            app_.edited(mark_faults(app_.scene.change({{key->path(), "", false}})));
+            app_.edited(mark_faults(app_.scene.change({{key->path, "", 0, false}})));
         }
     }
 
@@ -77,7 +78,7 @@ protected:
         if (key != NULL && id >= IDC_VALUE && id < IDC_VALUE + 9 && key->count > 1 && checked(IDC_SAME)) {
             std::wstring typed = get(id);
             for (size_t k = 0; k < key->count; k++) {
-                set(IDC_VALUE + (int)k, key->single_sets(k) ? typed : L"");
+                set(IDC_VALUE + k, key->single_sets(k) ? typed : L"");
             }
         }
         Page::on_change(id, code);
@@ -85,25 +86,12 @@ protected:
 
     void on_notify(NMHDR *notice) override
     {
-        if (notice->idFrom != IDC_EFFECTS) {
-            return;
-        }
-        if (notice->code == (UINT)LVN_ITEMCHANGED &&
-            (((NMLISTVIEW *)notice)->uNewState & LVIS_SELECTED) != 0) {
+        bool is_selection = notice->idFrom == IDC_EFFECTS && notice->code == (UINT)LVN_ITEMCHANGED;
+        if (is_selection && (((NMLISTVIEW *)notice)->uNewState & LVIS_SELECTED) != 0) {
             si_path_ = "";
             unbind_values();
             choose_effect();
             Page::refresh(false);
-        } else if (notice->code == (UINT)NM_CUSTOMDRAW) {
-            /* What is off is grey. */
-            NMLVCUSTOMDRAW *draw = (NMLVCUSTOMDRAW *)notice;
-            DWORD stage = draw->nmcd.dwDrawStage;
-            if (stage == CDDS_ITEMPREPAINT && draw->nmcd.dwItemSpec < effects_.size()) {
-                bool is_off = app_.scene.get(effects_[draw->nmcd.dwItemSpec]->path()).empty();
-                draw->clrText = is_off ? RGB(150, 150, 150) : RGB(0, 0, 0);
-            }
-            SetWindowLongPtrW(window_, DWLP_MSGRESULT,
-                              stage == CDDS_PREPAINT ? CDRF_NOTIFYITEMDRAW : CDRF_DODEFAULT);
         }
     }
 
@@ -112,23 +100,23 @@ private:
 
     const Key *effect() const
     {
-        size_t row = (size_t)selected(IDC_EFFECTS);
+        size_t row = selected(IDC_EFFECTS);
         return row < effects_.size() ? effects_[row] : NULL;
     }
 
-    /* A value as the list shows it: one number, or the elements. */
+    /* A value as the list shows it: a word, one number, or the elements. */
     static std::wstring seen(const Key &key, const std::string &value)
     {
         double number;
-        if (key.count == 0) {
-            return key.words.empty() ? wide(unquoted(value)) : key.word_label(unquoted(value));
-        }
-        if (value[0] != '[') {
-            return number_of(value, number) ? shown(number, 12) : wide(value);
-        }
         std::wstring list;
-        for (const std::string &element : numbers(value, key)) {
-            list += (list.empty() ? L"" : L", ") + (number_of(element, number) ? shown(number, 12) : L"0");
+        if (key.count == 0) {
+            return key.is_text() ? wide(unquoted(value)) : key.word_label(unquoted(value));
+        }
+        for (const std::string &element : value[0] == '[' ? numbers(value, key) : std::vector(1, value)) {
+            bool is_number = number_of(element, number);
+            list += (list.empty() ? L"" : L", ") + (is_number         ? shown(number, 12)
+                                                    : element.empty() ? L"0"
+                                                                      : wide(element));
         }
         return list;
     }
@@ -163,40 +151,39 @@ private:
         if (key == NULL) {
             return;
         }
-        bool is_word = !key->words.empty(), is_si = si_path_ == key->path();
-        std::string value = app_.scene.get(key->path());
-        set(IDC_EFFECT, label(key->path(), key->doc));
+        bool is_word = !key->words.empty();
+        Texts units = {wide(key->unit), key->si_unit()};
+        units.resize(key->si_name.empty() ? 1 : 2);
+        set(IDC_EFFECT, label(key->path, key->doc));
         for (size_t k = 0; k < 9; k++) {
             bool is_used = !is_word && k < max((size_t)1, key->count);
-            show(IDC_VALUE + (int)k, is_used);
+            show(IDC_VALUE + k, is_used);
             if (is_used) {
-                bind(item(IDC_VALUE + (int)k), key->path(), k);
+                bind(item(IDC_VALUE + k), key->path, k);
             }
         }
         if (is_word) {
-            bind(item(IDC_WORD), key->path());
+            bind(item(IDC_WORD), key->path);
         }
         show(IDC_WORD, is_word);
         show(IDC_UNIT, !is_word && !key->unit.empty());
         show(IDC_SAME, key->count > 1);
-        check(IDC_SAME, value[0] != '[');
-        fill(item(IDC_UNIT),
-             key->si_name.empty() ? Texts{wide(key->unit)} : Texts{wide(key->unit), wide(key->si_unit())});
-        choose(IDC_UNIT, is_si ? 1 : 0);
+        check(IDC_SAME, !app_.scene.get(key->path).starts_with("["));
+        fill(item(IDC_UNIT), units);
+        choose(IDC_UNIT, si_path_ == key->path ? 1 : 0);
     }
 
     void take_preset(const std::string &word)
     {
         Items items = app_.scene.items();
         std::string own = section();
-        items.erase(
-            std::remove_if(items.begin(), items.end(), [&](const Item &item) { return item.section == own; }),
-            items.end());
-        items.push_back({own, {{"preset", quoted(word)}}, {}});
+        std::erase_if(items, [&](const Item &item) { return item.section == own; });
+        items.push_back({own, {{"preset", in_quotes(word)}}, {}});
         choose(IDC_PRESET, 0);
         app_.edited(told(app_.scene.read(items)));
     }
 
+    const Key &preset_ = *key_of("gyro.preset");
     std::vector<const Key *> effects_;
 };
 

@@ -2,40 +2,26 @@
  */
 #include "app.h"
 
-class ManoeuvreDialog : public Dialog {
+class ManoeuvreDialog : public Form
+{
 public:
     ManoeuvreDialog(App &app, Items &all, size_t own) : app_(app), all_(all), own_(own) {}
 
 protected:
     void on_init() override
     {
-        const Item &item = all_[own_];
-        Texts channels = channel_.word_labels();
+        all_[own_].items.resize(SINUSOIDS, {"manoeuvre.sinusoid", {}, {}});
         cue("manoeuvre.ramp_s", L"5");
-        load([&](const std::string &path) { return item.get(path); }, true);
-        channels.insert(channels.begin(), L"-");
-        for (int k = 0; k < SINUSOIDS; k++) {
-            fill(Dialog::item(IDC_CHANNEL + k), channels);
-            if ((size_t)k < item.items.size()) {
-                const Item &sinusoid = item.items[(size_t)k];
-                choose(IDC_CHANNEL + k, channel_.index_of(sinusoid.get(channel_)) + 1);
-                set(IDC_AMPLITUDE + k, wide(sinusoid.get(amplitude(k))));
-                set(IDC_FREQUENCY + k, wide(sinusoid.get("manoeuvre.sinusoid.frequency_hz")));
-                set(IDC_PHASE + k, wide(sinusoid.get("manoeuvre.sinusoid.phase_deg")));
-            }
-        }
+        load([&](const Field &field) { return item_of(all_[own_], field.nested).get(field.key->path); },
+             true);
         enable_used();
     }
 
-    void on_command(int id, int code) override
+    void on_command(int id, int) override
     {
-        if (code == CBN_SELCHANGE) {
-            enable_used();
-        } else if (id == IDOK) {
-            all_[own_] = edited();
-            Faults faults = app_.scene.set_list("manoeuvre", all_), own;
-            std::copy_if(faults.begin(), faults.end(), std::back_inserter(own),
-                         [&](const Fault &fault) { return fault.item == own_; });
+        if (id == IDOK) {
+            Faults faults = app_.scene.set_list("manoeuvre", edited()), own = faults;
+            std::erase_if(own, [&](const Fault &fault) { return fault.item != own_; });
             mark_faults(own);
             set(IDC_MESSAGE, told(faults));
             if (faults.empty()) {
@@ -44,56 +30,64 @@ protected:
         }
     }
 
-private:
-    static const int SINUSOIDS = 6;
-
-    /* The key of an amplitude: in degrees, but for one of the speed. */
-    std::string amplitude(int k) const
+    void on_change(int, int code) override
     {
-        bool is_speed = channel_.words[(size_t)max(0, chosen(IDC_CHANNEL + k) - 1)] == "speed";
-        return is_speed ? "manoeuvre.sinusoid.amplitude_m_s" : "manoeuvre.sinusoid.amplitude_deg";
+        if (code == CBN_SELCHANGE) {
+            enable_used();
+        }
     }
 
-    /* The fields that a kind uses: one bit each, from the duration on; the last is for sinusoids. */
+private:
+    static const size_t SINUSOIDS = 6; /* fields */
+
+    /* The manoeuvre, or one of its sinusoids from 1 on. */
+    static Item &item_of(Item &manoeuvre, size_t nested)
+    {
+        return nested > 0 ? manoeuvre.items[nested - 1] : manoeuvre;
+    }
+
+    static std::string channel(const Item &manoeuvre, size_t nested)
+    {
+        return manoeuvre.items[nested - 1].get("manoeuvre.sinusoid.channel");
+    }
+
+    Items edited() const
+    {
+        Items all = all_;
+        for (const Change &change : changes()) {
+            item_of(all[own_], change.nested).set(change.path, change.value);
+        }
+        return all;
+    }
+
+    /* The fields that a kind or a channel does not use, as the library says, are empty and off. */
     void enable_used()
     {
-        static const int USED[] = {0x01, 0x01, 0x05, 0x0b, 0x32, 0x41, 0x43, 0x53, 0x83};
-        int used = USED[chosen(IDC_KIND)];
-        for (int k = 0; k < 7; k++) {
-            enable(IDC_DURATION + k, (used >> k & 1) != 0);
-            if ((used >> k & 1) == 0) {
-                set(IDC_DURATION + k, L""); /* what a kind does not use must be 0 */
+        Item probe = edited()[own_];
+        bool has_sinusoids = probe.get("manoeuvre.kind") == "\"sinusoids\"";
+        for (const auto &[control, field] : fields_) {
+            if (!field.is_choice()) {
+                item_of(probe, field.nested).set(field.key->path, "1");
             }
         }
-        for (int k = 0; k < SINUSOIDS; k++) {
-            bool is_used = (used & 0x80) != 0;
-            enable(IDC_CHANNEL + k, is_used);
-            for (int first : {IDC_AMPLITUDE, IDC_FREQUENCY, IDC_PHASE}) {
-                enable(first + k, is_used && chosen(IDC_CHANNEL + k) > 0);
+        Faults faults = Scene().set_list("manoeuvre", {probe});
+        for (const auto &[control, field] : fields_) {
+            bool is_used = field.nested == 0 || field.is_choice() ? field.nested == 0 || has_sinusoids
+                                                                  : !channel(probe, field.nested).empty();
+            for (const Fault &fault : faults) {
+                bool is_own = key_of(fault.path) == field.key && fault.nested == field.nested;
+                is_used =
+                    is_used && !(is_own && (fault.sentence.find("does not use it") != std::string::npos ||
+                                            fault.sentence.find("not for this") != std::string::npos));
+            }
+            EnableWindow(control, is_used);
+            if (!is_used) {
+                SendMessageW(control, field.is_choice() ? CB_SETCURSEL : WM_SETTEXT, 0,
+                             field.is_choice() ? 0 : (LPARAM)L"");
             }
         }
     }
 
-    Item edited() const
-    {
-        Item item = {"manoeuvre", all_[own_].entries, {}};
-        for (const Change &change : changes()) {
-            item.set(change.path, change.value);
-        }
-        for (int k = 0; k < SINUSOIDS; k++) {
-            if (IsWindowEnabled(Dialog::item(IDC_AMPLITUDE + k))) {
-                Item sinusoid = {"manoeuvre.sinusoid", {}, {}};
-                sinusoid.set(channel_.path(), quoted(channel_.words[(size_t)chosen(IDC_CHANNEL + k) - 1]));
-                sinusoid.set(amplitude(k), toml(get(IDC_AMPLITUDE + k)));
-                sinusoid.set("manoeuvre.sinusoid.frequency_hz", toml(get(IDC_FREQUENCY + k)));
-                sinusoid.set("manoeuvre.sinusoid.phase_deg", toml(get(IDC_PHASE + k)));
-                item.items.push_back(sinusoid);
-            }
-        }
-        return item;
-    }
-
-    const Key &channel_ = *key_of("manoeuvre.sinusoid.channel");
     App &app_;
     Items &all_;
     size_t own_;
@@ -105,7 +99,8 @@ bool edit_manoeuvre(App &app, Items &all, size_t own)
 }
 
 /* The failures that the scene plans. In flight they begin and end with the next interval. */
-class FailureDialog : public Dialog {
+class FailureDialog : public Form
+{
 public:
     explicit FailureDialog(App &app) : app_(app) {}
 
@@ -113,35 +108,40 @@ protected:
     void on_init() override
     {
         columns(IDC_FAILING, "columns_manoeuvres", {28, 130, 0});
-        bind_sizes();
+        choose_sensor();
         cue("failure.until_s", L"\u221e");
-        load([this](const std::string &path) { return path == "failure.from_s" ? now() : std::string(); },
-             true);
+        load([this](const Field &field) { return field.key->path == "failure.from_s" ? now() : ""; }, true);
         choose(IDC_KIND, 1);
         show_list();
+    }
+
+    void on_change(int id, int) override
+    {
+        if (id == IDC_SENSOR) {
+            choose_sensor();
+        }
     }
 
     void on_command(int id, int) override
     {
         Items items = app_.scene.list("failure");
-        size_t row = (size_t)selected(IDC_FAILING);
-        Flight *flight = app_.flight();
+        size_t row = selected(IDC_FAILING);
+        bool has_row = row < items.size();
         /* In flight a failure begins and ends with the next interval, not earlier: the scene then flies to
          * the same bits again. */
+        Flight *flight = app_.flight();
         bool is_flying = flight != NULL && flight->status().state == Flight::FLYING;
         if (is_flying) {
             flight->pause(true);
         }
-        if (id == IDC_SENSOR) {
-            bind_sizes();
-        } else if (id == IDC_ADD) {
+        if (id == IDC_ADD) {
             items.push_back(fresh(is_flying));
-            take(items);
-        } else if (id == IDC_REMOVE && row < items.size()) {
-            items.erase(items.begin() + (ptrdiff_t)row);
-            take(items);
-        } else if (id == IDC_CLEAR && row < items.size() && flight != NULL) {
+        } else if (id == IDC_REMOVE && has_row) {
+            items.erase(items.begin() + row);
+        } else if (id == IDC_CLEAR && has_row && flight != NULL) {
             items[row].set("failure.until_s", now());
+        }
+        if (id == IDC_ADD || id == IDC_REMOVE || id == IDC_CLEAR) {
             take(items);
         }
         if (is_flying) {
@@ -162,7 +162,7 @@ private:
     std::string now() const { return app_.flight() == NULL ? "" : shortest(app_.flight()->status().time_s); }
 
     /* Size and density have units of the sensor that is chosen. */
-    void bind_sizes()
+    void choose_sensor()
     {
         static const char *const SIZES[] = {"failure.size_deg_h", "failure.size_micro_g", "failure.size_m"};
         static const char *const DENSITIES[] = {
@@ -177,10 +177,10 @@ private:
 
     void show_list()
     {
-        std::vector<Texts> lines;
+        Rows lines;
         for (const Item &failure : app_.scene.list("failure")) {
             Texts words = failure.described();
-            lines.push_back({std::to_wstring(lines.size() + 1), words[0], words[1]});
+            lines.push_back({{std::to_wstring(lines.size() + 1), words[0], words[1]}});
         }
         rows(IDC_FAILING, lines);
     }
@@ -189,20 +189,17 @@ private:
     Item fresh(bool is_flying) const
     {
         Item failure = {"failure", {}, {}};
-        const Key &sensor = *key_of("failure.sensor"), &axis = *key_of("failure.axis");
         double from_s = -1, now_s = 0;
         number_of(now(), now_s);
         if (is_flying &&
             (get(IDC_FROM).empty() || (number_of(narrow(get(IDC_FROM)), from_s) && from_s < now_s))) {
             set(IDC_FROM, wide(now()));
         }
-        for (const Change &change : changes()) {
-            failure.set(change.path, change.value);
+        for (const auto &[control, field] : fields_) {
+            if (IsWindowEnabled(control)) {
+                failure.set(field.key->path, typed(control, field));
+            }
         }
-        failure.set("failure.sensor", quoted(sensor.words[(size_t)chosen(IDC_SENSOR)]));
-        failure.set("failure.axis",
-                    chosen(IDC_SENSOR) < 2 ? quoted(axis.words[(size_t)chosen(IDC_SENSOR_AXIS)]) : "");
-        failure.set("failure.from_s", toml(get(IDC_FROM)));
         return failure;
     }
 

@@ -1,14 +1,21 @@
 /* The library, loaded by the program itself: its functions are lib.sins_create and so on. */
 #pragma once
-#include <cstring>
-#include <string>
-
 #include "../sins_loader.h"
+#include "text.h"
 
 extern sins_loader lib;
 
 /* Why the last call on a simulator failed, or with NULL the last of this thread, in the user's language. */
 std::wstring last_error(const sins_sim *sim = NULL);
+
+/* After a call: its error is thrown. */
+inline sins_status check(sins_status status, const sins_sim *sim = NULL)
+{
+    if (status < 0) {
+        throw Refusal{last_error(sim)};
+    }
+    return status;
+}
 
 /* A structure of the library, its size filled in. */
 template <typename T> T sized()
@@ -24,15 +31,16 @@ template <typename Call> std::string whole_text(Call call)
     size_t size = 0;
     call((char *)NULL, (size_t)0, &size);
     std::string text(size, '\0');
-    call(&text[0], size, &size);
-    return text.substr(0, strlen(text.c_str()));
+    call(text.data(), size, &size);
+    return text.c_str();
 }
 
 /* A handle that destroys itself. */
-template <typename T> class Handle {
+template <typename T> class Handle
+{
 public:
     Handle() = default;
-    Handle(Handle &&other) : handle_(other.handle_) { other.handle_ = NULL; }
+    Handle(Handle &&other) { *this = std::move(other); }
     Handle &operator=(Handle &&other)
     {
         std::swap(handle_, other.handle_);

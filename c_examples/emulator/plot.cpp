@@ -87,8 +87,7 @@ LRESULT Plot::handle(UINT message, WPARAM wparam, LPARAM lparam)
     return 0;
 }
 
-void Plot::show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic,
-                const std::wstring &x_title)
+void Plot::show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic)
 {
     if (x_quantity != x_quantity_) {
         zoomed_ = {0, 0};
@@ -96,7 +95,6 @@ void Plot::show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarith
     panels_ = std::move(panels);
     x_quantity_ = x_quantity;
     is_logarithmic_ = is_logarithmic && x_quantity == DURATION;
-    x_title_ = x_title;
     InvalidateRect(window_, NULL, FALSE);
 }
 
@@ -134,22 +132,20 @@ HBITMAP Plot::picture(int width, int height) const
     return bitmap;
 }
 
-bool Plot::save(const std::wstring &path) const
+void Plot::save(const fs::path &path) const
 {
     static const CLSID PNG = {0x557cf406, 0x1a04, 0x11d3, {0x9a, 0x73, 0x00, 0x00, 0xf8, 0x1e, 0xf3, 0x2e}};
     ULONG_PTR token = 0;
     Gdiplus::GdiplusStartupInput input;
-    if (Gdiplus::GdiplusStartup(&token, &input, NULL) != Gdiplus::Ok) {
-        return false;
-    }
+    Gdiplus::GdiplusStartup(&token, &input, NULL);
     cursor_ = -1;
     HBITMAP bitmap = picture(scaled(1000), scaled(700));
-    auto png = std::make_unique<Gdiplus::Bitmap>(bitmap, (HPALETTE)NULL);
-    bool done = png->Save(path.c_str(), &PNG, NULL) == Gdiplus::Ok;
-    png.reset();
+    auto write = [bitmap](const fs::path &to) {
+        return Gdiplus::Bitmap(bitmap, (HPALETTE)NULL).Save(to.c_str(), &PNG, NULL) == Gdiplus::Ok;
+    };
+    write_file(path, write);
     DeleteObject(bitmap);
     Gdiplus::GdiplusShutdown(token);
-    return done;
 }
 
 bool Plot::copy() const

@@ -32,18 +32,18 @@ struct Panel {
     std::vector<Trace> traces;
 };
 
-class Plot {
+class Plot
+{
 public:
     static void register_class();
     void attach(HWND control);
     /* x_quantity DEGREES: a map, on which x and y have the same scale. */
-    void show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic,
-              const std::wstring &x_title);
+    void show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic);
     void draw(HDC dc, RECT area) const;
     /* The picture as it is seen, at a size of its own. The caller deletes it. */
     HBITMAP picture(int width, int height) const;
-    bool save(const std::wstring &path) const; /* PNG */
-    bool copy() const;                         /* to the clipboard */
+    void save(const fs::path &path) const; /* PNG */
+    bool copy() const;                     /* to the clipboard */
 
 private:
     struct Range {
@@ -72,7 +72,6 @@ private:
     std::vector<Panel> panels_;
     Quantity x_quantity_ = DURATION;
     bool is_logarithmic_ = false;
-    std::wstring x_title_;
     Range zoomed_ = {0, 0};   /* of x; equal: all */
     mutable int cursor_ = -1; /* not in pictures */
     int drag_ = -1;

@@ -165,8 +165,8 @@ void Plot::draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_las
     SelectObject(dc, GetStockObject(NULL_BRUSH));
     Rectangle(dc, box.left, box.top, box.right, box.bottom);
     if (is_last) {
-        write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK,
-              x_title_ + L" [" + x_unit.name + L"]");
+        std::wstring title = x_quantity_ == DURATION ? text("time") : label("plot.longitude", "longitude");
+        write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK, title + L" [" + x_unit.name + L"]");
     }
     draw_legend(dc, scale, panel, x_unit, y_unit);
 }

@@ -8,10 +8,15 @@
 #define IDD_DISPLAY 104
 #define IDD_MANOEUVRE 105
 #define IDD_FAILURE 106
-#define IDD_RECOMMEND 107
-#define IDD_BUDGET 108
+#define IDD_STUDY 107
+#define IDD_MAIN 108
 #define IDR_MENU 120
 #define IDR_TEXTS 121
+#define IDR_KEYS 122
+
+/* Main window. */
+#define IDC_TABS 890
+#define IDC_STATUS 891
 
 /* Any number of controls has these: headings, drawn bold, and fields that a label binds to a key. */
 #define IDC_HEADING 900
@@ -57,17 +62,6 @@
 
 /* A manoeuvre. */
 #define IDC_KIND 1401
-#define IDC_DURATION 1402
-#define IDC_RAMP 1403
-#define IDC_SPEED_CHANGE 1404
-#define IDC_HEIGHT_CHANGE 1405
-#define IDC_HEADING_CHANGE 1406
-#define IDC_BANK 1407
-#define IDC_TURNS 1408
-#define IDC_CHANNEL 1410 /* six of each */
-#define IDC_AMPLITUDE 1420
-#define IDC_FREQUENCY 1430
-#define IDC_PHASE 1440
 #define IDC_MESSAGE 1450
 
 /* A failure, and the studies. */
@@ -84,8 +78,8 @@
 #define IDC_LIMIT_POSITION 1602
 #define IDC_LIMIT_VELOCITY 1603
 #define IDC_LIMIT_ATTITUDE 1604
-#define IDC_FOR 1605
-#define IDC_RUNS 1606
+#define IDC_LAST 1606 /* duration, or runs */
+#define IDC_LAST_LABEL 1611
 #define IDC_RESULT 1607
 #define IDC_STATE 1608
 #define IDC_COMPUTE 1609

@@ -1,5 +1,7 @@
 #include "scene.h"
 
+#include <regex>
+
 std::wstring last_error(const sins_sim *sim)
 {
     sins_error_info info = sized<sins_error_info>();
@@ -7,8 +9,8 @@ std::wstring last_error(const sins_sim *sim)
     lib.sins_last_error_info(sim, &info);
     if (is_chinese() && (info.flags & LIMITS) == LIMITS) {
         const Key *key = key_of(info.field);
-        std::wstring field =
-            key == NULL ? wide(info.field) : label(key->path(), key->doc) + L" (" + wide(info.field) + L")";
+        std::wstring field = wide(info.field), meaning = key == NULL ? L"" : label(key->path, key->doc);
+        field = key == NULL ? field : meaning + L" (" + field + L")";
         return text("limits", {field, shown(info.value, 6), shown(info.minimum, 6), shown(info.maximum, 6)});
     }
     return wide(whole_text([sim](char *buffer, size_t size, size_t *needed) {
@@ -21,36 +23,66 @@ std::wstring told(const Faults &faults)
     return faults.empty() ? L"" : told(faults[0].sentence);
 }
 
-/* A value without the comment that the library writes behind it. */
-static std::string without_comment(const std::string &text)
+std::string Item::get(const std::string &path) const
 {
-    char quote = text.empty() ? '\0' : text[0];
-    if (quote != '"' && quote != '\'') {
-        return text.substr(0, text.find("  #"));
+    const Key &key = *key_of(path);
+    for (const auto &[name, value] : entries) {
+        if (name == key.name) {
+            return value;
+        }
+        if (name == key.si_name) { /* no number in the key's unit is the same to the bit */
+            std::vector<std::string> elements = numbers(value, key);
+            double number;
+            for (std::string &element : elements) {
+                element = number_of(element, number) ? shortest(number * key.units_per_si()) : element;
+            }
+            return key.count > 1 ? list_of(elements) : elements[0];
+        }
     }
-    size_t end = 1;
-    while (end < text.size() && text[end] != quote) {
-        end += quote == '"' && text[end] == '\\' ? 2 : 1;
-    }
-    return text.substr(0, end + 1);
+    return "";
 }
 
-/* The sections of a text that the library wrote: one key a line. */
+void Item::set(const std::string &path, const std::string &value, bool in_si)
+{
+    const Key &key = *key_of(path);
+    std::erase_if(entries,
+                  [&](auto &entry) { return entry.first == key.name || entry.first == key.si_name; });
+    if (!value.empty()) {
+        entries.push_back({in_si ? key.si_name : key.name, value});
+    }
+}
+
+Texts Item::described() const
+{
+    std::wstring words, values;
+    for (const auto &[name, value] : entries) {
+        const Key &key = *key_of(section + "." + name);
+        if (!key.words.empty()) {
+            words += (words.empty() ? L"" : L" ") + key.word_label(unquoted(value));
+        } else {
+            values += (values.empty() ? L"" : L", ") + label(key.path + ".short", name) + L" ";
+            values += wide(get(key.path)) + (key.unit.empty() ? L"" : L" " + wide(key.unit));
+        }
+    }
+    return {words, values};
+}
+
+/* The sections of a text that the library wrote: one key a line, and its meaning as a comment. */
 static Items items_of(const std::string &text)
 {
+    static const std::regex LINE("(\\w+) = (\"(?:[^\"\\\\]|\\\\.)*\"|.*?)(  #.*)?");
     Items items;
     Item *last = NULL;
+    std::smatch found;
     for (const std::string &line : split(text, "\n")) {
-        size_t equals = line.find(" = ");
-        if (begins(line, "[")) {
+        if (line.starts_with("[")) {
             size_t first = line.find_first_not_of('[');
             std::string section = line.substr(first, line.find(']') - first);
-            Items &all =
-                !items.empty() && begins(section, items.back().section + ".") ? items.back().items : items;
-            all.push_back({section, {}, {}});
-            last = &all.back();
-        } else if (!begins(line, "#") && equals != std::string::npos && last != NULL) {
-            last->entries.push_back({line.substr(0, equals), without_comment(line.substr(equals + 3))});
+            bool is_nested = !items.empty() && section.starts_with(items.back().section + ".");
+            Items &all = is_nested ? items.back().items : items;
+            last = &all.emplace_back(Item{section, {}, {}});
+        } else if (last != NULL && std::regex_match(line, found, LINE)) {
+            last->entries.push_back({found[1], found[2]});
         }
     }
     return items;
@@ -58,34 +90,18 @@ static Items items_of(const std::string &text)
 
 Scene::Scene(const std::string &builtin)
 {
-    if (builtin.empty()) {
-        lib.sins_scene_create(&handle_);
-    } else {
-        lib.sins_scene_create_builtin(builtin.c_str(), &handle_);
-    }
-    write_back();
+    bool is_default = builtin.empty();
+    taken(is_default ? lib.sins_scene_create(&handle_)
+                     : lib.sins_scene_create_builtin(builtin.c_str(), &handle_));
 }
 
-void Scene::write_back()
+void Scene::taken(sins_status status)
 {
+    check(status);
     text_ = whole_text([this](char *buffer, size_t size, size_t *needed) {
         return lib.sins_scene_write(handle_, buffer, size, needed);
     });
     items_ = items_of(text_);
-}
-
-std::wstring Scene::taken(sins_status status)
-{
-    if (status < 0) {
-        return last_error();
-    }
-    write_back();
-    return L"";
-}
-
-std::wstring Scene::set_text(int which, const std::string &text)
-{
-    return taken(lib.sins_scene_set_text(handle_, which, text.c_str()));
 }
 
 Faults Scene::read(const std::string &text)
@@ -93,101 +109,91 @@ Faults Scene::read(const std::string &text)
     Handle<sins_scene> handle;
     Faults faults;
     sins_fault fault = sized<sins_fault>();
-    sins_status status = lib.sins_scene_parse(text.data(), text.size(), &handle);
+    sins_status status = check(lib.sins_scene_parse(text.data(), text.size(), &handle));
+    while (status != SINS_OK && lib.sins_scene_get_fault(handle, faults.size(), &fault) == SINS_OK) {
+        faults.push_back({(size_t)fault.line, 0, "", fault.sentence});
+    }
     if (status == SINS_OK) {
         handle_ = std::move(handle);
-        write_back();
-    } else if (status < 0) {
-        faults.push_back({0, "", narrow(last_error())});
-    }
-    while (status == SINS_SCENE_HAS_FAULTS &&
-           lib.sins_scene_get_fault(handle, faults.size(), &fault) == SINS_OK) {
-        faults.push_back({(size_t)fault.line, "", fault.sentence});
+        taken(status);
     }
     return faults;
 }
 
-/* The lines of an item, and of each the item's number with the path of its key. */
-static void write_item(const Item &item, size_t number, std::string &text, Faults &lines)
+/* The lines of an item; and of each what a fault in it is a fault of. */
+static void write_item(const Item &item, size_t number, size_t nested, std::string &text, Faults &lines)
 {
-    bool is_list = begins(item.section, "manoeuvre") || item.section == "failure";
+    bool is_list = item.section.starts_with("manoeuvre") || item.section == "failure";
     text += (is_list ? "[[" + item.section + "]]" : "[" + item.section + "]") + "\n";
-    lines.push_back({number, item.section, ""});
-    for (const auto &entry : item.entries) {
-        text += entry.first + " = " + entry.second + "\n";
-        lines.push_back({number, item.section + "." + entry.first, ""});
+    lines.push_back({number, nested, item.section, ""});
+    for (const auto &[name, value] : item.entries) {
+        text += name + " = " + value + "\n";
+        lines.push_back({number, nested, item.section + "." + name, ""});
     }
     for (const Item &own : item.items) {
-        write_item(own, number, text, lines);
+        nested++;
+        if (!own.entries.empty()) {
+            write_item(own, number, nested, text, lines);
+        }
     }
 }
 
 Faults Scene::read(const Items &items)
 {
-    Faults lines(1, {(size_t)-1, "", ""});
+    Faults lines(1, {(size_t)-1, 0, "", ""});
     std::string text;
     for (size_t k = 0; k < items.size(); k++) {
-        write_item(items[k], k, text, lines);
+        write_item(items[k], k, 0, text, lines);
     }
     Faults faults = read(text);
     for (Fault &fault : faults) {
         const Fault &line = lines[fault.item < lines.size() ? fault.item : 0];
-        fault = {line.item, line.path, fault.sentence};
+        fault = {line.item, line.nested, line.path, fault.sentence};
     }
     return faults;
 }
 
 std::string Scene::get(const std::string &path) const
 {
-    const Key *key = key_of(path);
-    for (const Item &item : items_) {
-        if (item.section == key->section) {
-            return item.get(*key);
-        }
-    }
-    return "";
+    const std::string &section = key_of(path)->section;
+    auto own =
+        std::find_if(items_.begin(), items_.end(), [&](auto &item) { return item.section == section; });
+    return own == items_.end() ? "" : own->get(path);
 }
 
 Faults Scene::change(std::vector<Change> changes)
 {
-    Faults all;
-    for (;;) {
-        Items items = items_;
-        for (const Change &change : changes) {
-            std::string section = key_of(change.path)->section;
-            auto own = std::find_if(items.begin(), items.end(),
-                                    [&](const Item &item) { return item.section == section; });
-            own = own == items.end() ? items.insert(own, {section, {}, {}}) : own;
-            own->set(change.path, change.value, change.in_si);
-        }
-        /* The faults of all changes together count; without those at fault the others are tried again. */
-        Faults faults = read(items);
-        all = all.empty() ? faults : all;
-        auto is_at_fault = [&](const Change &change) {
-            return std::any_of(faults.begin(), faults.end(),
-                               [&](const Fault &fault) { return key_of(fault.path) == key_of(change.path); });
-        };
-        auto sound = std::remove_if(changes.begin(), changes.end(), is_at_fault);
-        if (sound == changes.begin() || sound == changes.end()) {
-            return all;
-        }
-        changes.erase(sound, changes.end());
+    Items items = items_;
+    for (const Change &change : changes) {
+        const std::string &section = key_of(change.path)->section;
+        auto own =
+            std::find_if(items.begin(), items.end(), [&](auto &item) { return item.section == section; });
+        own = own == items.end() ? items.insert(own, {section, {}, {}}) : own;
+        own->set(change.path, change.value, change.in_si);
     }
+    /* The faults of all changes together count; without those at fault the others are tried again. */
+    Faults faults = read(items);
+    size_t erased = std::erase_if(changes, [&](const Change &change) {
+        return std::any_of(faults.begin(), faults.end(),
+                           [&](const Fault &fault) { return key_of(fault.path) == key_of(change.path); });
+    });
+    if (erased > 0 && !changes.empty()) {
+        change(changes);
+    }
+    return faults;
 }
 
 Items Scene::list(const std::string &section) const
 {
-    Items items;
-    std::copy_if(items_.begin(), items_.end(), std::back_inserter(items),
-                 [&](const Item &item) { return item.section == section; });
+    Items items = items_;
+    std::erase_if(items, [&](const Item &item) { return item.section != section; });
     return items;
 }
 
 Faults Scene::set_list(const std::string &section, const Items &items)
 {
-    Items all;
-    std::copy_if(items_.begin(), items_.end(), std::back_inserter(all),
-                 [&](const Item &item) { return item.section != section; });
+    Items all = items_;
+    std::erase_if(all, [&](const Item &item) { return item.section == section; });
     size_t first = all.size();
     all.insert(all.end(), items.begin(), items.end());
     Faults faults = read(all);

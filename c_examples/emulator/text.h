@@ -3,17 +3,23 @@
 #include <windows.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "resource.h"
 
+namespace fs = std::filesystem;
 using std::max;
 using std::min;
 
 typedef std::vector<std::wstring> Texts;
+
+/* Thrown: why something is not done, for the user. */
+struct Refusal {
+    std::wstring sentence;
+};
 
 std::wstring wide(const std::string &utf8);
 std::string narrow(const std::wstring &text);
@@ -38,16 +44,10 @@ std::string shortest(double value);
 std::wstring shown(double value, int digits);
 /* Reads a whole text as a number, in any locale; false: it is none, or not finite. */
 bool number_of(const std::string &text, double &value);
-
-bool begins(const std::string &text, const std::string &with);
 std::vector<std::string> split(const std::string &text, const std::string &by);
 
-/* Reads a file whole; false with the system's sentence. */
-bool read_file(const std::wstring &path, std::string &bytes, std::wstring &why);
+std::string read_file(const fs::path &path);
 /* Writes a file beside its place and renames it at the end: it is whole, or not there. */
-bool write_file(const std::wstring &path, const std::function<bool(FILE *)> &write, std::wstring &why);
+void write_file(const fs::path &path, const std::function<bool(const fs::path &beside)> &write);
 /* Whether two names lead to one file. */
-bool same_file(const std::wstring &one, const std::wstring &other);
-bool is_absolute(const std::wstring &path);
-std::wstring folder_of(const std::wstring &path); /* with the last "\" */
-std::wstring name_of(const std::wstring &path);
+bool same_file(const fs::path &one, const fs::path &other);

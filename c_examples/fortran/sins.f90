@@ -272,6 +272,17 @@ module sins
   !> the INS starts again.
   integer(c_int32_t), parameter :: SINS_NAVIGATION_NORTH_UNKNOWN = 8
 
+  !> Flags of a sins_imu.
+  integer, parameter :: sins_imu_flags = c_int32_t
+  !> The mean rate of a sub-increment was beyond the range of a gyro.
+  integer(c_int32_t), parameter :: SINS_IMU_GYRO_SATURATED = 1
+  !> The mean force of a sub-increment was beyond the range of an accelerometer.
+  integer(c_int32_t), parameter :: SINS_IMU_ACCEL_SATURATED = 2
+  !> A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
+  integer(c_int32_t), parameter :: SINS_IMU_GYRO_INVALID = 4
+  !> An accelerometer had no signal in the interval: dead, or dropped out.
+  integer(c_int32_t), parameter :: SINS_IMU_ACCEL_INVALID = 8
+
   !> The two sources of errors.
   integer, parameter :: sins_errors_source = c_int32_t
   !> Navigation minus truth: the paper's error data 2.
@@ -289,17 +300,6 @@ module sins
   integer(c_int32_t), parameter :: SINS_ERRORS_OUTSIDE_VALIDITY = 2
   !> In a sins_record: not computed, all zero.
   integer(c_int32_t), parameter :: SINS_ERRORS_NOT_COMPUTED = 4
-
-  !> Flags of a sins_imu.
-  integer, parameter :: sins_imu_flags = c_int32_t
-  !> The mean rate of a sub-increment was beyond the range of a gyro.
-  integer(c_int32_t), parameter :: SINS_IMU_GYRO_SATURATED = 1
-  !> The mean force of a sub-increment was beyond the range of an accelerometer.
-  integer(c_int32_t), parameter :: SINS_IMU_ACCEL_SATURATED = 2
-  !> A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
-  integer(c_int32_t), parameter :: SINS_IMU_GYRO_INVALID = 4
-  !> An accelerometer had no signal in the interval: dead, or dropped out.
-  integer(c_int32_t), parameter :: SINS_IMU_ACCEL_INVALID = 8
 
   !> Grades of sensors.
   integer, parameter :: sins_grade = c_int32_t
@@ -835,52 +835,53 @@ module sins
 
   !> A solution within a sins_record; never grows. Fields as in sins_navigation.
   type, bind(C) :: sins_record_solution
-    !> Geodetic latitude [rad].
+    !> Geodetic latitude, -pi/2 to pi/2 [rad].
     real(c_double) :: latitude_rad = 0.0_c_double
-    !> Longitude, east positive [rad].
+    !> Longitude, east positive, -pi to pi [rad].
     real(c_double) :: longitude_rad = 0.0_c_double
     !> Height above the ellipsoid [m].
     real(c_double) :: height_m = 0.0_c_double
     !> Velocity against the Earth, east-north-up [m/s].
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Roll, right wing down positive [rad].
+    !> Roll, right wing down positive, -pi to pi [rad].
     real(c_double) :: roll_rad = 0.0_c_double
-    !> Pitch, nose up positive [rad].
+    !> Pitch, nose up positive, -pi/2 to pi/2 [rad].
     real(c_double) :: pitch_rad = 0.0_c_double
-    !> Heading, clockwise from true north [rad].
+    !> Heading, clockwise from true north, 0 to 2 pi [rad].
     real(c_double) :: heading_rad = 0.0_c_double
     !> Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
     real(c_double) :: quaternion_nb(4) = 0.0_c_double
     !> Flags of enum sins_navigation_flags, or'ed.
     integer(c_int32_t) :: flags = 0_c_int32_t
     !> 0
-    integer(c_int32_t) :: reserved = 0_c_int32_t
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
   end type sins_record_solution
 
   !> Errors within a sins_record; never grows. Fields as in sins_errors.
   type, bind(C) :: sins_record_errors
-    !> Displacement from truth along true east and north, and error of height [m].
+    !> Position error: displacement from truth along true east and north, and difference of heights [m].
     real(c_double) :: position_enu_m(3) = 0.0_c_double
     !> Error of latitude [rad].
     real(c_double) :: latitude_rad = 0.0_c_double
-    !> Error of longitude [rad].
+    !> Error of longitude, wrapped to -pi to pi [rad].
     real(c_double) :: longitude_rad = 0.0_c_double
     !> Error of height [m].
     real(c_double) :: height_m = 0.0_c_double
-    !> Error of velocity, east-north-up [m/s].
+    !> Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Misalignment phi, east-north-up [rad].
+    !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+    !> error model it is of first order: computed C = (I - [phi x]) C.
     real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
-    !> Error of roll [rad].
+    !> Error of roll, wrapped to -pi to pi [rad].
     real(c_double) :: roll_rad = 0.0_c_double
     !> Error of pitch [rad].
     real(c_double) :: pitch_rad = 0.0_c_double
-    !> Error of heading [rad].
+    !> Error of heading, wrapped to -pi to pi [rad].
     real(c_double) :: heading_rad = 0.0_c_double
     !> Flags of enum sins_errors_flags, or'ed.
     integer(c_int32_t) :: flags = 0_c_int32_t
     !> 0
-    integer(c_int32_t) :: reserved = 0_c_int32_t
+    integer(c_int32_t) :: reserved2 = 0_c_int32_t
   end type sins_record_errors
 
   !> Truth, navigation and both errors at one instant.
@@ -1127,7 +1128,8 @@ module sins
   !> scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the
   !> altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not contain: given errors
   !> and failures, which change the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of
-  !> flight. A parameter that is set in flight counts from the start of its second.
+  !> flight. A parameter that is set in flight counts from the start of its second. A second with at least one height of the
+  !> altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
   type, bind(C) :: sins_covariance
     !> sizeof(sins_covariance)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_COVARIANCE
@@ -1366,7 +1368,7 @@ module sins
     real(c_double) :: every_s = 0.0_c_double
   end type sins_scene_setup
 
-  !> A failure that a scene plans.
+  !> A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
   type, bind(C) :: sins_planned_failure
     !> sizeof(sins_planned_failure)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_PLANNED_FAILURE
@@ -1380,19 +1382,19 @@ module sins
     real(c_double) :: from_s = 0.0_c_double
     !> End of the failure, likewise; 0: the end of the flight [s].
     real(c_double) :: until_s = 0.0_c_double
-    !> Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
+    !> Kind of the failure, of enum sins_failure_kind.
     integer(c_int32_t) :: kind = 0_c_int32_t
     !> Must be 0.
     integer(c_int32_t) :: reserved2 = 0_c_int32_t
-    !> Size, as in sins_failure.
+    !> Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
     real(c_double) :: size = 0.0_c_double
-    !> Density, as in sins_failure.
+    !> Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
     real(c_double) :: density = 0.0_c_double
-    !> Interval, as in sins_failure [s].
+    !> Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
     real(c_double) :: interval_s = 0.0_c_double
-    !> Duration, as in sins_failure [s].
+    !> Spikes: length of one spike, 1e-9 s to interval_s [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Probability, as in sins_failure.
+    !> Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     real(c_double) :: probability = 0.0_c_double
   end type sins_planned_failure
 
@@ -1572,14 +1574,6 @@ module sins
       type(c_ptr) :: sins_status_string
     end function sins_status_string
 
-    !> Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
-    function sins_get_options(sim, options) bind(C, name="sins_get_options")
-      import
-      type(c_ptr), value :: sim
-      type(sins_options), intent(inout) :: options
-      integer(sins_status) :: sins_get_options
-    end function sins_get_options
-
     !> Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
     !>
     !> On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
@@ -1601,6 +1595,14 @@ module sins
       type(c_ptr), value :: sim
       integer(sins_status) :: sins_destroy
     end function sins_destroy
+
+    !> Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
+    function sins_get_options(sim, options) bind(C, name="sins_get_options")
+      import
+      type(c_ptr), value :: sim
+      type(sins_options), intent(inout) :: options
+      integer(sins_status) :: sins_get_options
+    end function sins_get_options
 
     !> Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.
     !>

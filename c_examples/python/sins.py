@@ -451,6 +451,23 @@ class navigation_flags(enum.IntFlag):
 
 
 @_exported
+class imu_flags(enum.IntFlag):
+    """Flags of a sins.imu.
+
+    IMU_GYRO_SATURATED: The mean rate of a sub-increment was beyond the range of a gyro.
+    IMU_ACCEL_SATURATED: The mean force of a sub-increment was beyond the range of an accelerometer.
+    IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with
+        its output of 0.
+    IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out.
+    """
+
+    IMU_GYRO_SATURATED = 1
+    IMU_ACCEL_SATURATED = 2
+    IMU_GYRO_INVALID = 4
+    IMU_ACCEL_INVALID = 8
+
+
+@_exported
 class errors_source(enum.IntEnum):
     """The two sources of errors.
 
@@ -477,23 +494,6 @@ class errors_flags(enum.IntFlag):
     ERRORS_NEAR_POLE = 1
     ERRORS_OUTSIDE_VALIDITY = 2
     ERRORS_NOT_COMPUTED = 4
-
-
-@_exported
-class imu_flags(enum.IntFlag):
-    """Flags of a sins.imu.
-
-    IMU_GYRO_SATURATED: The mean rate of a sub-increment was beyond the range of a gyro.
-    IMU_ACCEL_SATURATED: The mean force of a sub-increment was beyond the range of an accelerometer.
-    IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with
-        its output of 0.
-    IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out.
-    """
-
-    IMU_GYRO_SATURATED = 1
-    IMU_ACCEL_SATURATED = 2
-    IMU_GYRO_INVALID = 4
-    IMU_ACCEL_INVALID = 8
 
 
 @_exported
@@ -1131,13 +1131,13 @@ class gravity_params(_Struct):
 class record_solution(_Struct):
     """A solution within a sins.record; never grows. Fields as in sins.navigation.
 
-    latitude_rad: Geodetic latitude [rad].
-    longitude_rad: Longitude, east positive [rad].
+    latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
+    longitude_rad: Longitude, east positive, -pi to pi [rad].
     height_m: Height above the ellipsoid [m].
     velocity_enu_m_s[3]: Velocity against the Earth, east-north-up [m/s].
-    roll_rad: Roll, right wing down positive [rad].
-    pitch_rad: Pitch, nose up positive [rad].
-    heading_rad: Heading, clockwise from true north [rad].
+    roll_rad: Roll, right wing down positive, -pi to pi [rad].
+    pitch_rad: Pitch, nose up positive, -pi/2 to pi/2 [rad].
+    heading_rad: Heading, clockwise from true north, 0 to 2 pi [rad].
     quaternion_nb[4]: Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
     flags: Flags of enum sins.navigation_flags, or'ed.
     """
@@ -1153,22 +1153,25 @@ class record_solution(_Struct):
         ("heading_rad", c_double),
         ("quaternion_nb", c_double * 4),
         ("flags", c_int32),
-        ("reserved", c_uint32),
+        ("reserved2", c_uint32),
     ]
 
 
 class record_errors(_Struct):
     """Errors within a sins.record; never grows. Fields as in sins.errors.
 
-    position_enu_m[3]: Displacement from truth along true east and north, and error of height [m].
+    position_enu_m[3]: Position error: displacement from truth along true east and north, and difference of
+        heights [m].
     latitude_rad: Error of latitude [rad].
-    longitude_rad: Error of longitude [rad].
+    longitude_rad: Error of longitude, wrapped to -pi to pi [rad].
     height_m: Error of height [m].
-    velocity_enu_m_s[3]: Error of velocity, east-north-up [m/s].
-    misalignment_enu_rad[3]: Misalignment phi, east-north-up [rad].
-    roll_rad: Error of roll [rad].
+    velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
+        own position.
+    misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from
+        sensor axes to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) C.
+    roll_rad: Error of roll, wrapped to -pi to pi [rad].
     pitch_rad: Error of pitch [rad].
-    heading_rad: Error of heading [rad].
+    heading_rad: Error of heading, wrapped to -pi to pi [rad].
     flags: Flags of enum sins.errors_flags, or'ed.
     """
 
@@ -1184,7 +1187,7 @@ class record_errors(_Struct):
         ("pitch_rad", c_double),
         ("heading_rad", c_double),
         ("flags", c_int32),
-        ("reserved", c_uint32),
+        ("reserved2", c_uint32),
     ]
 
 
@@ -1467,7 +1470,8 @@ class covariance(_Struct):
     and white noise; the random fields of gravity; the altimeter's Gauss-Markov error and noise; quantization, as
     white noise of the same variance. It does not contain: given errors and failures, which change the mean; dead
     zones and ranges, which are not linear. One step of the propagation is one second of flight. A parameter that is
-    set in flight counts from the start of its second.
+    set in flight counts from the start of its second. A second with at least one height of the altimeter counts as
+    aided throughout, so drop-outs shorter than a second do not show.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE; sins.ERRORS_OUTSIDE_VALIDITY where a
         standard deviation is.
@@ -1744,18 +1748,18 @@ class scene_setup(_Struct):
 
 
 class planned_failure(_Struct):
-    """A failure that a scene plans.
+    """A failure that a scene plans. Its fields from kind on are those of sins.failure; kind is not sins.FAILURE_NONE.
 
     sensor: Sensor that fails, of enum sins.sensor.
     axis: Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter.
     from_s: Start of the failure, 0 to 1e9 since the start of the flight [s].
     until_s: End of the failure, likewise; 0: the end of the flight [s].
-    kind: Kind, of enum sins.failure_kind, but not sins.FAILURE_NONE.
-    size: Size, as in sins.failure.
-    density: Density, as in sins.failure.
-    interval_s: Interval, as in sins.failure [s].
-    duration_s: Duration, as in sins.failure [s].
-    probability: Probability, as in sins.failure.
+    kind: Kind of the failure, of enum sins.failure_kind.
+    size: Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+    density: Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
+    probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     """
 
     __slots__ = ()
@@ -2077,13 +2081,6 @@ def status_string(status):
     """
 
 
-@_function(status, sim, POINTER(options))
-def get_options(sim, options):
-    """Reads the options in effect: those of sins.create() or of the snapshot that was loaded, with the defaults in place
-    of 0.
-    """
-
-
 @_function(status, POINTER(options), _New(sim))
 def create(options, sim):
     """Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
@@ -2100,6 +2097,13 @@ def destroy(sim):
     """Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    """
+
+
+@_function(status, sim, POINTER(options))
+def get_options(sim, options):
+    """Reads the options in effect: those of sins.create() or of the snapshot that was loaded, with the defaults in place
+    of 0.
     """
 
 

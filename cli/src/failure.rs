@@ -4,8 +4,6 @@ use std::fmt;
 use std::path::Path;
 use std::process::ExitCode;
 
-use crate::terminal::printable;
-
 /// Whose fault it is: the exit code says so.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -107,6 +105,14 @@ impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErro
     fn from(error: plotters::drawing::DrawingAreaErrorKind<E>) -> Self {
         Self::of_kind(Kind::Failed, format!("a figure could not be drawn: {error}"))
     }
+}
+
+/// `text` without what would steer a terminal, or hide in it: control characters but line feeds and tabs, and those that turn the
+/// direction of writing.
+pub fn printable(text: &str) -> String {
+    let is_turning = |letter: char| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let is_steering = |letter: char| letter.is_control() && letter != '\n' && letter != '\t';
+    text.chars().map(|letter| if is_steering(letter) || is_turning(letter) { '?' } else { letter }).collect()
 }
 
 #[cfg(test)]

@@ -13,9 +13,12 @@ mod failure;
 mod fly;
 mod given;
 mod interrupt;
+mod limits;
 mod lines;
 mod output;
 mod parallel;
+#[cfg(test)]
+mod parsed;
 mod places;
 mod progress;
 mod recommend;

@@ -9,20 +9,44 @@ use crate::given::Given;
 /// Folder of all outputs, where nothing else is said.
 pub const OUTPUT_FOLDER: &str = "sins_out";
 
-/// Folder and base name of the outputs of `given`; `out` and `name` are the command line's.
-pub fn places(out: Option<&Path>, name: Option<&str>, given: &Given) -> Result<(PathBuf, String), Failure> {
-    let output = &given.scene.output;
-    let folder = match out {
-        Some(folder) => folder.to_owned(),
-        None if output.folder.is_empty() => PathBuf::from(OUTPUT_FOLDER),
-        None => below(Path::new(""), &output.folder, "output.folder", "--out")?,
-    };
-    let name = name.or(Some(output.name.as_str()).filter(|name| !name.is_empty()));
-    let name = name.unwrap_or(&given.name).to_owned();
-    if name.is_empty() || name.contains(['/', '\\']) || name.chars().any(char::is_control) {
-        return Err(Failure::new(format!("--name \"{name}\": expected a name without a folder")));
+/// Where a command that flies one scene writes.
+#[derive(Debug, clap::Args)]
+pub struct OutputArguments {
+    /// Folder of all outputs [default: the scene's output.folder, or sins_out]
+    #[arg(short, long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Base name of the outputs [default: the scene's output.name, or the name of its file]
+    #[arg(long)]
+    name: Option<String>,
+    /// Neither progress nor summary
+    #[arg(short, long)]
+    quiet: bool,
+    /// Also replaces files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl OutputArguments {
+    /// Folder and base name of the outputs of `given`.
+    pub fn places(&self, given: &Given) -> Result<(PathBuf, String), Failure> {
+        let output = &given.scene.output;
+        let folder = match &self.out {
+            Some(folder) => folder.clone(),
+            None if output.folder.is_empty() => PathBuf::from(OUTPUT_FOLDER),
+            None => below(Path::new(""), &output.folder, "output.folder", "--out")?,
+        };
+        let name = self.name.as_ref().or(Some(&output.name).filter(|name| !name.is_empty()));
+        let name = name.unwrap_or(&given.name).clone();
+        if name.is_empty() || name.contains(['/', '\\']) || name.chars().any(char::is_control) {
+            return Err(Failure::new(format!("--name \"{name}\": expected a name without a folder")));
+        }
+        Ok((folder, name))
     }
-    Ok((folder, name))
+
+    /// Whether neither progress nor summary is wanted of `given`.
+    pub fn is_quiet(&self, given: &Given) -> bool {
+        self.quiet || given.scene.output.quiet
+    }
 }
 
 /// `file` below `folder`; refuses what leads out of it.

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-use crate::terminal::printable;
+use crate::failure::printable;
 use crate::units::time_text;
 
 /// What takes no longer shows no line; the line is renewed as often.

@@ -1,43 +1,30 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
-use std::ffi::OsString;
-use std::path::PathBuf;
-
 use sins::mechanization::Scheme;
-use sins::recommend::{MAX_SAMPLES, Recommendation, Requirement, Setup, recommend, step_time_ns};
+use sins::recommend::{
+    MAX_SAMPLES, Recommendation, Requirement, Setup, SolutionError, recommend, step_time_ns,
+};
 use sins::truth::FlightSample;
-use sins::units::ARCSEC;
 
 use crate::failure::{Failure, Kind};
 use crate::fly::FOR_LOGS;
-use crate::given::{Given, Settings};
+use crate::given::{Given, SceneArguments};
+use crate::limits::LimitArguments;
 use crate::progress::Progress;
 use crate::terminal::print;
 use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
 ///
-/// Flies a piece of the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty.
-/// Options and mounting of the scene count; sensor errors do not.
+/// Flies a piece of the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty. The
+/// limits are those of the errors that the algorithm itself causes, at any time. Options and mounting are those of the scene;
+/// its sensor errors do not matter.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv
-    #[arg(value_name = "SCENE")]
-    pub scene: Option<OsString>,
-    /// Uses this flight log instead of the scene's own flight
-    #[arg(long, value_name = "LOG.csv")]
-    pub log: Option<PathBuf>,
     #[command(flatten)]
-    pub settings: Settings,
-    /// Largest position error that the algorithm itself may cause; 0: no limit
-    #[arg(long, value_name = "METRES", default_value_t = 0.0)]
-    pub position: f64,
-    /// Largest velocity error that the algorithm itself may cause; 0: no limit
-    #[arg(long, value_name = "M_PER_S", default_value_t = 0.0)]
-    pub velocity: f64,
-    /// Largest attitude error that the algorithm itself may cause; 0: no limit
-    #[arg(long, value_name = "ARCSEC", default_value_t = 0.0)]
-    pub attitude: f64,
+    scene: SceneArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
     /// Duration for which the accuracy is required [default: the whole scene]
     #[arg(long)]
     pub hours: Option<f64>,
@@ -53,22 +40,23 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let given = Given::load(order.scene.as_deref(), order.log.as_deref(), &order.settings, FOR_LOGS)?;
+    let given = order.scene.load(FOR_LOGS)?;
     let hours = order.hours.unwrap_or(given.duration_s / 3600.0);
+    let SolutionError { position_m, velocity_m_s, attitude_rad } = order.limits.errors();
     let requirement = Requirement {
         duration_s: (hours * 3600.0).min(if order.hours.is_some() {
             f64::INFINITY
         } else {
             Requirement::MAX_DURATION_S
         }),
-        position_m: order.position,
-        velocity_m_s: order.velocity,
-        attitude_rad: ARCSEC * order.attitude,
+        position_m,
+        velocity_m_s,
+        attitude_rad,
         margin: order.margin,
     };
     requirement.validate()?;
     let (first, samples) = piece(order, &given)?;
-    let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.mounting };
+    let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.errors.mounting };
     let working = Progress::working("trying the algorithms");
     let answer = recommend(&setup, &samples, &requirement).map_err(|refusal| match refusal.sample {
         Some(index) => given.refusal(first + index, &refusal.error),
@@ -110,7 +98,7 @@ fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
         Scheme::Paper => "paper",
         Scheme::Polynomial => "polynomial",
     };
-    let leaves = |error: &sins::recommend::SolutionError| {
+    let leaves = |error: &SolutionError| {
         format!(
             "{}, {}, {}",
             brief(error.position_m, LENGTH),

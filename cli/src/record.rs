@@ -5,6 +5,9 @@ use sins::errors::NavigationErrors;
 use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
 
+/// Axes of all errors except those of the sensors, in the order of the columns.
+pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
+
 /// Columns of a file of records.
 pub const COLUMNS: [&str; 51] = [
     "time_s",

@@ -70,6 +70,11 @@ pub fn fitting(size: f64, family: &Family) -> Unit {
     units.rfind(|unit| size.abs() >= unit.si).or(smallest).copied().unwrap_or(family.si)
 }
 
+/// The unit of one axis of several: that of the `largest`, unless this axis is so small that its ticks would be fractions.
+pub fn fitting_axis(size: f64, largest: f64, family: &Family) -> Unit {
+    fitting(if size < 0.05 * largest { size } else { largest }, family)
+}
+
 /// `value` [SI] in the usual unit that fits it, "12.35 km"; in the SI unit with a power of ten where none does.
 pub fn with_unit(value: f64, family: &Family) -> String {
     in_unit(value, usual(value, family))

@@ -72,14 +72,14 @@ impl Flight {
     /// Takes the sensor errors and failures of another scene.
     fn retune(&mut self, scene: Scene) -> Result<(), Error> {
         let mut simulator = self.simulator.clone();
-        if scene.gyro != self.scene.gyro {
-            simulator.set_gyro(&scene.gyro)?;
+        if scene.errors.gyro != self.scene.errors.gyro {
+            simulator.set_gyro(&scene.errors.gyro)?;
         }
-        if scene.accel != self.scene.accel {
-            simulator.set_accel(&scene.accel)?;
+        if scene.errors.accel != self.scene.errors.accel {
+            simulator.set_accel(&scene.errors.accel)?;
         }
-        if scene.altimeter != self.scene.altimeter {
-            simulator.set_altimeter(&scene.altimeter)?;
+        if scene.errors.altimeter != self.scene.errors.altimeter {
+            simulator.set_altimeter(&scene.errors.altimeter)?;
         }
         for output in SensorOutput::ALL {
             let plans = |scene: &Scene| scene.failures.iter().any(|planned| planned.output == output);

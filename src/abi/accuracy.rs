@@ -1,9 +1,9 @@
 //! `sins_accuracy`.
 
+use super::answer::write_or_need;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::write_or_need;
 use crate::errors::AccuracyFigures;
 use crate::simulator::{ClosureFigures, TrimFigures};
 

@@ -1,8 +1,8 @@
 //! `sins_altimeter_params`.
 
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
-use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::AltimeterParameters;
 

@@ -1,34 +1,16 @@
 //! What stands between the host and the library: no panic leaves, nothing is printed, the host's floating-point state is
 //! left as it was.
 
-use core::cell::Cell;
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
 use super::fpu::FloatState;
-use super::process::{is_inside_a_handle, is_prepared};
+use super::process::is_prepared;
 use super::refusal;
-
-/// What is kept for a thread. No destructor, so that the library can be unloaded. Calls on a simulator do without: the first
-/// use in a thread may allocate.
-struct Here {
-    /// Whether this thread is inside a call that has no handle.
-    inside: Cell<bool>,
-    /// The last failure on this thread that no simulator remembers.
-    last_failure: Cell<Option<Failure>>,
-}
-
-thread_local! {
-    static HERE: Here = const { Here { inside: Cell::new(false), last_failure: Cell::new(None) } };
-}
-
-/// Takes what the first use of these variables takes.
-#[cfg_attr(not(windows), allow(dead_code))]
-pub(super) fn touch_thread_locals() {
-    HERE.with(|_| ());
-}
+use super::tables::is_inside_a_handle;
+use super::thread_locals::HERE;
 
 /// Runs `body` as the inside of an exported function.
 #[inline(always)]

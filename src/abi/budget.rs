@@ -2,17 +2,15 @@
 
 use super::boundary::enter_without_simulator;
 use super::budget_answer::{sins_budget, sins_budget_row};
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put, read};
-use super::options::check_reserved;
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
-use crate::budget::{
-    BudgetRequest, Effect, ErrorParameters, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
-};
+use crate::budget::{BudgetRequest, Effect, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns};
 use crate::error::{Error, check_integer};
 use crate::recommend::SolutionError;
-use crate::simulator::Simulator;
+use crate::simulator::{ErrorParameters, Simulator};
 
 /// Request for an error budget. All zero is 16 runs and no limits.
 #[repr(C)]

@@ -2,7 +2,9 @@
 
 use core::ffi::c_char;
 
-use super::memory::{chars, interface_struct};
+use super::choice::flag;
+use super::memory::interface_struct;
+use super::text::chars;
 use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
 use crate::recommend::SolutionError;
 
@@ -95,7 +97,6 @@ interface_struct!(sins_budget, "budget", 128);
 
 impl sins_budget_row {
     pub(super) fn new(row: &BudgetRow, ns_per_step: f64) -> Self {
-        let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
         Self {
             flags: flag(row.effect.is_random, SINS_BUDGET_RANDOM)
                 | flag(row.can_be_left_out, SINS_BUDGET_CAN_BE_LEFT_OUT),

@@ -1,9 +1,11 @@
 //! `sins_covariance`.
 
+use super::answer::write_or_need;
+use super::choice::flag;
+use super::errors::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY};
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY, write_or_need};
 use crate::covariance::NavigationCovariance;
 
 /// Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
@@ -16,7 +18,8 @@ use crate::covariance::NavigationCovariance;
 /// misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's
 /// Gauss-Markov error and noise; quantization, as white noise of the same variance.
 /// It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
-/// One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second.
+/// One step of the propagation is one second of flight. A parameter that is set in flight counts from the start of its second. A
+/// second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a second do not show.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_covariance {
@@ -54,7 +57,6 @@ impl sins_covariance {
         let NavigationCovariance { matrix, ellipse, outside_validity } = covariance;
         let sigma = covariance.sigma();
         let [pe, pn, pu, ve, vn, vu, me, mn, mu] = sigma;
-        let flag = |is_set: bool, flag: i32| if is_set { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)

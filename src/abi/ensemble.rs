@@ -1,12 +1,13 @@
 //! `sins_ensemble`: the life of an ensemble, and its steps.
 
-use super::boundary::{enter, enter_without_simulator, remember};
+use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_OK, sins_status};
-use super::memory::{Array, put, read};
-use super::registry::Registry;
+use super::handle::{hand_out, with_object};
+use super::memory::{Array, read};
 use super::sample::sins_flight_sample;
 use super::sensor_failure::{output, sins_failure};
 use super::simulator::{look_at, pushed, sins_sim, stepped};
+use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
 
 /// An ensemble: many runs of one simulator over the same samples. A handle is a checked key, as that of sins_sim, and never taken for
@@ -16,16 +17,12 @@ pub struct sins_ensemble {
     _opaque: [u8; 0],
 }
 
-pub(super) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
-
 /// Runs `body` on the ensemble of a handle, as the inside of an exported function.
 pub(super) fn with_ensemble(
     ensemble: *const sins_ensemble,
     body: impl FnOnce(&mut Ensemble) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| {
-        ENSEMBLES.with(ensemble.addr(), |ensemble| body(ensemble).inspect_err(|&failure| remember(failure)))
-    })
+    with_object(&ENSEMBLES, ensemble, body)
 }
 
 /// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator with its options, sensors, initial
@@ -56,9 +53,8 @@ pub unsafe extern "C" fn sins_ensemble_create(
             return Err(Failure::null("ensemble"));
         }
         let made = look_at(configured, "configured", |template| Ensemble::new(template, first_run, runs))??;
-        let key = ENSEMBLES.insert(made)?;
         // SAFETY: the host's promise; not null.
-        unsafe { put(ensemble, core::ptr::without_provenance_mut(key), "ensemble")? };
+        unsafe { hand_out(&ENSEMBLES, made, ensemble, "ensemble")? };
         Ok(SINS_OK)
     })
 }

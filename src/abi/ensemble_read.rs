@@ -1,10 +1,15 @@
 //! What is read of an ensemble.
 
+use super::answer::write_or_need;
+use super::choice::Choice;
 use super::ensemble::{sins_ensemble, with_ensemble};
+use super::errors::sins_errors;
 use super::failure::{Failure, SINS_OK, sins_status};
+use super::imu::sins_imu;
 use super::memory::{Output, put};
-use super::solution::{sins_errors, sins_imu, sins_navigation, source_of, write_or_need};
+use super::solution::sins_navigation;
 use crate::error::{Error, Rule};
+use crate::simulator::ErrorSource;
 
 /// Reads the numbers of the first run and of the runs; either may be NULL.
 #[unsafe(no_mangle)]
@@ -37,7 +42,7 @@ pub unsafe extern "C" fn sins_ensemble_get_truth(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(truth, "truth")? };
-        Ok(write_or_need(&output, ensemble.truth().map(|truth| sins_navigation::from_solution(&truth))))
+        Ok(write_or_need(&output, ensemble.truth().map(|truth| sins_navigation::of(&truth))))
     })
 }
 
@@ -55,7 +60,7 @@ pub unsafe extern "C" fn sins_ensemble_get_navigation(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
         let solution = ensemble.navigation(run)?;
-        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::from_solution(&solution))))
+        Ok(write_or_need(&output, solution.map(|solution| sins_navigation::of(&solution))))
     })
 }
 
@@ -73,7 +78,7 @@ pub unsafe extern "C" fn sins_ensemble_get_errors(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };
-        let found = ensemble.errors_and_pole(run, source_of(source)?)?;
+        let found = ensemble.errors_and_pole(run, ErrorSource::of("source", source)?)?;
         let found = found.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole));
         Ok(write_or_need(&output, found))
     })

@@ -4,7 +4,8 @@ use core::ffi::c_void;
 
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{bytes_of, bytes_to_fill, put};
+use super::memory::put;
+use super::text::{bytes_of, bytes_to_fill};
 
 /// The size that a snapshot has now: some 1.3 to 5.25 KiB a run, as that of a simulator.
 #[unsafe(no_mangle)]

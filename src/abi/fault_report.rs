@@ -2,7 +2,8 @@
 
 use core::ffi::c_char;
 
-use super::memory::{chars, interface_struct};
+use super::memory::interface_struct;
+use super::text::chars;
 use crate::scene::Fault;
 
 /// A fault of the text of a scene or of a flight log.

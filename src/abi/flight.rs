@@ -1,12 +1,14 @@
 //! `sins_flight`: embedded flights.
 
-use super::boundary::{enter, enter_without_simulator, remember};
+use super::boundary::{enter, enter_without_simulator};
+use super::choice::{Choice, check_reserved};
 use super::failure::{Failure, SINS_OK, sins_status};
+use super::handle::{hand_out, with_object};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, read};
-use super::options::{check_reserved, sins_options};
-use super::registry::Registry;
 use super::sample::sins_flight_sample;
+use super::tables::FLIGHTS;
+use crate::earth::Ellipsoid;
 use crate::error::check_integer;
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
@@ -61,7 +63,7 @@ impl sins_flight_start {
             heading_rad: start.heading_rad,
             roll_rad: start.roll_rad,
             pitch_rad: start.pitch_rad,
-            earth: sins_options::earth(start.ellipsoid),
+            earth: start.ellipsoid.code(),
             reserved2: 0,
         }
     }
@@ -77,19 +79,9 @@ impl sins_flight_start {
             heading_rad: self.heading_rad,
             roll_rad: self.roll_rad,
             pitch_rad: self.pitch_rad,
-            ellipsoid: sins_options::ellipsoid("start.earth", self.earth)?,
+            ellipsoid: Ellipsoid::of("start.earth", self.earth)?,
         })
     }
-}
-
-pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
-
-/// Runs `body` on the flight of a handle, as the inside of an exported function.
-fn with_flight(
-    flight: *const sins_flight,
-    body: impl FnOnce(&mut Flight) -> Result<sins_status, Failure>,
-) -> sins_status {
-    enter(|| FLIGHTS.with(flight.addr(), |flight| body(flight).inspect_err(|&failure| remember(failure))))
 }
 
 /// Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
@@ -119,7 +111,8 @@ pub unsafe extern "C" fn sins_flight_create(
         // SAFETY: the host's promise.
         let (start, list) = unsafe { read_flight(start, manoeuvres, count)? };
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(Flight::new(&start, &list)?, flight) }
+        unsafe { hand_out(&FLIGHTS, Flight::new(&start, &list)?, flight, "flight")? };
+        Ok(SINS_OK)
     })
 }
 
@@ -144,24 +137,13 @@ pub(super) unsafe fn read_flight(
     Ok((start, list))
 }
 
-/// Gives the host a handle of a flight.
-///
-/// # Safety
-/// `place` is not null and writable.
-pub(super) unsafe fn hand_out(flight: Flight, place: *mut *mut sins_flight) -> Result<sins_status, Failure> {
-    let key = FLIGHTS.insert(flight)?;
-    // SAFETY: as this function.
-    unsafe { put(place, core::ptr::without_provenance_mut(key), "flight")? };
-    Ok(SINS_OK)
-}
-
 /// Reads the duration of the flight [s].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_duration(
     flight: *const sins_flight,
     duration_s: *mut f64,
 ) -> sins_status {
-    with_flight(flight, |flight| {
+    with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
         unsafe { put(duration_s, flight.duration_s(), "duration_s")? };
         Ok(SINS_OK)
@@ -178,7 +160,7 @@ pub unsafe extern "C" fn sins_flight_sample_at(
     time_s: f64,
     sample: *mut sins_flight_sample,
 ) -> sins_status {
-    with_flight(flight, |flight| {
+    with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
         output.write(&sins_flight_sample::from_sample(&flight.sample_at(time_s)?));

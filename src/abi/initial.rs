@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
+use super::choice::{Choice, check_reserved, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
-use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::sensors::{Alignment, InitialErrorParameters};
 
@@ -50,6 +50,11 @@ pub struct sins_initial_errors {
 
 interface_struct!(sins_initial_errors, "initial", 160);
 
+choices!(sins_alignment: Alignment {
+    Given = SINS_ALIGNMENT_GIVEN,
+    LevelAndGyrocompass = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS,
+});
+
 impl sins_initial_errors {
     /// The struct with `parameters`.
     pub(super) fn from_parameters(parameters: &InitialErrorParameters) -> Self {
@@ -62,10 +67,7 @@ impl sins_initial_errors {
             position_sigma_enu_m: parameters.position_sigma_n.into(),
             velocity_sigma_enu_m_s: parameters.velocity_sigma_n.into(),
             misalignment_sigma_enu_rad: parameters.misalignment_sigma_n.into(),
-            alignment: match parameters.alignment {
-                Alignment::Given => SINS_ALIGNMENT_GIVEN,
-                Alignment::LevelAndGyrocompass => SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS,
-            },
+            alignment: parameters.alignment.code(),
             reserved2: 0,
         }
     }
@@ -73,15 +75,7 @@ impl sins_initial_errors {
     pub(super) fn to_parameters(self) -> Result<InitialErrorParameters, Failure> {
         check_reserved("initial.reserved", self.reserved)?;
         check_reserved("initial.reserved2", self.reserved2)?;
-        let alignment = one_of(
-            "initial.alignment",
-            self.alignment,
-            &[
-                (SINS_ALIGNMENT_GIVEN, Alignment::Given),
-                (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, Alignment::LevelAndGyrocompass),
-            ],
-            "sins_alignment",
-        )?;
+        let alignment = Alignment::of("initial.alignment", self.alignment)?;
         Ok(InitialErrorParameters {
             position_n: Vector3::from(self.position_enu_m),
             velocity_n: Vector3::from(self.velocity_enu_m_s),

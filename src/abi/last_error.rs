@@ -5,8 +5,10 @@ use core::fmt::{self, Write};
 
 use super::boundary::{enter, last_failure};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, chars, interface_struct, put_text};
-use super::simulator::{SIMULATORS, sins_sim};
+use super::memory::{Output, interface_struct};
+use super::simulator::sins_sim;
+use super::tables::SIMULATORS;
+use super::text::{chars, put_text};
 use crate::error::Value;
 
 /// Flags of a sins_error_info.

@@ -5,9 +5,11 @@ use core::ffi::c_char;
 use super::boundary::{enter, enter_without_simulator, remember};
 use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
 use super::fault_report::sins_fault;
-use super::memory::{Output, bytes_of, chars, interface_struct, put};
-use super::registry::Registry;
+use super::handle::{hand_out, with_object};
+use super::memory::{Output, interface_struct, put};
 use super::sample::sins_flight_sample;
+use super::tables::LOGS;
+use super::text::{bytes_of, chars};
 use crate::error::{Error, Rule};
 use crate::log::{FlightLog, LogError};
 use crate::memory::probe;
@@ -36,17 +38,8 @@ pub struct sins_log_info {
 
 interface_struct!(sins_log_info, "info", 216);
 
-pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
-
 /// What the parser takes beside the samples [bytes]; a field in quotes may be longer.
 const ROOM: usize = 1 << 20;
-
-fn with_log(
-    log: *const sins_log,
-    body: impl FnOnce(&FlightLog) -> Result<sins_status, Failure>,
-) -> sins_status {
-    enter(|| LOGS.with(log.addr(), |log| body(log).inspect_err(|&failure| remember(failure))))
-}
 
 /// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
 /// order; columns of other names are ignored, and a row with more fields than columns is a fault:
@@ -80,9 +73,8 @@ pub unsafe extern "C" fn sins_log_parse(
         probe(ROOM)?;
         match FlightLog::parse(text) {
             Ok(found) => {
-                let key = LOGS.insert(found)?;
                 // SAFETY: the host's promise.
-                unsafe { put(log, core::ptr::without_provenance_mut(key), "log")? };
+                unsafe { hand_out(&LOGS, found, log, "log")? };
                 Ok(SINS_OK)
             }
             Err(LogError::Memory(error)) => Err(error.into()),
@@ -101,7 +93,7 @@ pub unsafe extern "C" fn sins_log_parse(
 /// Reads the number of samples of a log, its duration and its title.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins_log_info) -> sins_status {
-    with_log(log, |log| {
+    with_object(&LOGS, log, |log| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(info, "info")? };
         output.write(&sins_log_info {
@@ -126,7 +118,7 @@ pub unsafe extern "C" fn sins_log_get_sample(
     sample: *mut sins_flight_sample,
     line: *mut u64,
 ) -> sins_status {
-    with_log(log, |log| {
+    with_object(&LOGS, log, |log| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {

@@ -1,8 +1,8 @@
 //! `sins_manoeuvre`, of which embedded flights are made.
 
+use super::choice::{check_reserved, one_of};
 use super::failure::Failure;
 use super::memory::interface_struct;
-use super::options::{check_reserved, one_of};
 use crate::error::{Error, Rule, Value, check_integer};
 use crate::flight::{
     Channel, DEFAULT_RAMP_S, MANOEUVRE_KINDS, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid,

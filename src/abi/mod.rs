@@ -1,5 +1,5 @@
-//! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory`, the handles in
-//! `registry`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
+//! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory` and `text`, the handles in
+//! `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header, and those of `src/sensors/table.rs` for
 //! `sins_gyro_params` and `sins_accel_params`.
@@ -16,13 +16,16 @@
 mod accel;
 mod accuracy;
 mod altimeter;
+mod answer;
 mod boundary;
 mod budget;
 mod budget_answer;
+mod choice;
 mod covariance;
 mod ensemble;
 mod ensemble_read;
 mod ensemble_snapshot;
+mod errors;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
@@ -32,6 +35,8 @@ mod flight;
 mod fpu;
 mod gravity;
 mod gyro;
+mod handle;
+mod imu;
 mod initial;
 mod key;
 mod last_error;
@@ -67,7 +72,10 @@ mod simulator;
 mod snapshot;
 mod solution;
 mod statistics;
+mod tables;
+mod text;
 mod thread;
+mod thread_locals;
 mod truth_summary;
 mod version;
 
@@ -81,6 +89,7 @@ pub use covariance::{sins_covariance, sins_get_covariance};
 pub use ensemble::*;
 pub use ensemble_read::*;
 pub use ensemble_snapshot::*;
+pub use errors::*;
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
@@ -89,6 +98,7 @@ pub use fault_report::sins_fault;
 pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;
+pub use imu::*;
 pub use initial::*;
 pub use last_error::*;
 #[cfg(feature = "scenes")]

@@ -2,9 +2,9 @@
 
 use nalgebra::{Quaternion, Vector3};
 
+use super::choice::check_reserved;
 use super::failure::{SINS_OK, sins_status};
 use super::memory::{interface_struct, read};
-use super::options::check_reserved;
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
 use crate::earth::Geodetic;
@@ -57,16 +57,17 @@ pub unsafe extern "C" fn sins_start_navigation(
         // SAFETY: the host's promise.
         let start = unsafe { read(navigation, "navigation")? };
         check_reserved("navigation.reserved", start.reserved)?;
+        let solution = &start.solution;
         let quarter = core::f64::consts::FRAC_PI_2;
-        check_reserved("navigation.reserved2", start.reserved2)?;
+        check_reserved("navigation.reserved2", solution.reserved2)?;
         check_range("navigation.time_s", start.time_s, -1e10, 1e10)?;
-        check_range("navigation.latitude_rad", start.latitude_rad, -quarter, quarter)?;
+        check_range("navigation.latitude_rad", solution.latitude_rad, -quarter, quarter)?;
         let (longitude, velocity) = (FlightSample::MAX_LONGITUDE_RAD, FlightSample::MAX_VELOCITY_M_S);
-        check_range("navigation.longitude_rad", start.longitude_rad, -longitude, longitude)?;
-        check_height("navigation.height_m", start.height_m)?;
-        check_ranges("navigation.velocity_enu_m_s", &start.velocity_enu_m_s, -velocity, velocity)?;
-        check_ranges("navigation.quaternion_nb", &start.quaternion_nb, -1.001, 1.001)?;
-        let [w, x, y, z] = start.quaternion_nb;
+        check_range("navigation.longitude_rad", solution.longitude_rad, -longitude, longitude)?;
+        check_height("navigation.height_m", solution.height_m)?;
+        check_ranges("navigation.velocity_enu_m_s", &solution.velocity_enu_m_s, -velocity, velocity)?;
+        check_ranges("navigation.quaternion_nb", &solution.quaternion_nb, -1.001, 1.001)?;
+        let [w, x, y, z] = solution.quaternion_nb;
         let q = Quaternion::new(w, x, y, z);
         let norm = q.norm_squared().sqrt();
         if (norm - 1.0).abs() > 1e-3 {
@@ -74,11 +75,11 @@ pub unsafe extern "C" fn sins_start_navigation(
             return Err(Error::invalid("norm of navigation.quaternion_nb", norm, rule).into());
         }
         let place = Geodetic {
-            latitude_rad: start.latitude_rad,
-            longitude_rad: start.longitude_rad,
-            height_m: start.height_m,
+            latitude_rad: solution.latitude_rad,
+            longitude_rad: solution.longitude_rad,
+            height_m: solution.height_m,
         };
-        let v_n = Vector3::from(start.velocity_enu_m_s);
+        let v_n = Vector3::from(solution.velocity_enu_m_s);
         let navigation = Navigation::new(place, v_n, q / norm, simulator.options().axes);
         simulator.start_navigation(start.time_s, &navigation)?;
         Ok(SINS_OK)

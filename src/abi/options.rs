@@ -1,8 +1,8 @@
 //! `sins_options`.
 
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct};
-use super::simulator::{sins_sim, with_simulator};
+use super::choice::{Choice, check_reserved, choices, one_of};
+use super::failure::Failure;
+use super::memory::interface_struct;
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::error::{Error, Rule, check_integer};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
@@ -156,84 +156,47 @@ pub struct sins_options {
 
 interface_struct!(sins_options, "options", 104);
 
-/// The value of a field that holds a constant of `enumeration`; the constants are successive integers.
-pub(super) fn one_of<T: Copy>(
-    field: &'static str,
-    value: i32,
-    choices: &[(i32, T)],
-    enumeration: &'static str,
-) -> Result<T, Failure> {
-    match choices.iter().find(|(code, _)| *code == value) {
-        Some((_, choice)) => Ok(*choice),
-        None => {
-            let codes = || choices.iter().map(|&(code, _)| code);
-            let (first, last) = (codes().min().unwrap_or(0), codes().max().unwrap_or(0));
-            Err(Error::invalid(field, value, Rule::OneOf(enumeration, first, last)).into())
-        }
-    }
-}
-
-/// Refuses a reserved field that is not 0.
-pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
-    if value == 0 { Ok(()) } else { Err(Error::invalid(field, value, Rule::Zero("")).into()) }
-}
+choices!(sins_frame: Frame { EarthFixed = SINS_FRAME_EARTH_FIXED, Geographic = SINS_FRAME_GEOGRAPHIC });
+choices!(sins_scheme: Scheme {
+    Exact = SINS_SCHEME_EXACT,
+    Paper = SINS_SCHEME_PAPER,
+    Polynomial = SINS_SCHEME_POLYNOMIAL,
+});
+choices!(sins_vertical: VerticalMode {
+    Damped = SINS_VERTICAL_DAMPED,
+    FollowTruth = SINS_VERTICAL_FOLLOW_TRUTH,
+    Free = SINS_VERTICAL_FREE,
+});
+choices!(sins_earth: Ellipsoid {
+    Wgs84 = SINS_EARTH_WGS84,
+    Cgcs2000 = SINS_EARTH_CGCS2000,
+    Grs80 = SINS_EARTH_GRS80,
+    Krassovsky1940 = SINS_EARTH_KRASSOVSKY1940,
+});
+choices!(sins_gravity: GravityModel { Normal = SINS_GRAVITY_NORMAL, Somigliana = SINS_GRAVITY_SOMIGLIANA });
+choices!(sins_axes: BodyAxes {
+    RightForwardUp = SINS_AXES_RIGHT_FORWARD_UP,
+    ForwardRightDown = SINS_AXES_FORWARD_RIGHT_DOWN,
+});
 
 /// Time constant of the closed loop where the host gives none [s].
 const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
 impl sins_options {
-    /// The choice for the earth field.
-    pub(super) fn ellipsoid(field: &'static str, value: i32) -> Result<Ellipsoid, Failure> {
-        const CHOICES: [(i32, Ellipsoid); 4] = [
-            (SINS_EARTH_WGS84, Ellipsoid::Wgs84),
-            (SINS_EARTH_CGCS2000, Ellipsoid::Cgcs2000),
-            (SINS_EARTH_GRS80, Ellipsoid::Grs80),
-            (SINS_EARTH_KRASSOVSKY1940, Ellipsoid::Krassovsky1940),
-        ];
-        one_of(field, value, &CHOICES, "sins_earth")
-    }
-
-    /// The value of the earth field.
-    pub(super) fn earth(ellipsoid: Ellipsoid) -> i32 {
-        match ellipsoid {
-            Ellipsoid::Wgs84 => SINS_EARTH_WGS84,
-            Ellipsoid::Cgcs2000 => SINS_EARTH_CGCS2000,
-            Ellipsoid::Grs80 => SINS_EARTH_GRS80,
-            Ellipsoid::Krassovsky1940 => SINS_EARTH_KRASSOVSKY1940,
-        }
-    }
-
     /// The options as they are in effect, no default left 0.
     pub(super) fn from_options(options: &Options) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
-            frame: match options.frame {
-                Frame::EarthFixed => SINS_FRAME_EARTH_FIXED,
-                Frame::Geographic => SINS_FRAME_GEOGRAPHIC,
-            },
-            scheme: match options.scheme {
-                Scheme::Exact => SINS_SCHEME_EXACT,
-                Scheme::Paper => SINS_SCHEME_PAPER,
-                Scheme::Polynomial => SINS_SCHEME_POLYNOMIAL,
-            },
+            frame: options.frame.code(),
+            scheme: options.scheme.code(),
             subsamples: options.subsamples as i32,
             updates_per_sample: options.updates_per_sample as i32,
-            vertical: match options.vertical {
-                VerticalMode::Damped => SINS_VERTICAL_DAMPED,
-                VerticalMode::FollowTruth => SINS_VERTICAL_FOLLOW_TRUTH,
-                VerticalMode::Free => SINS_VERTICAL_FREE,
-            },
+            vertical: options.vertical.code(),
             error_model: if options.error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF },
-            earth: Self::earth(options.ellipsoid),
-            gravity: match options.gravity {
-                GravityModel::Normal => SINS_GRAVITY_NORMAL,
-                GravityModel::Somigliana => SINS_GRAVITY_SOMIGLIANA,
-            },
-            axes: match options.axes {
-                BodyAxes::RightForwardUp => SINS_AXES_RIGHT_FORWARD_UP,
-                BodyAxes::ForwardRightDown => SINS_AXES_FORWARD_RIGHT_DOWN,
-            },
+            earth: options.ellipsoid.code(),
+            gravity: options.gravity.code(),
+            axes: options.axes.code(),
             signal: match options.closed_loop_time_s {
                 None => SINS_SIGNAL_PHYSICAL,
                 Some(_) => SINS_SIGNAL_CLOSED_LOOP,
@@ -263,56 +226,17 @@ impl sins_options {
             &[(SINS_SUMMARY_OFF, false), (SINS_SUMMARY_ON, true)],
             "sins_summary",
         )?;
-        let frame = one_of(
-            "options.frame",
-            self.frame,
-            &[(SINS_FRAME_EARTH_FIXED, Frame::EarthFixed), (SINS_FRAME_GEOGRAPHIC, Frame::Geographic)],
-            "sins_frame",
-        )?;
-        let scheme = one_of(
-            "options.scheme",
-            self.scheme,
-            &[
-                (SINS_SCHEME_EXACT, Scheme::Exact),
-                (SINS_SCHEME_PAPER, Scheme::Paper),
-                (SINS_SCHEME_POLYNOMIAL, Scheme::Polynomial),
-            ],
-            "sins_scheme",
-        )?;
-        let vertical = one_of(
-            "options.vertical",
-            self.vertical,
-            &[
-                (SINS_VERTICAL_DAMPED, VerticalMode::Damped),
-                (SINS_VERTICAL_FOLLOW_TRUTH, VerticalMode::FollowTruth),
-                (SINS_VERTICAL_FREE, VerticalMode::Free),
-            ],
-            "sins_vertical",
-        )?;
+        let frame = Frame::of("options.frame", self.frame)?;
+        let scheme = Scheme::of("options.scheme", self.scheme)?;
+        let vertical = VerticalMode::of("options.vertical", self.vertical)?;
         let error_model = one_of(
             "options.error_model",
             self.error_model,
             &[(SINS_ERROR_MODEL_OFF, false), (SINS_ERROR_MODEL_RK4, true)],
             "sins_error_model",
         )?;
-        let gravity = one_of(
-            "options.gravity",
-            self.gravity,
-            &[
-                (SINS_GRAVITY_NORMAL, GravityModel::Normal),
-                (SINS_GRAVITY_SOMIGLIANA, GravityModel::Somigliana),
-            ],
-            "sins_gravity",
-        )?;
-        let axes = one_of(
-            "options.axes",
-            self.axes,
-            &[
-                (SINS_AXES_RIGHT_FORWARD_UP, BodyAxes::RightForwardUp),
-                (SINS_AXES_FORWARD_RIGHT_DOWN, BodyAxes::ForwardRightDown),
-            ],
-            "sins_axes",
-        )?;
+        let gravity = GravityModel::of("options.gravity", self.gravity)?;
+        let axes = BodyAxes::of("options.axes", self.axes)?;
         let closed_loop = one_of(
             "options.signal",
             self.signal,
@@ -335,7 +259,7 @@ impl sins_options {
             updates_per_sample: count(self.updates_per_sample, defaults.updates_per_sample),
             vertical,
             error_model,
-            ellipsoid: Self::ellipsoid("options.earth", self.earth)?,
+            ellipsoid: Ellipsoid::of("options.earth", self.earth)?,
             gravity,
             axes,
             closed_loop_time_s: closed_loop.then(|| or(self.closed_loop_time_s, DEFAULT_CLOSED_LOOP_TIME_S)),
@@ -349,15 +273,4 @@ impl sins_options {
             covariance,
         })
     }
-}
-
-/// Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(options, "options")? };
-        output.write(&sins_options::from_options(simulator.options()));
-        Ok(SINS_OK)
-    })
 }

@@ -1,9 +1,9 @@
 //! Presets of sensor errors.
 
 use super::boundary::enter_without_simulator;
+use super::choice::one_of;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::Output;
-use super::options::one_of;
 use super::sensor_params::{sins_accel_params, sins_gyro_params};
 use crate::sensors::{Grade, TriadParameters};
 

@@ -3,23 +3,6 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
-use super::ensemble::ENSEMBLES;
-use super::flight::FLIGHTS;
-#[cfg(feature = "scenes")]
-use super::log::LOGS;
-#[cfg(feature = "scenes")]
-use super::scene::SCENES;
-use super::simulator::SIMULATORS;
-
-/// Whether this thread is inside a call on a handle.
-pub(super) fn is_inside_a_handle() -> bool {
-    #[cfg(feature = "scenes")]
-    if SCENES.is_in_use_here() || LOGS.is_in_use_here() {
-        return true;
-    }
-    SIMULATORS.is_in_use_here() || FLIGHTS.is_in_use_here() || ENSEMBLES.is_in_use_here()
-}
-
 /// Whether the process has given all of it, which is asked for again until it has.
 #[inline]
 pub(super) fn is_prepared() -> bool {
@@ -34,19 +17,10 @@ pub(super) fn is_prepared() -> bool {
 
 #[cfg(unix)]
 mod system {
-    use super::{ENSEMBLES, FLIGHTS, SIMULATORS};
-    #[cfg(feature = "scenes")]
-    use super::{LOGS, SCENES};
+    use crate::abi::tables::lose_what_others_use;
 
     extern "C" fn in_child() {
-        SIMULATORS.lose_what_others_use();
-        FLIGHTS.lose_what_others_use();
-        ENSEMBLES.lose_what_others_use();
-        #[cfg(feature = "scenes")]
-        {
-            SCENES.lose_what_others_use();
-            LOGS.lose_what_others_use();
-        }
+        lose_what_others_use();
     }
 
     type Handler = Option<extern "C" fn()>;
@@ -108,7 +82,7 @@ mod system {
     use core::ffi::c_void;
     use core::ptr::from_ref;
 
-    use crate::abi::boundary::touch_thread_locals;
+    use crate::abi::thread_locals::touch_thread_locals;
     use crate::memory::room;
 
     /// Of Rust 1.95: one of the library's own, the current thread, its number in one or two, and the count of panics, which the

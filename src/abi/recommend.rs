@@ -1,9 +1,10 @@
 //! `sins_recommend`: the cheapest options that meet a required accuracy.
 
 use super::boundary::enter_without_simulator;
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_status};
 use super::memory::{Array, Output, interface_struct, read};
-use super::options::{check_reserved, sins_options};
+use super::options::sins_options;
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
 use crate::error::check_integer;

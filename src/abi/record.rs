@@ -1,64 +1,12 @@
 //! `sins_record`: one line of the output of `sins_run`.
 
+use super::answer::written_or_need;
+use super::errors::sins_record_errors;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::{sins_errors, sins_navigation, written_or_need};
+use super::solution::sins_record_solution;
 use crate::simulator::Moment;
-
-/// A solution within a sins_record; never grows. Fields as in sins_navigation.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct sins_record_solution {
-    /// Geodetic latitude [rad].
-    pub latitude_rad: f64,
-    /// Longitude, east positive [rad].
-    pub longitude_rad: f64,
-    /// Height above the ellipsoid [m].
-    pub height_m: f64,
-    /// Velocity against the Earth, east-north-up [m/s].
-    pub velocity_enu_m_s: [f64; 3],
-    /// Roll, right wing down positive [rad].
-    pub roll_rad: f64,
-    /// Pitch, nose up positive [rad].
-    pub pitch_rad: f64,
-    /// Heading, clockwise from true north [rad].
-    pub heading_rad: f64,
-    /// Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
-    pub quaternion_nb: [f64; 4],
-    /// Flags of enum sins_navigation_flags, or'ed.
-    pub flags: i32,
-    /// 0
-    pub reserved: u32,
-}
-
-/// Errors within a sins_record; never grows. Fields as in sins_errors.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct sins_record_errors {
-    /// Displacement from truth along true east and north, and error of height [m].
-    pub position_enu_m: [f64; 3],
-    /// Error of latitude [rad].
-    pub latitude_rad: f64,
-    /// Error of longitude [rad].
-    pub longitude_rad: f64,
-    /// Error of height [m].
-    pub height_m: f64,
-    /// Error of velocity, east-north-up [m/s].
-    pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, east-north-up [rad].
-    pub misalignment_enu_rad: [f64; 3],
-    /// Error of roll [rad].
-    pub roll_rad: f64,
-    /// Error of pitch [rad].
-    pub pitch_rad: f64,
-    /// Error of heading [rad].
-    pub heading_rad: f64,
-    /// Flags of enum sins_errors_flags, or'ed.
-    pub flags: i32,
-    /// 0
-    pub reserved: u32,
-}
 
 /// Truth, navigation and both errors at one instant.
 #[repr(C)]
@@ -83,51 +31,16 @@ pub struct sins_record {
 
 interface_struct!(sins_record, "record", 496);
 
-impl From<sins_navigation> for sins_record_solution {
-    fn from(n: sins_navigation) -> Self {
-        Self {
-            latitude_rad: n.latitude_rad,
-            longitude_rad: n.longitude_rad,
-            height_m: n.height_m,
-            velocity_enu_m_s: n.velocity_enu_m_s,
-            roll_rad: n.roll_rad,
-            pitch_rad: n.pitch_rad,
-            heading_rad: n.heading_rad,
-            quaternion_nb: n.quaternion_nb,
-            flags: n.flags,
-            reserved: 0,
-        }
-    }
-}
-
-impl From<sins_errors> for sins_record_errors {
-    fn from(e: sins_errors) -> Self {
-        Self {
-            position_enu_m: e.position_enu_m,
-            latitude_rad: e.latitude_rad,
-            longitude_rad: e.longitude_rad,
-            height_m: e.height_m,
-            velocity_enu_m_s: e.velocity_enu_m_s,
-            misalignment_enu_rad: e.misalignment_enu_rad,
-            roll_rad: e.roll_rad,
-            pitch_rad: e.pitch_rad,
-            heading_rad: e.heading_rad,
-            flags: e.flags,
-            reserved: 0,
-        }
-    }
-}
-
 impl sins_record {
     /// Is the record of `moment`, but for its struct_size.
     #[inline(always)]
     pub(super) fn be_of(&mut self, moment: Moment<'_>) {
         self.reserved = 0;
         self.time_s = moment.time_s();
-        self.truth = sins_navigation::from_solution(&moment.truth()).into();
-        self.navigation = sins_navigation::from_solution(&moment.navigation()).into();
-        self.navigation_errors = sins_errors::of_navigation(moment).into();
-        self.model_errors = sins_errors::of_model(moment).into();
+        self.truth = sins_record_solution::of(&moment.truth());
+        self.navigation = sins_record_solution::of(&moment.navigation());
+        self.navigation_errors = sins_record_errors::of_navigation(moment);
+        self.model_errors = sins_record_errors::of_model(moment);
     }
 }
 

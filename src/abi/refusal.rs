@@ -13,7 +13,7 @@ const THREADS: usize = 1024;
 const FREE: usize = 0;
 const NONE: usize = 0;
 
-/// What the handles of each kind are in sentences: [`super::registry::Registry::new`].
+/// What the handles of each kind are in sentences; the kinds are those of [`super::tables`].
 const NAMES: [&str; 8] = ["", "sim", "flight", "scene", "log", "ensemble", "", ""];
 
 struct Place {

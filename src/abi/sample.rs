@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::choice::flag;
 use super::failure::Failure;
 use super::memory::interface_struct;
 use crate::earth::Geodetic;
@@ -93,7 +94,6 @@ impl sins_flight_sample {
     }
 
     pub(super) fn from_sample(sample: &FlightSample) -> Self {
-        let flag = |given: bool, flag: u32| if given { flag } else { 0 };
         let flags = flag(sample.omega_ib_b.is_some(), SINS_SAMPLE_ANGULAR_RATE)
             | flag(sample.f_b.is_some(), SINS_SAMPLE_SPECIFIC_FORCE)
             | flag(sample.v_n.is_none(), SINS_SAMPLE_NO_VELOCITY)

@@ -2,36 +2,23 @@
 
 use core::ffi::c_char;
 
-use super::boundary::{enter, enter_without_simulator, remember};
+use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
 use super::fault_report::sins_fault;
-use super::flight::{self, sins_flight};
-use super::memory::{Output, bytes_of, put, put_text, text_of};
-use super::registry::Registry;
-use super::simulator::{self, sins_sim};
+use super::flight::sins_flight;
+use super::handle::{hand_out, with_object};
+use super::memory::Output;
+use super::simulator::sins_sim;
+use super::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
+use super::text::{bytes_of, put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::memory::probe;
-use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
+use crate::scene::{BUILTIN_SCENES, MAX_TEXT, Scene, builtin, keys_text};
 
 /// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
 pub struct sins_scene {
     _opaque: [u8; 0],
-}
-
-/// What a text was: a scene, or what is wrong with it.
-pub(super) enum Content {
-    Scene(Box<Scene>),
-    Faults(Vec<Fault>),
-}
-
-pub(super) static SCENES: Registry<Content> = Registry::new(3);
-
-fn with_content(
-    scene: *const sins_scene,
-    body: impl FnOnce(&mut Content) -> Result<sins_status, Failure>,
-) -> sins_status {
-    enter(|| SCENES.with(scene.addr(), |content| body(content).inspect_err(|&failure| remember(failure))))
 }
 
 /// What a copy of a scene and its text take at the most, and with each manoeuvre and each failure more [bytes].
@@ -56,20 +43,12 @@ pub(super) fn with_sound_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    with_content(scene, |content| match content {
-        Content::Scene(scene) => body(scene),
-        Content::Faults(_) => {
+    with_object(&SCENES, scene, |content| match content {
+        SceneText::Scene(scene) => body(scene),
+        SceneText::Faults(_) => {
             Err(Error::bad_state("the text of the scene has faults: sins_scene_get_fault()").into())
         }
     })
-}
-
-/// # Safety
-/// `scene` is not null and writable.
-unsafe fn hand_out(content: Content, scene: *mut *mut sins_scene) -> Result<(), Failure> {
-    let key = SCENES.insert(content)?;
-    // SAFETY: as this function.
-    unsafe { put(scene, core::ptr::without_provenance_mut(key), "scene") }
 }
 
 /// Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
@@ -88,7 +67,7 @@ pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_
         }
         probe(ROOM)?;
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(Content::Scene(Box::default()), scene)? };
+        unsafe { hand_out(&SCENES, SceneText::Scene(Box::default()), scene, "scene")? };
         Ok(SINS_OK)
     })
 }
@@ -113,11 +92,11 @@ pub unsafe extern "C" fn sins_scene_parse(
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
         probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
         let (content, status) = match Scene::parse(text) {
-            Ok(scene) => (Content::Scene(Box::new(scene)), SINS_OK),
-            Err(faults) => (Content::Faults(faults), SINS_SCENE_HAS_FAULTS),
+            Ok(scene) => (SceneText::Scene(Box::new(scene)), SINS_OK),
+            Err(faults) => (SceneText::Faults(faults), SINS_SCENE_HAS_FAULTS),
         };
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(content, scene)? };
+        unsafe { hand_out(&SCENES, content, scene, "scene")? };
         Ok(status)
     })
 }
@@ -131,12 +110,12 @@ pub unsafe extern "C" fn sins_scene_get_fault(
     index: usize,
     fault: *mut sins_fault,
 ) -> sins_status {
-    with_content(scene, |content| {
+    with_object(&SCENES, scene, |content| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(fault, "fault")? };
         let faults = match content {
-            Content::Scene(_) => &[],
-            Content::Faults(faults) => faults.as_slice(),
+            SceneText::Scene(_) => &[],
+            SceneText::Faults(faults) => faults.as_slice(),
         };
         let Some(found) = faults.get(index) else {
             let rule =
@@ -173,7 +152,7 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
             return Err(Error { field: "name", value: None, ..Error::invalid("name", 0.0, rule) }.into());
         };
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(Content::Scene(Box::new(found)), scene)? };
+        unsafe { hand_out(&SCENES, SceneText::Scene(Box::new(found)), scene, "scene")? };
         Ok(SINS_OK)
     })
 }
@@ -255,7 +234,8 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
         }
         scene.check()?;
         // SAFETY: the host's promise; not null.
-        unsafe { simulator::hand_out(scene.simulator()?, sim) }
+        unsafe { hand_out(&SIMULATORS, scene.simulator()?, sim, "sim")? };
+        Ok(SINS_OK)
     })
 }
 
@@ -274,7 +254,8 @@ pub unsafe extern "C" fn sins_scene_create_flight(
             return Err(Failure::null("flight"));
         }
         // SAFETY: the host's promise; not null.
-        unsafe { flight::hand_out(scene.flight()?, flight) }
+        unsafe { hand_out(&FLIGHTS, scene.flight()?, flight, "flight")? };
+        Ok(SINS_OK)
     })
 }
 

@@ -1,16 +1,16 @@
 //! The failures that a scene plans.
 
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, put, read};
-use super::options::check_reserved;
 use super::scene::{sins_scene, with_scene};
-use super::sensor_failure::{output, sins_failure};
+use super::sensor_failure::{output, sins_failure_fields};
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
 use crate::error::{Error, Rule};
 use crate::scene::{Failing, PlannedFailure};
 use crate::sensors::SensorOutput;
 
-/// A failure that a scene plans.
+/// A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_planned_failure {
@@ -26,20 +26,8 @@ pub struct sins_planned_failure {
     pub from_s: f64,
     /// End of the failure, likewise; 0: the end of the flight [s].
     pub until_s: f64,
-    /// Kind, of enum sins_failure_kind, but not SINS_FAILURE_NONE.
-    pub kind: i32,
-    /// Must be 0.
-    pub reserved2: u32,
-    /// Size, as in sins_failure.
-    pub size: f64,
-    /// Density, as in sins_failure.
-    pub density: f64,
-    /// Interval, as in sins_failure [s].
-    pub interval_s: f64,
-    /// Duration, as in sins_failure [s].
-    pub duration_s: f64,
-    /// Probability, as in sins_failure.
-    pub probability: f64,
+    /// Flat in C.
+    pub fields: sins_failure_fields,
 }
 
 interface_struct!(sins_planned_failure, "failure", 80);
@@ -114,8 +102,6 @@ impl sins_planned_failure {
             SensorOutput::Altimeter => (SINS_SENSOR_ALTIMETER, 0),
         };
         let Failing { from_s, until_s } = planned.failing;
-        let sins_failure { kind, size, density, interval_s, duration_s, probability, .. } =
-            sins_failure::from_failure(Some(&planned.failure));
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -123,34 +109,16 @@ impl sins_planned_failure {
             axis,
             from_s,
             until_s: if until_s.is_infinite() { 0.0 } else { until_s },
-            kind,
-            reserved2: 0,
-            size,
-            density,
-            interval_s,
-            duration_s,
-            probability,
+            fields: sins_failure_fields::of(Some(&planned.failure)),
         }
     }
 
     fn to_planned(self) -> Result<PlannedFailure, Failure> {
-        let Self { kind, size, density, interval_s, duration_s, probability, .. } = self;
         check_reserved("failure.reserved", self.reserved)?;
-        let failure = sins_failure {
-            struct_size: size_of::<sins_failure>() as u32,
-            reserved: 0,
-            kind,
-            reserved2: self.reserved2,
-            size,
-            density,
-            interval_s,
-            duration_s,
-            probability,
-        };
         let output = output(self.sensor, self.axis)?;
-        let Some(failure) = failure.to_failure()? else {
+        let Some(failure) = self.fields.to_failure()? else {
             let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
-            return Err(Error::invalid("failure.kind", kind, rule).into());
+            return Err(Error::invalid("failure.kind", self.fields.kind, rule).into());
         };
         let until_s = match self.until_s {
             0.0 => f64::INFINITY,

@@ -2,12 +2,13 @@
 
 use core::ffi::c_char;
 
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
-use super::memory::{Array, Output, interface_struct, put, put_text, read, text_of};
-use super::options::check_reserved;
+use super::memory::{Array, Output, interface_struct, put, read};
 use super::scene::{sins_scene, with_scene};
+use super::text::{put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightPath, FlightSource, Scene, Temperature};
 

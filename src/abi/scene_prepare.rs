@@ -1,11 +1,12 @@
 //! What a scene plans over time, made ready for a simulator or an ensemble.
 
-use super::ensemble::{ENSEMBLES, sins_ensemble};
+use super::ensemble::sins_ensemble;
 use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
 use super::memory::{Output, read};
 use super::sample::sins_flight_sample;
 use super::scene::{sins_scene, with_sound_scene};
 use super::simulator::{on_simulator, sins_sim};
+use super::tables::ENSEMBLES;
 use crate::scene::TakesFailures;
 
 /// Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of

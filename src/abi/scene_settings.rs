@@ -82,7 +82,7 @@ pub unsafe extern "C" fn sins_scene_get_gyro(
     params: *mut sins_gyro_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, params, "params", |scene| sins_gyro_params::from_parameters(&scene.gyro)) }
+    unsafe { get(scene, params, "params", |scene| sins_gyro_params::from_parameters(&scene.errors.gyro)) }
 }
 
 /// Sets the gyro errors of the scene.
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn sins_scene_set_gyro(
         set(scene, params, "params", |scene, params| {
             let parameters = params.to_parameters()?;
             parameters.validate(Sensor::Gyro)?;
-            scene.gyro = parameters;
+            scene.errors.gyro = parameters;
             Ok(())
         })
     }
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn sins_scene_get_accel(
     params: *mut sins_accel_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, params, "params", |scene| sins_accel_params::from_parameters(&scene.accel)) }
+    unsafe { get(scene, params, "params", |scene| sins_accel_params::from_parameters(&scene.errors.accel)) }
 }
 
 /// Sets the accelerometer errors of the scene.
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn sins_scene_set_accel(
         set(scene, params, "params", |scene, params| {
             let parameters = params.to_parameters()?;
             parameters.validate(Sensor::Accelerometer)?;
-            scene.accel = parameters;
+            scene.errors.accel = parameters;
             Ok(())
         })
     }
@@ -140,7 +140,9 @@ pub unsafe extern "C" fn sins_scene_get_altimeter(
     params: *mut sins_altimeter_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, params, "params", |scene| sins_altimeter_params::from_parameters(&scene.altimeter)) }
+    unsafe {
+        get(scene, params, "params", |scene| sins_altimeter_params::from_parameters(&scene.errors.altimeter))
+    }
 }
 
 /// Sets the errors of the scene's altimeter.
@@ -156,7 +158,7 @@ pub unsafe extern "C" fn sins_scene_set_altimeter(
         set(scene, params, "params", |scene, params| {
             let parameters = params.to_parameters()?;
             parameters.validate()?;
-            scene.altimeter = parameters;
+            scene.errors.altimeter = parameters;
             Ok(())
         })
     }
@@ -169,7 +171,9 @@ pub unsafe extern "C" fn sins_scene_get_initial_errors(
     errors: *mut sins_initial_errors,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, errors, "errors", |scene| sins_initial_errors::from_parameters(&scene.initial)) }
+    unsafe {
+        get(scene, errors, "errors", |scene| sins_initial_errors::from_parameters(&scene.errors.initial))
+    }
 }
 
 /// Sets the errors with which the navigation of the scene starts.
@@ -185,7 +189,7 @@ pub unsafe extern "C" fn sins_scene_set_initial_errors(
         set(scene, errors, "errors", |scene, errors| {
             let parameters = errors.to_parameters()?;
             parameters.validate()?;
-            scene.initial = parameters;
+            scene.errors.initial = parameters;
             Ok(())
         })
     }
@@ -198,7 +202,9 @@ pub unsafe extern "C" fn sins_scene_get_mounting(
     mounting: *mut sins_mounting,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, mounting, "mounting", |scene| sins_mounting::from_parameters(&scene.mounting)) }
+    unsafe {
+        get(scene, mounting, "mounting", |scene| sins_mounting::from_parameters(&scene.errors.mounting))
+    }
 }
 
 /// Sets the mounting of the scene's sensor block.
@@ -214,7 +220,7 @@ pub unsafe extern "C" fn sins_scene_set_mounting(
         set(scene, mounting, "mounting", |scene, mounting| {
             let parameters = mounting.to_parameters()?;
             parameters.validate()?;
-            scene.mounting = parameters;
+            scene.errors.mounting = parameters;
             Ok(())
         })
     }
@@ -227,7 +233,9 @@ pub unsafe extern "C" fn sins_scene_get_gravity_disturbance(
     params: *mut sins_gravity_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, params, "params", |scene| sins_gravity_params::from_parameters(&scene.gravity)) }
+    unsafe {
+        get(scene, params, "params", |scene| sins_gravity_params::from_parameters(&scene.errors.gravity))
+    }
 }
 
 /// Sets the gravity disturbance of the scene.
@@ -243,7 +251,7 @@ pub unsafe extern "C" fn sins_scene_set_gravity_disturbance(
         set(scene, params, "params", |scene, params| {
             let parameters = params.to_parameters()?;
             parameters.validate()?;
-            scene.gravity = parameters;
+            scene.errors.gravity = parameters;
             Ok(())
         })
     }

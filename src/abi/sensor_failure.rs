@@ -1,8 +1,8 @@
 //! `sins_failure`.
 
+use super::choice::{check_reserved, one_of};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
-use super::options::{check_reserved, one_of};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
 use crate::sensors::{self, Axis, SensorOutput};
@@ -39,15 +39,10 @@ pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
 /// independently with the field probability, or one interval is lost every interval_s, the first immediately.
 pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
 
-/// A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
-/// rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
+/// What a sins_failure and a sins_planned_failure say of a failure.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct sins_failure {
-    /// sizeof(sins_failure)
-    pub struct_size: u32,
-    /// Must be 0.
-    pub reserved: u32,
+pub struct sins_failure_fields {
     /// Kind of the failure, of enum sins_failure_kind.
     pub kind: i32,
     /// Must be 0.
@@ -64,15 +59,26 @@ pub struct sins_failure {
     pub probability: f64,
 }
 
+/// A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
+/// rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_failure {
+    /// sizeof(sins_failure)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Flat in C.
+    pub fields: sins_failure_fields,
+}
+
 interface_struct!(sins_failure, "failure", 56);
 
-impl sins_failure {
-    /// The struct with `failure`; without one SINS_FAILURE_NONE.
-    pub(super) fn from_failure(failure: Option<&sensors::Failure>) -> Self {
+impl sins_failure_fields {
+    /// The fields of `failure`; without one SINS_FAILURE_NONE.
+    pub(super) fn of(failure: Option<&sensors::Failure>) -> Self {
         use sensors::Failure::{BiasStep, Dead, Noise, PeriodicDropOuts, RandomDropOuts, Spikes, Stuck};
         let none = Self {
-            struct_size: size_of::<Self>() as u32,
-            reserved: 0,
             kind: SINS_FAILURE_NONE,
             reserved2: 0,
             size: 0.0,
@@ -100,7 +106,6 @@ impl sins_failure {
     }
 
     pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
-        check_reserved("failure.reserved", self.reserved)?;
         check_reserved("failure.reserved2", self.reserved2)?;
         let Self { size, density, interval_s, duration_s, probability, .. } = self;
         let drop_outs = if interval_s == 0.0 {
@@ -149,6 +154,18 @@ impl sins_failure {
             }
             None => Ok(()),
         }
+    }
+}
+
+impl sins_failure {
+    fn of(failure: Option<&sensors::Failure>) -> Self {
+        let fields = sins_failure_fields::of(failure);
+        Self { struct_size: size_of::<Self>() as u32, reserved: 0, fields }
+    }
+
+    pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
+        check_reserved("failure.reserved", self.reserved)?;
+        self.fields.to_failure()
     }
 }
 
@@ -212,7 +229,7 @@ pub unsafe extern "C" fn sins_get_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let place = unsafe { Output::new(failure, "failure")? };
-        place.write(&sins_failure::from_failure(simulator.failure(output(sensor, axis)?).as_ref()));
+        place.write(&sins_failure::of(simulator.failure(output(sensor, axis)?).as_ref()));
         Ok(SINS_OK)
     })
 }

@@ -2,9 +2,9 @@
 
 use core::slice::{from_mut, from_ref};
 
+use super::choice::check_reserved;
 use super::failure::Failure;
 use super::memory::interface_struct;
-use super::options::check_reserved;
 use crate::sensors::{PARAMETERS, TriadParameters};
 
 const COUNT: usize = PARAMETERS.len();

@@ -2,10 +2,11 @@
 
 use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
-use super::memory::{put, read};
+use super::handle::hand_out;
+use super::memory::{Output, read};
 use super::options::sins_options;
-use super::registry::Registry;
 use super::sample::sins_flight_sample;
+use super::tables::SIMULATORS;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};
 
@@ -17,25 +18,17 @@ pub struct sins_sim {
     _opaque: [u8; 0],
 }
 
-/// Each in a slice of one, which unlike a `Box` can be made without aborting.
-pub(super) static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
-
 /// Runs `body` on the simulator of a handle, as the inside of an exported function.
 #[inline(always)]
 pub(super) fn with_simulator(
     sim: *const sins_sim,
     body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    enter(|| {
-        SIMULATORS.with(sim.addr(), |place| match &mut **place {
-            [simulator] => body(simulator),
-            _ => Err(Failure::internal()),
-        })
-    })
+    enter(|| on_simulator(sim, body))
 }
 
-/// The same where the host's state is set aside already.
-#[cfg(feature = "scenes")]
+/// [`with_simulator`] where the host's state is set aside already.
+#[inline(always)]
 pub(super) fn on_simulator(
     sim: *const sins_sim,
     body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
@@ -44,20 +37,6 @@ pub(super) fn on_simulator(
         [simulator] => body(simulator),
         _ => Err(Failure::internal()),
     })
-}
-
-/// Gives the host a handle of a simulator.
-///
-/// # Safety
-/// `sim` is not null and writable.
-pub(super) unsafe fn hand_out(
-    simulator: Box<[Simulator]>,
-    sim: *mut *mut sins_sim,
-) -> Result<sins_status, Failure> {
-    let key = SIMULATORS.insert(simulator)?;
-    // SAFETY: as this function.
-    unsafe { put(sim, core::ptr::without_provenance_mut(key), "sim")? };
-    Ok(SINS_OK)
 }
 
 /// What `view` makes of a simulator that is an argument under `name` of a function of its own; its sentence stays.
@@ -93,7 +72,8 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
             unsafe { read(options, "options")? }.to_options()?
         };
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(heap_simulator(&options)?, sim) }
+        unsafe { hand_out(&SIMULATORS, heap_simulator(&options)?, sim, "sim")? };
+        Ok(SINS_OK)
     })
 }
 
@@ -103,6 +83,17 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
     enter(|| SIMULATORS.remove(sim.addr()))
+}
+
+/// Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(options, "options")? };
+        output.write(&sins_options::from_options(simulator.options()));
+        Ok(SINS_OK)
+    })
 }
 
 /// Puts one flight-control sample into the queue (16 samples). Each sample is checked by itself and against the one before.

@@ -3,8 +3,9 @@
 use core::ffi::c_void;
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{bytes_of, put, put_bytes};
+use super::memory::put;
 use super::simulator::{sins_sim, with_simulator};
+use super::text::{bytes_of, put_bytes};
 
 /// A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
 /// sins_snapshot_size().

@@ -1,10 +1,11 @@
 //! `sins_statistics` and what they say. The struct itself is `src/statistics/layout.rs`.
 
 use super::boundary::enter_without_simulator;
+use super::choice::Choice;
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read_into};
-use super::solution::source_of;
+use crate::simulator::ErrorSource;
 use crate::statistics::{Figures, Statistics};
 
 pub use crate::statistics::Statistics as sins_statistics;
@@ -107,7 +108,7 @@ pub unsafe extern "C" fn sins_ensemble_get_statistics(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(statistics, "statistics")? };
-        let source = source_of(source)?;
+        let source = ErrorSource::of("source", source)?;
         if ensemble.truth().is_none() {
             return Ok(SINS_NEED_SAMPLE);
         }

@@ -1,9 +1,9 @@
 //! `sins_truth_summary`.
 
+use super::answer::write_or_need;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use super::solution::write_or_need;
 use crate::truth::{Extreme, TruthSummary};
 
 /// Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units

@@ -1,10 +1,10 @@
 //! What the effects cost on this machine, today.
 
-use super::{Effect, ErrorParameters, Scene};
+use super::{Effect, Scene};
 use crate::error::Error;
 use crate::memory::room;
 use crate::recommend::round_ns;
-use crate::simulator::{Options, Simulator, heap_simulator};
+use crate::simulator::{ErrorParameters, Options};
 
 /// Rounds, of which the fastest counts.
 const ROUNDS: usize = 61;
@@ -39,12 +39,12 @@ pub fn step_costs_ns<'a>(
         stretch.push(sample?);
     }
     let mut simulators = room(2 + effects.len())?;
-    simulators.push(set_up(options, &parameters.ideal())?);
-    simulators.push(set_up(options, parameters)?);
+    simulators.push(parameters.ideal().simulator(options)?);
+    simulators.push(parameters.simulator(options)?);
     for effect in effects {
         let mut without = *parameters;
         effect.leave_out(&mut without);
-        simulators.push(set_up(options, &without)?);
+        simulators.push(without.simulator(options)?);
     }
     let mut fastest = room(simulators.len())?;
     fastest.resize(simulators.len(), f64::INFINITY);
@@ -62,12 +62,4 @@ pub fn step_costs_ns<'a>(
     let mut saved_ns = room(fastest.len() - 2)?;
     saved_ns.extend(fastest[2..].iter().map(|without_ns| total_ns - without_ns));
     Ok(Costs { own_ns, total_ns, saved_ns })
-}
-
-fn set_up(options: &Options, parameters: &ErrorParameters) -> Result<Box<[Simulator]>, Error> {
-    let mut memory = heap_simulator(options)?;
-    for simulator in &mut *memory {
-        parameters.set_to(simulator)?;
-    }
-    Ok(memory)
 }

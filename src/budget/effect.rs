@@ -1,7 +1,7 @@
 //! The effects of a budget: one line each.
 
-use super::ErrorParameters;
 use crate::sensors::{PARAMETERS, Sensor};
+use crate::simulator::ErrorParameters;
 
 /// An effect that can be set, and left out, by itself.
 #[derive(Debug, Clone, Copy)]

@@ -4,14 +4,13 @@ use core::ops::ControlFlow;
 
 use nalgebra::{SVector, Vector3};
 
-use super::ErrorParameters;
 use crate::covariance::NavigationCovariance;
 use crate::error::{Error, check_integer};
 use crate::math::{relative_rotation, rotation_quaternion, rotation_vector};
 use crate::memory::room;
 use crate::recommend::{Refusal, fly_looking};
 use crate::sensors::StreamKey;
-use crate::simulator::{ErrorSource, Options, Simulator, heap_simulator};
+use crate::simulator::{ErrorParameters, ErrorSource, Options, Simulator};
 use crate::truth::FlightSample;
 
 /// Least number of samples of a scene: one interval.
@@ -98,11 +97,10 @@ pub(super) fn fly(
 ) -> Result<Track, Refusal> {
     let key = StreamKey { run: options.key.run.wrapping_add(run), ..options.key };
     let (error_model, covariance) = (look == Look::Model, look == Look::Sigma);
-    let mut memory = heap_simulator(&Options { key, error_model, covariance, ..*options })?;
+    let mut memory = parameters.simulator(&Options { key, error_model, covariance, ..*options })?;
     let instants = scene.instants();
     let mut track = Track { span_s: 0.0, errors: room(instants)? };
     let [simulator] = &mut *memory else { return Ok(track) };
-    parameters.set_to(simulator)?;
     let mut start_s = None;
     fly_looking(simulator, scene.samples(), |index, simulator| {
         if track.errors.len() < instants

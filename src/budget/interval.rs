@@ -1,5 +1,7 @@
 //! How well so many runs know a 1σ.
 
+use crate::math::wilson_hilferty;
+
 /// The 97.5 % quantile of the normal distribution.
 const Z: f64 = 1.959_963_984_540_054;
 
@@ -15,13 +17,9 @@ pub struct Interval {
 impl Interval {
     /// Of `runs` runs, 8 or more: as many degrees of freedom, as the mean is known to be 0.
     ///
-    /// χ² = N (1 - 2/(9N) ± z √(2/(9N)))³: Wilson and Hilferty 1931, whose factors are good to 0.7 % from 8 on.
+    /// By the approximation of Wilson and Hilferty, whose factors are accurate to 0.7 % from 8 runs on.
     pub fn of(runs: u64) -> Self {
-        let spread = 2.0 / (9.0 * runs as f64);
-        let factor = |z: f64| {
-            let root = 1.0 - spread + z * spread.sqrt();
-            1.0 / (root * root * root).sqrt()
-        };
+        let factor = |z: f64| 1.0 / wilson_hilferty(z, runs as f64).sqrt();
         Self { low: factor(Z), high: factor(-Z) }
     }
 }

@@ -5,11 +5,11 @@ use core::cmp::Ordering;
 use super::contribution::Contribution;
 use super::flight::{Deviation, Look, Track, difference, fly};
 use super::selection::left_out;
-use super::{BudgetRequest, Effect, ErrorParameters, Interval, Scene};
+use super::{BudgetRequest, Effect, Interval, Scene};
 use crate::error::Error;
 use crate::memory::room;
 use crate::recommend::{Refusal, SolutionError};
-use crate::simulator::Options;
+use crate::simulator::{ErrorParameters, Options};
 
 /// What an effect contributes.
 #[derive(Debug, Clone, Copy, PartialEq)]

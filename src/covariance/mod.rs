@@ -22,6 +22,7 @@ mod figures;
 mod passage;
 mod propagation;
 mod read;
+mod root;
 mod snapshot;
 mod sources;
 mod stretch;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::alignment::field_e;
 use super::factor::{ROWS, triangularize};
-use super::propagation::Root;
+use super::root::Root;
 use super::sources::{AXES, COUNT, ELEMENTS, Input, Kind, Parameters, Source};
 use super::stretch::Stretch;
 use crate::earth::Earth;

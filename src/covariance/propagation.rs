@@ -7,6 +7,7 @@ use super::factor::{ROWS, triangularize};
 use super::figures::NavigationCovariance;
 use super::passage::Passage;
 use super::read::covariance_of;
+use super::root::{Root, zeros};
 use super::sources::{AXES, COUNT, Input, Parameters, Source};
 use super::stretch::{Piece, Stretch};
 use crate::earth::{Earth, Vertical};
@@ -23,20 +24,6 @@ use crate::truth::TruthPoint;
 /// Columns that a stretch makes at the most: the root, what the processes lose and have of their own, mean and slope of the noise
 /// of the axes, their quantization, the altimeter's noise.
 const WORK: usize = ROWS + 2 * COUNT + 3 * AXES + 1;
-
-/// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
-/// Of the covariance of x and β this is a square root, so that no rounding makes it negative.
-#[derive(Debug, Clone)]
-pub(super) struct Root {
-    /// S, of each process.
-    pub sensitivities: Box<[Column]>,
-    /// L, lower triangular.
-    pub factor: Box<[Column]>,
-    /// Variance of the random walk of each axis [u²].
-    pub walks: [f64; AXES],
-    /// The vertical loop with the gains of the last stretch.
-    pub channel: VerticalLoop,
-}
 
 /// The propagation.
 #[derive(Debug, Clone)]
@@ -71,33 +58,6 @@ pub(crate) struct StartErrors<'a> {
     /// Standard deviations of the drawn errors.
     pub sigma: StateErrors,
     pub alignment: Option<Alignment>,
-}
-
-impl Root {
-    fn new() -> Result<Self, Error> {
-        Ok(Self {
-            sensitivities: zeros(COUNT)?,
-            factor: zeros(ROWS)?,
-            walks: [0.0; AXES],
-            channel: VerticalLoop::new(),
-        })
-    }
-
-    fn copy_from(&mut self, other: &Self) {
-        self.sensitivities.copy_from_slice(&other.sensitivities);
-        self.factor.copy_from_slice(&other.factor);
-        (self.walks, self.channel) = (other.walks, other.channel);
-    }
-
-    pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Column> {
-        self.sensitivities.iter_mut().chain(&mut *self.factor)
-    }
-}
-
-fn zeros(count: usize) -> Result<Box<[Column]>, Error> {
-    let mut columns = room(count)?;
-    columns.resize(count, Column::zeros());
-    Ok(columns.into_boxed_slice())
 }
 
 impl Propagation {

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::figures::{ErrorEllipse, Matrix9, NavigationCovariance};
-use super::propagation::Root;
+use super::root::Root;
 use super::sources::{AXES, Input, Parameters, Source};
 use crate::errors::column::At;
 use crate::errors::{VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};

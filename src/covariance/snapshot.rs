@@ -1,6 +1,7 @@
 //! What a snapshot keeps of the propagation.
 
-use super::propagation::{Propagation, Root};
+use super::propagation::Propagation;
+use super::root::Root;
 use super::stretch::Stretch;
 use crate::error::Error;
 use crate::snapshot::{Numbers, Reader, Stored, Writer};

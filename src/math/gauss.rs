@@ -1,4 +1,48 @@
-//! Quadrature.
+//! Gauss-Legendre quadrature on 0..1: nodes in rising order, each with its weight. A rule of n nodes integrates polynomials of
+//! degree 2n - 1 exactly.
 
-/// Nodes of Gauss-Legendre quadrature on 0..1, each of weight 1/2.
-pub const GAUSS_2: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+/// Two nodes.
+pub const GAUSS_2: [(f64, f64); 2] = [(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)];
+
+/// Three nodes.
+pub const GAUSS_3: [(f64, f64); 3] = [
+    (0.112_701_665_379_258_31, 0.277_777_777_777_777_8),
+    (0.5, 0.444_444_444_444_444_4),
+    (0.887_298_334_620_741_7, 0.277_777_777_777_777_8),
+];
+
+/// Four nodes.
+pub const GAUSS_4: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
+
+/// Five nodes.
+pub const GAUSS_5: [(f64, f64); 5] = [
+    (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
+    (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
+    (0.5, 0.284_444_444_444_444_44),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ∫ u^k du = 1/(k + 1); nodes and weights are rounded, which k nodes' powers multiply by k.
+    #[test]
+    fn each_rule_is_exact_to_its_degree_and_no_further() {
+        for rule in [&GAUSS_2[..], &GAUSS_3, &GAUSS_4, &GAUSS_5] {
+            let degree = 2 * rule.len() as i32;
+            for power in 0..=degree {
+                let integral: f64 = rule.iter().map(|(node, weight)| weight * node.powi(power)).sum();
+                let error = (integral - 1.0 / f64::from(power + 1)).abs();
+                let rounding = f64::from(power + 4) * f64::EPSILON;
+                assert_eq!(error <= rounding, power < degree, "{} nodes, u^{power}: {error:e}", rule.len());
+            }
+        }
+    }
+}

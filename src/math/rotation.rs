@@ -1,16 +1,11 @@
-//! Rotations: quaternions (scalar first in print, `nalgebra` order inside), rotation vectors, Euler angles.
+//! Rotations: quaternions (scalar first in print, `nalgebra` order inside) and rotation vectors.
 //!
 //! `q_nb` rotates a vector from body to navigation axes: `v_n = rotate(q_nb, v_b)`.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
-
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
-use super::arc_tangent::atan2_each;
 use super::pair::Pair;
-use super::sine::sin_cos_each;
-use super::transcendental::{atan2, hypot, sin_cos, wrap_angle};
-use crate::snapshot::{ANY, stored};
+use super::transcendental::{atan2, sin_cos};
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
 /// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
@@ -253,60 +248,12 @@ pub fn inverse_right_jacobian(phi: &Vector3<f64>, omega: &Vector3<f64>) -> Vecto
     omega + 0.5 * cross + coefficient * phi.cross(&cross)
 }
 
-/// Attitude angles of body axes right-forward-up against east-north-up [rad].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Euler {
-    /// Right wing down positive, -π..π.
-    pub roll: f64,
-    /// Nose up positive, -π/2..π/2.
-    pub pitch: f64,
-    /// Clockwise from true north, 0..2π.
-    pub heading: f64,
-}
-
-stored!(Euler { roll: ANY, pitch: ANY, heading: ANY });
-
-/// `q_nb` of the aerospace sequence heading, pitch, roll: C = Rz(-heading) Rx(pitch) Ry(roll).
-pub fn attitude_from_euler(euler: &Euler) -> Quaternion<f64> {
-    let (sines, cosines) = sin_cos_each(&[0.5 * euler.roll, 0.5 * euler.pitch, 0.5 * euler.heading]);
-    attitude_from_half_angles(&sines, &cosines)
-}
-
-/// The same from the sines and cosines of half of roll, pitch and heading.
-#[inline]
-pub fn attitude_from_half_angles(&[sr, sp, sh]: &[f64; 3], &[cr, cp, ch]: &[f64; 3]) -> Quaternion<f64> {
-    Quaternion::new(
-        ch * cp * cr + sh * sp * sr,
-        ch * sp * cr + sh * cp * sr,
-        ch * cp * sr - sh * sp * cr,
-        ch * sp * sr - sh * cp * cr,
-    )
-}
-
-/// Attitude angles of `q_nb`, by the sum and the difference of heading and roll, so that near pitch ±90° the one
-/// that is still defined keeps all its digits.
-pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
-    let (w, x, y, z) = (q.w, q.i, q.j, q.k);
-    let (plus, minus) = ((w + x, y + z), (w - x, y - z));
-    let sizes = [plus, minus].map(|(a, b)| hypot(a, b));
-    let [half_difference, half_sum, from_nadir] =
-        atan2_each(&[-plus.1, minus.1, sizes[0]], &[plus.0, minus.0, sizes[1]]);
-    let pitch = 2.0 * from_nadir - FRAC_PI_2;
-    let heading = wrap_angle(half_sum + half_difference);
-    let mut roll = half_sum - half_difference;
-    if roll.abs() > PI {
-        roll = wrap_angle(roll);
-    }
-    Euler { roll, pitch, heading: if heading < 0.0 { heading + TAU } else { heading } }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use core::f64::consts::PI;
 
-    fn distance(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
-        (a - b).norm().min((a + b).norm())
-    }
+    use super::*;
+    use crate::math::{Euler, attitude_from_euler};
 
     #[test]
     fn rotation_vector_and_quaternion_are_inverse_from_nothing_to_half_a_turn() {
@@ -361,40 +308,7 @@ mod tests {
         for angle in [0.0, 7.3e-7, 6.3e-3, 6.4e-3, 2.0, -3.0] {
             let expected = rotation_increment(&Vector3::new(0.0, 0.0, angle)) * q;
             let scale = 1e-300 + angle.abs();
-            assert!(distance(&AxisTurn::new(angle).increment(&q), &expected) < 4.0 * f64::EPSILON * scale);
-        }
-    }
-
-    #[test]
-    fn euler_angles_are_the_sequence_heading_pitch_roll() {
-        let euler = Euler { roll: 0.3, pitch: -0.6, heading: 5.0 };
-        let (sr, cr) = sin_cos(euler.roll);
-        let (sp, cp) = sin_cos(euler.pitch);
-        let (sh, ch) = sin_cos(euler.heading);
-        let c = Matrix3::new(ch, sh, 0.0, -sh, ch, 0.0, 0.0, 0.0, 1.0)
-            * Matrix3::new(1.0, 0.0, 0.0, 0.0, cp, -sp, 0.0, sp, cp)
-            * Matrix3::new(cr, 0.0, sr, 0.0, 1.0, 0.0, -sr, 0.0, cr);
-        let q = attitude_from_euler(&euler);
-        for v in [Vector3::x(), Vector3::y(), Vector3::z()] {
-            assert!((rotate(&q, &v) - c * v).norm() < 8.0 * f64::EPSILON);
-            assert!((rotation_matrix(&q) * v - c * v).norm() < 8.0 * f64::EPSILON);
-            assert!((rotated_z(&q) - c * Vector3::z()).norm() < 8.0 * f64::EPSILON);
-            assert!((rotate_inverse(&q, &v) - c.transpose() * v).norm() < 8.0 * f64::EPSILON);
-        }
-    }
-
-    #[test]
-    fn euler_angles_come_back_even_beside_the_gimbal_lock() {
-        for pitch in [-FRAC_PI_2, -FRAC_PI_2 + 1e-12, -1.0, 0.0, 1.5, FRAC_PI_2 - 1e-9, FRAC_PI_2] {
-            for roll in [-3.1, -1.0, 0.0, 2.0] {
-                for heading in [0.0, 1.0, 3.2, 6.2] {
-                    let q = attitude_from_euler(&Euler { roll, pitch, heading });
-                    let back = euler_from_attitude(&q);
-                    assert!(distance(&attitude_from_euler(&back), &q) < 4.0 * f64::EPSILON);
-                    assert!((back.pitch - pitch).abs() < 4.0 * f64::EPSILON);
-                    assert!((0.0..=TAU).contains(&back.heading) && back.roll.abs() <= PI);
-                }
-            }
+            assert!((AxisTurn::new(angle).increment(&q) - expected).norm() < 4.0 * f64::EPSILON * scale);
         }
     }
 }

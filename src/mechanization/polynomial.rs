@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::body::{BodyMotion, FIRST_MOMENT, MAX_SUBSAMPLES, SECOND_MOMENT};
-use crate::math::RotationSeries;
+use crate::math::{GAUSS_4, RotationSeries};
 use crate::signal::Increment;
 
 /// Row k: the coefficient of u^k, u = 0..1 over the update, of the polynomial whose integrals over n equal parts are the
@@ -26,14 +26,6 @@ const COEFFICIENTS: [&[&[f64]]; MAX_SUBSAMPLES] = [
         &[-625.0 / 2.0, 6875.0 / 6.0, -3125.0 / 2.0, 1875.0 / 2.0, -625.0 / 3.0],
         &[3125.0 / 24.0, -3125.0 / 6.0, 3125.0 / 4.0, -3125.0 / 6.0, 3125.0 / 24.0],
     ],
-];
-
-/// Nodes and weights of Gauss-Legendre quadrature on 0..1.
-const GAUSS4: [(f64, f64); 4] = [
-    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
-    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
-    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
-    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
 /// A polynomial of u = 0..1 with vector coefficients.
@@ -101,7 +93,7 @@ impl BodyMotion {
             motion.s2 += increment.velocity * FIRST_MOMENT[n - 1][i];
             motion.s3 += increment.velocity * SECOND_MOMENT[n - 1][i];
         }
-        for (u, weight) in GAUSS4 {
+        for (u, weight) in GAUSS_4 {
             let phi = rate.rotation(u, &rate.integral(u));
             let n2 = phi.norm_squared();
             let series = RotationSeries::new(n2);

@@ -6,7 +6,7 @@ use super::table::KEYS;
 use super::{Output, Scene};
 use crate::error::{Error, Rule, check_range};
 use crate::mechanization::VerticalMode;
-use crate::sensors::{AltimeterParameters, Sensor, SensorOutput};
+use crate::sensors::{AltimeterParameters, SensorOutput};
 
 /// A field that is at odds with another.
 fn at_odds(field: &'static str, words: &'static str) -> Error {
@@ -29,12 +29,7 @@ impl Scene {
     pub fn check(&self) -> Result<(), Error> {
         self.check_limits()?;
         self.options.validate()?;
-        self.gyro.validate(Sensor::Gyro)?;
-        self.accel.validate(Sensor::Accelerometer)?;
-        self.altimeter.validate()?;
-        self.initial.validate()?;
-        self.mounting.validate()?;
-        self.gravity.validate()?;
+        self.errors.validate()?;
         self.output.validate()?;
         if let Some(error) = self.conflicts().into_iter().next() {
             return Err(error);
@@ -84,7 +79,7 @@ impl Scene {
             conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
         }
         if self.options.vertical != VerticalMode::Damped {
-            if self.altimeter != AltimeterParameters::default() {
+            if self.errors.altimeter != AltimeterParameters::default() {
                 let words = "acts only in the damped vertical channel; options.vertical is another";
                 conflicts.push(at_odds("altimeter", words));
             }

@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use super::fault::{Fault, excerpt, nearest};
 use super::key::{Key, Section, Target};
-use super::read::{Item, Reader};
+use super::reader::{Item, Reader};
 use super::table::KEYS;
 use super::{BUILTIN_SCENES, Scene};
 use crate::error::{Error, Rule};
@@ -56,12 +56,12 @@ impl Reader<'_> {
     /// The limits of the library, each fault in turn: a value that is refused is put back to its default and the rest checked.
     pub(super) fn check_values(&mut self) {
         self.check(Section::Options, |draft| draft.clone().into_scene(Vec::new()).options.validate());
-        self.check(Section::Gyro, |draft| draft.scene.gyro.validate(Sensor::Gyro));
-        self.check(Section::Accelerometer, |draft| draft.scene.accel.validate(Sensor::Accelerometer));
-        self.check(Section::Altimeter, |draft| draft.scene.altimeter.validate());
-        self.check(Section::Start, |draft| draft.scene.initial.validate());
-        self.check(Section::Mounting, |draft| draft.scene.mounting.validate());
-        self.check(Section::Gravity, |draft| draft.scene.gravity.validate());
+        self.check(Section::Gyro, |draft| draft.scene.errors.gyro.validate(Sensor::Gyro));
+        self.check(Section::Accelerometer, |draft| draft.scene.errors.accel.validate(Sensor::Accelerometer));
+        self.check(Section::Altimeter, |draft| draft.scene.errors.altimeter.validate());
+        self.check(Section::Start, |draft| draft.scene.errors.initial.validate());
+        self.check(Section::Mounting, |draft| draft.scene.errors.mounting.validate());
+        self.check(Section::Gravity, |draft| draft.scene.errors.gravity.validate());
         self.check(Section::Flight, |draft| draft.start.validate());
         self.check(Section::Output, |draft| draft.scene.output.validate());
     }

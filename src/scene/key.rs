@@ -157,8 +157,8 @@ impl Place {
             Self::At(places) => places(draft),
             Self::Parameter(sensor, row) => {
                 let triad = match sensor {
-                    Sensor::Gyro => &mut draft.scene.gyro,
-                    Sensor::Accelerometer => &mut draft.scene.accel,
+                    Sensor::Gyro => &mut draft.scene.errors.gyro,
+                    Sensor::Accelerometer => &mut draft.scene.errors.accel,
                 };
                 triad.numbers_mut().into_iter().nth(row).map_or_else(Vec::new, row_by_row)
             }

@@ -11,7 +11,9 @@ mod examine;
 mod fault;
 mod key;
 mod list;
+mod nesting;
 mod read;
+mod reader;
 mod schedule;
 mod setting;
 mod table;
@@ -28,13 +30,8 @@ pub use write::ChangedKey;
 use crate::error::{Error, Rule, check_range};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
-use crate::mounting::MountingParameters;
-use crate::sensors::{
-    AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, SensorOutput,
-    TriadParameters,
-};
-use crate::simulator::heap_simulator;
-use crate::{Options, Simulator};
+use crate::sensors::{Failure, SensorOutput};
+use crate::{ErrorParameters, Options, Simulator};
 
 /// Largest size of a scene's text [bytes].
 pub const MAX_TEXT: usize = 1 << 20;
@@ -54,18 +51,8 @@ pub struct Scene {
     pub temperature: Option<Temperature>,
     /// The simulator. The stated period of a flight that is not a log follows from its rate.
     pub options: Options,
-    /// Errors of the gyros.
-    pub gyro: TriadParameters,
-    /// Errors of the accelerometers.
-    pub accel: TriadParameters,
-    /// Errors of the altimeter.
-    pub altimeter: AltimeterParameters,
-    /// Errors at the start.
-    pub initial: InitialErrorParameters,
-    /// Where the sensor block sits.
-    pub mounting: MountingParameters,
-    /// True less normal gravity.
-    pub gravity: GravityDisturbanceParameters,
+    /// All that makes the INS err, but for failures.
+    pub errors: ErrorParameters,
     /// Failures of sensors; those of one output do not overlap in time.
     pub failures: Vec<PlannedFailure>,
     /// What a program that flies the scene writes.
@@ -150,12 +137,7 @@ impl Default for Scene {
             rate_hz: 100.0,
             temperature: None,
             options: Options::default(),
-            gyro: TriadParameters::default(),
-            accel: TriadParameters::default(),
-            altimeter: AltimeterParameters::default(),
-            initial: InitialErrorParameters::default(),
-            mounting: MountingParameters::default(),
-            gravity: GravityDisturbanceParameters::default(),
+            errors: ErrorParameters::default(),
             failures: Vec::new(),
             output: Output::default(),
         }
@@ -209,16 +191,7 @@ impl Scene {
 
     /// The simulator of the scene, without a failure yet: [`Self::prepare`] sets those in their time.
     pub fn simulator(&self) -> Result<Box<[Simulator]>, Error> {
-        let mut simulators = heap_simulator(&self.simulator_options())?;
-        for simulator in &mut simulators {
-            simulator.set_gyro(&self.gyro)?;
-            simulator.set_accel(&self.accel)?;
-            simulator.set_altimeter(&self.altimeter)?;
-            simulator.set_initial_errors(&self.initial)?;
-            simulator.set_mounting(&self.mounting)?;
-            simulator.set_gravity_disturbance(&self.gravity)?;
-        }
-        Ok(simulators)
+        self.errors.simulator(&self.simulator_options())
     }
 
     /// The flight, on the scene's ellipsoid. A log has no such flight.

@@ -1,61 +1,20 @@
-//! The reader of scenes: every section, item and key of a text, and every fault at its place.
+//! The reader of scenes: every section and item of a text, and every fault at its place.
 
 use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
-use toml_parser::Source;
-use toml_parser::lexer::TokenKind;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
-use super::fault::{Fault, Faults, excerpt, nearest};
-use super::key::{Key, Section, Target};
-use super::setting::Setting;
+use super::fault::{Fault, Faults, excerpt, nearest, unknown};
+use super::key::{Key, Section};
+use super::nesting::{MAX_NESTING, too_deep};
+use super::reader::{Item, Reader};
+use super::setting::take_settings;
 use super::table::{self, KEYS};
-use super::value::{Value, put};
 use super::{MAX_TEXT, Scene};
-use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields};
+use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
 type Span = Range<usize>;
-
-/// A section, or an item of a list: where its head stands, and where those of its keys that the text sets, by their
-/// place in the table.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Item {
-    pub head: Span,
-    pub keys: Vec<(usize, Span)>,
-}
-
-impl Item {
-    /// Where the key of `name` stands.
-    pub fn key(&self, name: &str) -> Option<&Span> {
-        self.keys.iter().find(|(index, _)| KEYS[*index].name == name).map(|(_, span)| span)
-    }
-
-    /// The key that the text sets for the field of an error, and where.
-    pub fn of_field(&self, field: &str) -> Option<(&'static Key, &Span)> {
-        let sets = |key: &Key| !field.is_empty() && (key.field().starts_with(field) || key.path() == field);
-        self.keys.iter().find(|(index, _)| sets(&KEYS[*index])).map(|(index, span)| (&KEYS[*index], span))
-    }
-}
-
-/// Brackets that may be open at once: the parser takes a kilobyte of stack for each. A scene needs two.
-const MAX_NESTING: usize = 8;
-
-/// Where a text nests deeper than that [bytes].
-pub(super) fn too_deep(text: &str) -> Option<usize> {
-    let mut depth = 0_usize;
-    for token in Source::new(text).lex() {
-        match token.kind() {
-            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
-            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth > MAX_NESTING {
-            return Some(token.span().start());
-        }
-    }
-    None
-}
 
 impl Scene {
     /// The scene of a text in TOML (UTF-8); or all that is wrong with it.
@@ -86,15 +45,16 @@ impl Scene {
             return Err(faults.into_list());
         }
         let (root, errors) = DeTable::parse_recoverable(text);
+        let mut faults = Faults::new(text);
+        let settings = take_settings(settings, &mut faults);
         let mut reader = Reader {
-            faults: Faults::new(text),
+            faults,
             draft: Draft::from(&Self::default()),
             sections: Section::ALL.map(|_| Item::default()),
             manoeuvres: Vec::new(),
             items: Vec::new(),
-            settings: Vec::new(),
+            settings,
         };
-        reader.take_settings(settings);
         for error in &errors {
             reader.faults.add(&error.span().unwrap_or(0..0), error.message());
         }
@@ -107,21 +67,7 @@ impl Scene {
     }
 }
 
-pub(super) struct Reader<'t> {
-    pub faults: Faults<'t>,
-    pub draft: Draft,
-    sections: [Item; Section::ALL.len()],
-    pub manoeuvres: Vec<Manoeuvre>,
-    /// Where each manoeuvre stands.
-    pub items: Vec<Item>,
-    pub settings: Vec<Setting>,
-}
-
 impl Reader<'_> {
-    pub fn section(&self, section: Section) -> &Item {
-        &self.sections[section as usize]
-    }
-
     fn read_root(&mut self, root: &DeTable<'_>) {
         for section in Section::ALL {
             let is_set = self.settings.iter().any(|setting| setting.section == section);
@@ -169,62 +115,6 @@ impl Reader<'_> {
                 }
             }
         }
-    }
-
-    /// Reads the keys of a section in the order of the table, so that a preset comes before what differs from it.
-    fn read_keys(&mut self, section: Section, head: Span, section_table: &DeTable<'_>) -> Item {
-        let mut item = Item { head, keys: Vec::new() };
-        self.check_settings(section);
-        for (index, key) in table::of_section(section) {
-            let is_of_key = |setting: &&Setting| {
-                setting.section == section
-                    && (setting.name == key.name || Some(setting.name.as_str()) == key.si_name())
-            };
-            // The last of them: the same quantity may be set in its unit and in SI.
-            if let Some(setting) = self.settings.iter().rfind(is_of_key) {
-                let value = match key.target {
-                    Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => {
-                        &Value::Text(setting.text.clone())
-                    }
-                    _ => &setting.value,
-                };
-                item.keys.push((index, setting.span.clone()));
-                if let Err(sentence) = put(&mut self.draft, key, setting.name != key.name, value) {
-                    self.faults.add(&setting.span, sentence);
-                }
-                continue;
-            }
-            let mut first: Option<&str> = None;
-            for (name, in_si) in [(Some(key.name), false), (key.si_name(), true)] {
-                let found =
-                    name.and_then(|name| section_table.get_key_value(name).map(|found| (name, found)));
-                let Some((name, (at, value))) = found else { continue };
-                if let Some(first) = first {
-                    self.faults.add(&at.span(), format!("{name}: the same quantity as {first}; give one"));
-                    continue;
-                }
-                first = Some(name);
-                item.keys.push((index, at.span()));
-                if let Err(sentence) = put(&mut self.draft, key, in_si, &Value::of(value.get_ref())) {
-                    self.faults.add(&value.span(), sentence);
-                }
-            }
-        }
-        for (name, value) in section_table {
-            if self.faults.are_many() {
-                break;
-            }
-            let (name, span) = (name.get_ref().as_ref(), name.span());
-            let is_sinusoids = section == Section::Manoeuvre && name == "sinusoid";
-            let names =
-                || table::of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten();
-            if is_sinusoids && !matches!(value.get_ref(), DeValue::Array(_)) {
-                self.faults.add(&span, "sinusoid: expected [[manoeuvre.sinusoid]], in double brackets");
-            } else if !is_sinusoids && !names().any(|known| known == name) {
-                self.faults.add(&span, unknown("key", name, nearest(name, names())));
-            }
-        }
-        item
     }
 
     fn read_manoeuvre(&mut self, head: Span, section_table: &DeTable<'_>) {
@@ -321,9 +211,4 @@ impl Reader<'_> {
             Err(error) => self.add_error(&error, &item),
         }
     }
-}
-
-pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
-    let near = near.map_or(String::new(), |near| format!("; {near}?"));
-    format!("no such {what}: {}{near}", excerpt(name))
 }

@@ -5,7 +5,7 @@ use toml::de::{DeInteger, DeTable, DeValue};
 use super::draft::Draft;
 use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
-use super::read::too_deep;
+use super::nesting::too_deep;
 
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]

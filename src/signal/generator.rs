@@ -1,8 +1,8 @@
-//! The generator: acceleration and angular rate at the samples, from the samples, and with them the motion of one interval
-//! after the other.
+//! The generator: the motion of one interval after the other, from the derivatives at its ends.
 
 use nalgebra::{Quaternion, Vector3};
 
+use super::derivatives::{Derivatives, Neighbour, derivatives_at, given, neighbours_behind};
 use super::motion::IntervalMotion;
 use crate::math::{
     end_derivative_weights, inverse_right_jacobian, relative_rotation, rotated_z, rotation_increment,
@@ -20,37 +20,6 @@ const MAX_SERIES_ROTATION: f64 = 0.5;
 /// Rotation over an interval up to which the second order of the Earth's turn b needs no more than its first term in it
 /// [rad]: what is dropped is b² n³/720, 5e-17 rad at an interval of a second.
 const MAX_SMALL_TURN: f64 = 0.02;
-
-/// Derivatives of the motion at a sample.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Derivatives {
-    /// Acceleration against the Earth, Earth-fixed axes [m/s²].
-    pub a_e: Vector3<f64>,
-    /// Angular rate against inertial space, sensor axes [rad/s].
-    pub omega_ib_b: Vector3<f64>,
-}
-
-/// Derivatives of accepted samples are smaller [m/s², rad/s]: the most that weights of 1/5e-5 s make of them is 1e14.
-pub(crate) const DERIVATIVES: f64 = 1e18;
-
-stored!(Derivatives { a_e: DERIVATIVES, omega_ib_b: DERIVATIVES });
-
-/// Another sample, seen from the one where derivatives are wanted.
-#[derive(Debug, Clone, Copy)]
-struct Neighbour {
-    v_e: Vector3<f64>,
-    /// Time from there [s].
-    offset_s: f64,
-    /// Rotation vector from its attitude [rad].
-    rotation: Vector3<f64>,
-}
-
-impl Neighbour {
-    fn new(from: &TruthPoint, point: &TruthPoint, offset_s: f64) -> Self {
-        let rotation = rotation_vector(&relative_rotation(&from.state.q_eb, &point.state.q_eb));
-        Self { v_e: point.state.v_e, offset_s, rotation }
-    }
-}
 
 /// Rotation against the Earth over an interval, sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -249,55 +218,4 @@ fn against_inertial_space(
     }
     let earth_turn = rotation_increment(earth_turn);
     rotation_vector(&(against_earth + against_earth * earth_turn))
-}
-
-/// What the host gave at `point`, if all of it.
-fn given(point: &TruthPoint) -> Option<Derivatives> {
-    Some(Derivatives { a_e: point.a_e?, omega_ib_b: point.sample.omega_ib_b? })
-}
-
-/// The samples before `next` as far as they are usable.
-fn neighbours_behind(
-    next: &TruthPoint,
-    current: &TruthPoint,
-    second: Option<&TruthPoint>,
-    third: Option<&TruthPoint>,
-) -> [Option<Neighbour>; 3] {
-    let to_second = -next.interval_s - current.interval_s;
-    [
-        Some(Neighbour::new(next, current, -next.interval_s)),
-        second.map(|point| Neighbour::new(next, point, to_second)),
-        second.zip(third).map(|(between, point)| Neighbour::new(next, point, to_second - between.interval_s)),
-    ]
-}
-
-/// What the host gave at `point`, else what one to three others make of it; `earth_rate_b` is the Earth rate there.
-fn derivatives_at(
-    point: &TruthPoint,
-    earth_rate_b: &Vector3<f64>,
-    others: [Option<Neighbour>; 3],
-) -> Derivatives {
-    if let Some(given) = given(point) {
-        return given;
-    }
-    let v_e = &point.state.v_e;
-    let (a_e, omega_eb_b) = match others {
-        [Some(a), Some(b), Some(c)] => weighted(v_e, &[a, b, c]),
-        [Some(a), Some(b), None] => weighted(v_e, &[a, b]),
-        [Some(a), None, _] => weighted(v_e, &[a]),
-        _ => (Vector3::zeros(), Vector3::zeros()),
-    };
-    Derivatives {
-        a_e: point.a_e.unwrap_or(a_e),
-        omega_ib_b: point.sample.omega_ib_b.unwrap_or(omega_eb_b + earth_rate_b),
-    }
-}
-
-/// Derivatives of velocity and of rotation vector at the velocity `v_e` and the rotation 0.
-#[inline]
-fn weighted<const N: usize>(v_e: &Vector3<f64>, others: &[Neighbour; N]) -> (Vector3<f64>, Vector3<f64>) {
-    let weights = end_derivative_weights(&others.map(|other| other.offset_s));
-    others.iter().zip(weights).fold((Vector3::zeros(), Vector3::zeros()), |(a_e, omega), (other, weight)| {
-        (a_e + (other.v_e - v_e) * weight, omega + other.rotation * weight)
-    })
 }

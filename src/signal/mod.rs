@@ -7,11 +7,12 @@
 //!
 //! Departure: the paper differences the samples, which is 49 °/h wrong on a rocking table.
 
+mod derivatives;
 mod generator;
 mod motion;
 mod rows;
 
-pub(crate) use generator::DERIVATIVES;
+pub(crate) use derivatives::DERIVATIVES;
 pub use generator::SignalGenerator;
 pub use motion::{IntervalMotion, MotionNode, TurnToEarth, Turning};
 pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment};

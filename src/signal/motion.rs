@@ -3,24 +3,31 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::Increment;
-use super::generator::Derivatives;
+use super::derivatives::Derivatives;
 use crate::math::{
-    GAUSS_2, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian, right_jacobian,
-    rotation_matrix, rotation_quaternion,
+    GAUSS_2, GAUSS_3, GAUSS_5, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian,
+    right_jacobian, rotation_matrix, rotation_quaternion,
 };
 use crate::truth::TruthPoint;
 
-/// Nodes and weights of Gauss-Legendre quadrature on 0..1, two and two; a node of weight 0 fills up.
-const GAUSS2: [[Pair; 2]; 1] = [[Pair(GAUSS_2), Pair([0.5, 0.5])]];
-const GAUSS3: [[Pair; 2]; 2] = [
-    [Pair([0.112_701_665_379_258_31, 0.887_298_334_620_741_7]), Pair([0.277_777_777_777_777_8; 2])],
-    [Pair([0.5, 0.5]), Pair([0.444_444_444_444_444_4, 0.0])],
-];
-const GAUSS5: [[Pair; 2]; 3] = [
-    [Pair([0.046_910_077_030_668_004, 0.953_089_922_969_332]), Pair([0.118_463_442_528_094_54; 2])],
-    [Pair([0.230_765_344_947_158_45, 0.769_234_655_052_841_5]), Pair([0.239_314_335_249_683_23; 2])],
-    [Pair([0.5, 0.5]), Pair([0.284_444_444_444_444_44, 0.0])],
-];
+/// Nodes and weights of quadrature, two nodes at once.
+const GAUSS2: [[Pair; 2]; 1] = by_twos(&GAUSS_2);
+const GAUSS3: [[Pair; 2]; 2] = by_twos(&GAUSS_3);
+const GAUSS5: [[Pair; 2]; 3] = by_twos(&GAUSS_5);
+
+/// The first node with the last, and so on; the middle one with itself, the second time of weight 0.
+const fn by_twos<const N: usize, const PAIRS: usize>(rule: &[(f64, f64); N]) -> [[Pair; 2]; PAIRS] {
+    let mut pairs = [[Pair([0.0; 2]); 2]; PAIRS];
+    let mut place = 0;
+    while place < PAIRS {
+        let mirrored = N - 1 - place;
+        let ((node, weight), (other_node, other_weight)) = (rule[place], rule[mirrored]);
+        let other_weight = if mirrored == place { 0.0 } else { other_weight };
+        pairs[place] = [Pair([node, other_node]), Pair([weight, other_weight])];
+        place += 1;
+    }
+    pairs
+}
 
 /// Rotation within a sub-interval up to which two and three nodes integrate to rounding [rad]: their errors are the fourth
 /// derivative over 4320, 2e-16 of the increment, and the sixth over 2e6, 8e-15 of it.

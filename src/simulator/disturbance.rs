@@ -61,7 +61,7 @@ impl Disturbance {
         let change_e = at_next_e - self.at_last_e;
         let felt = increments.iter_mut().enumerate().map(|(m, increment)| {
             // Of two nodes in each increment the error is θ⁴/4320 of it, at a rotation θ [rad].
-            let felt_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, node| {
+            let felt_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, (node, _)| {
                 let u = (m as f64 + node) * part;
                 sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
             });

@@ -13,6 +13,7 @@ mod moment;
 mod mounted;
 mod navigator;
 mod options;
+mod parameters;
 mod read;
 mod readback;
 mod settings;
@@ -30,6 +31,7 @@ pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
+pub use parameters::ErrorParameters;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 

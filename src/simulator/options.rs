@@ -9,7 +9,7 @@ use crate::sensors::StreamKey;
 use crate::signal::MAX_INCREMENTS;
 use crate::snapshot::{ANY, stored};
 use crate::state::BodyAxes;
-use crate::truth::{IntakeLimits, MAX_GAP_S, TruthPoint};
+use crate::truth::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, TruthPoint};
 
 /// Mechanization updates in a sample interval at the most.
 pub const MAX_UPDATES: usize = MAX_INCREMENTS / MAX_SUBSAMPLES;
@@ -96,13 +96,13 @@ impl Options {
         check_range("options.subsamples", self.subsamples as f64, 1.0, MAX_SUBSAMPLES as f64)?;
         check_range("options.updates_per_sample", self.updates_per_sample as f64, 1.0, MAX_UPDATES as f64)?;
         if let Some(period) = self.intake.period_s {
-            check_range("options.sample_period_s", period, 5e-5, MAX_GAP_S)?;
+            check_range("options.sample_period_s", period, MIN_INTERVAL_S, MAX_GAP_S)?;
             if period > self.intake.max_gap_s {
                 let rule = Rule::AtMost("must be at most max_gap_s =", self.intake.max_gap_s);
                 return Err(Error::invalid("options.sample_period_s", period, rule));
             }
         }
-        check_range("options.max_gap_s", self.intake.max_gap_s, 5e-5, MAX_GAP_S)?;
+        check_range("options.max_gap_s", self.intake.max_gap_s, MIN_INTERVAL_S, MAX_GAP_S)?;
         if let Some(time_constant) = self.closed_loop_time_s {
             check_range("options.closed_loop_time_s", time_constant, 1.0, 1e4)?;
             if time_constant < 4.0 * self.intake.max_gap_s {

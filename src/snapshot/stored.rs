@@ -1,7 +1,8 @@
 //! Which fields of a part are kept, so that none can be forgotten.
 
-use super::{Reader, Writer};
+use super::{ANY, Reader, Writer};
 use crate::error::Error;
+use crate::math::Euler;
 
 /// A part of the simulator that a snapshot keeps.
 pub(crate) trait Stored {
@@ -86,6 +87,8 @@ macro_rules! variants {
     };
 }
 pub(crate) use variants;
+
+stored!(Euler { roll: ANY, pitch: ANY, heading: ANY });
 
 impl Stored for bool {
     fn save(&self, to: &mut Writer<'_>) {

@@ -2,28 +2,15 @@
 
 use nalgebra::Vector3;
 
-use super::ring::{LOOK_BACK, Ring};
+use super::limits::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, OFF_PERIOD, STAMP_ROUNDING};
+use super::ring::Ring;
 use super::sample::LATEST_S;
 use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule, check_range};
 use crate::math::end_derivative_weights;
-use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::state::BodyAxes;
-
-/// Shortest interval between samples, and longest that a host may allow [s].
-const MIN_INTERVAL_S: f64 = 5e-5;
-pub(crate) const MAX_GAP_S: f64 = 1e3;
-
-/// What the difference of two time stamps may miss an interval by: four units in their last place.
-const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// Shortest and longest interval that there can be [s].
-pub(crate) const INTERVALS_S: (f64, f64) = {
-    let rounding = STAMP_ROUNDING * LATEST_S;
-    (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
-};
 
 /// Earliest time that a sample can be moved to [s]: those before it, at most 18 intervals, have room then.
 const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
@@ -31,28 +18,6 @@ const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
 /// Latest time that a sample can be moved to [s], likewise. A sample that came before its place in the stated period has
 /// room after it, and so has a snapshot of it.
 const LATEST_MOVED_S: f64 = LATEST_S - 20.0 * MAX_GAP_S;
-
-/// Largest deviation of a time stamp from the stated period, in periods.
-const OFF_PERIOD: f64 = 0.4;
-
-/// What separates a bad sample from a hard manoeuvre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct IntakeLimits {
-    /// Longest interval between samples [s].
-    pub max_gap_s: f64,
-    /// Largest mean acceleration between two samples [m/s²].
-    pub max_acceleration_m_s2: f64,
-    /// Sample period [s] if the host states one: sample k is then at exactly k periods from the first.
-    pub period_s: Option<f64>,
-}
-
-impl Default for IntakeLimits {
-    fn default() -> Self {
-        Self { max_gap_s: 2.5, max_acceleration_m_s2: 2000.0, period_s: None }
-    }
-}
-
-stored!(IntakeLimits { max_gap_s: ANY, max_acceleration_m_s2: ANY, period_s: ANY });
 
 /// How an accepted sample follows the ones before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,13 +33,13 @@ pub enum Pushed {
 /// Takes samples in.
 #[derive(Debug, Clone)]
 pub struct Intake {
-    earth: Earth,
-    axes: BodyAxes,
-    limits: IntakeLimits,
-    ring: Ring,
+    pub(super) earth: Earth,
+    pub(super) axes: BodyAxes,
+    pub(super) limits: IntakeLimits,
+    pub(super) ring: Ring,
     /// First time stamp [s] and number of periods since, where a period is stated.
-    first_time_s: f64,
-    ticks: f64,
+    pub(super) first_time_s: f64,
+    pub(super) ticks: f64,
 }
 
 impl Intake {
@@ -232,7 +197,7 @@ impl Intake {
     }
 
     /// Time on the time base and periods since the first sample, where a period is stated.
-    fn on_time_base(&self, stamp_s: f64) -> (f64, f64) {
+    pub(super) fn on_time_base(&self, stamp_s: f64) -> (f64, f64) {
         match self.limits.period_s {
             None => (stamp_s, 0.0),
             Some(period) => {
@@ -240,63 +205,6 @@ impl Intake {
                 (self.first_time_s + ticks * period, ticks)
             }
         }
-    }
-
-    /// Checks and puts back a sample that was in the ring, oldest first, `interval_s` [s] after the one before; `v_e` is its
-    /// velocity [m/s] if it has none itself.
-    fn put_back(
-        &mut self,
-        sample: &FlightSample,
-        interval_s: f64,
-        v_e: Option<Vector3<f64>>,
-    ) -> Result<(), Error> {
-        sample.validate()?;
-        let (time_s, ticks) = self.on_time_base(sample.time_s);
-        self.check_kept_time(sample.time_s, time_s, interval_s)?;
-        let mut point = TruthPoint::new(&self.earth, self.axes, sample, time_s, interval_s);
-        if let Some(v_e) = v_e {
-            point.set_velocity(&self.earth, v_e);
-        }
-        // What a sample without velocity was judged by is not kept, or came of a later position.
-        let knows_velocity = |point: &TruthPoint| point.sample.v_n.is_some();
-        if let Some(last) = self.ring.pushed(0).filter(|last| knows_velocity(last) && knows_velocity(&point))
-        {
-            let steps = Steps { last, before: [self.ring.pushed(1), None] };
-            // The interval before the oldest sample is lost too. Without it the turn of the oldest interval cannot be
-            // predicted.
-            if steps.before[0].is_some() {
-                steps.check(&point, &self.limits)?;
-            } else {
-                steps.check_without_foresight(&point, &self.limits)?;
-            }
-        }
-        self.ticks = ticks;
-        self.ring.push(point);
-        Ok(())
-    }
-
-    /// Refuses a kept sample at `stamp_s`, which is `time_s` on the time base, that no flight has `interval_s` after the last. Where
-    /// time has been moved, stamps are rounded otherwise than when the interval was taken.
-    fn check_kept_time(&self, stamp_s: f64, time_s: f64, interval_s: f64) -> Result<(), Error> {
-        let rounding = STAMP_ROUNDING * LATEST_S;
-        let refuse = |value, why| {
-            Err(Error::of(ErrorKind::TimeOrder, "snapshot: time of a sample", value, Rule::Words(why)))
-        };
-        if let Some(period) = self.limits.period_s
-            && (stamp_s - time_s).abs() > OFF_PERIOD * period + rounding
-        {
-            return refuse(stamp_s, "is off the stated sample period");
-        }
-        let Some(last) = self.ring.pushed(0) else {
-            check_range("snapshot: interval before a sample", interval_s, 0.0, INTERVALS_S.1)?;
-            return Ok(());
-        };
-        let (shortest, longest) = (INTERVALS_S.0, self.limits.max_gap_s + rounding);
-        check_range("snapshot: interval before a sample", interval_s, shortest, longest)?;
-        if (time_s - last.time_s - interval_s).abs() > rounding {
-            return refuse(stamp_s, "is not an interval after the sample before");
-        }
-        Ok(())
     }
 
     /// Time on the time base, interval to the point before, ticks since the first sample.
@@ -347,49 +255,6 @@ impl Intake {
             (Some(a), None, _) => weighted([a]),
             _ => Vector3::zeros(),
         }
-    }
-}
-
-/// The samples that the ring keeps; their points are made of them again, checked as if the host had pushed them.
-impl Stored for Intake {
-    fn save(&self, to: &mut Writer<'_>) {
-        // The ticks follow from the last sample.
-        let Self { earth: _, axes: _, limits: _, ring, first_time_s, ticks: _ } = self;
-        first_time_s.save(to);
-        to.count(ring.behind());
-        to.count(ring.waiting());
-        for point in ring.kept() {
-            point.sample.save(to);
-            point.interval_s.save(to);
-            if point.sample.v_n.is_none() {
-                point.state.v_e.save(to);
-            }
-        }
-    }
-
-    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
-        from.enter("snapshot: time of the first sample");
-        self.first_time_s.load(from, 1e10)?;
-        from.enter("snapshot: number of samples");
-        let behind = from.count(LOOK_BACK)?;
-        let waiting = from.count(QUEUE_CAPACITY)?;
-        for _ in 0..behind + waiting {
-            let mut sample = FlightSample::default();
-            sample.load(from)?;
-            from.enter("snapshot: interval before a sample");
-            let mut interval_s = 0.0;
-            interval_s.load(from, INTERVALS_S.1)?;
-            let mut v_e = None;
-            if sample.v_n.is_none() {
-                from.enter("snapshot: velocity of a sample");
-                Numbers::load(v_e.insert(Vector3::zeros()), from, 1e12)?;
-            }
-            self.put_back(&sample, interval_s, v_e)?;
-        }
-        for _ in 0..behind {
-            self.take();
-        }
-        Ok(())
     }
 }
 

@@ -1,14 +1,17 @@
 //! Truth: the samples of the flight simulator, checked on entry and converted to Earth-fixed axes.
 
 mod intake;
+mod limits;
 mod point;
 mod ring;
 mod sample;
+mod snapshot;
 mod steps;
 mod summary;
 
-pub(crate) use intake::{INTERVALS_S, MAX_GAP_S};
-pub use intake::{Intake, IntakeLimits, Pushed};
+pub use intake::{Intake, Pushed};
+pub use limits::IntakeLimits;
+pub(crate) use limits::{INTERVALS_S, MAX_GAP_S, MIN_INTERVAL_S};
 pub use point::TruthPoint;
 pub use ring::{QUEUE_CAPACITY, Recent};
 pub use sample::FlightSample;

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::{IntakeLimits, TruthPoint};
+use super::TruthPoint;
+use super::limits::IntakeLimits;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::math::{atan2, relative_rotation, rotation_vector};
 

@@ -8,7 +8,8 @@
  *     driver files DIR     opens DIR\exercise.toml and saves it as DIR\again.toml by the file dialogs, flies it, exports, saves and
  *                          copies the picture, drops DIR\trainer.toml and a log, opens a recent scene
  *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
- *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line
+ *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks for
+ *                          a study beyond a limit of its struct, and prints the dialog's line
  *
  * Each message has to be answered within a minute: the window lives.
  */
@@ -42,6 +43,15 @@ static LRESULT ask(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
         fail("the window does not answer");
     }
     return (LRESULT)answer;
+}
+
+/* The program's window: the dialog with the tabs. */
+static HWND find_main_window(void)
+{
+    HWND window = NULL;
+    while ((window = FindWindowExW(NULL, window, L"#32770", NULL)) != NULL && GetDlgItem(window, IDC_TABS) == NULL) {
+    }
+    return window;
 }
 
 /* The page that has a control: at the start the pages come up behind the window. */
@@ -416,10 +426,18 @@ static void studies(void)
     printf("ended while a study computed\n");
 }
 
+static void print(const wchar_t *text)
+{
+    char utf8[2048] = "";
+    WideCharToMultiByte(CP_UTF8, 0, text, -1, utf8, sizeof utf8, NULL, NULL);
+    printf("%s\n", utf8);
+}
+
 static void sentence(void)
 {
     wchar_t text[512] = L"";
-    char utf8[2048] = "";
+    HWND study;
+    int k;
     HWND general = page_of(IDC_SECTION);
     command(ID_PAGE + 1);
     choose(general, IDC_SECTION, 8); /* output */
@@ -431,8 +449,20 @@ static void sentence(void)
     }
     type(GetDlgItem(page_of(IDC_HOURS), IDC_HOURS), L"-1");
     ask(FindWindowExW(main_window, NULL, STATUSCLASSNAMEW, NULL), WM_GETTEXT, 512, (LPARAM)text);
-    WideCharToMultiByte(CP_UTF8, 0, text, -1, utf8, sizeof utf8, NULL, NULL);
-    printf("%s\n", utf8);
+    print(text);
+    study = open_box(main_window, ID_RECOMMEND, IDC_COMPUTE);
+    ask(GetDlgItem(study, IDC_LAST), WM_SETTEXT, 0, (LPARAM)L"1e9"); /* a duration beyond the limit of its struct */
+    compute(study, L"1");
+    for (k = 0; k < 100; k++) {
+        Sleep(100);
+        ask(GetDlgItem(study, IDC_STATE), WM_GETTEXT, 512, (LPARAM)text);
+        if (wcsstr(text, L"1e+09") != NULL || wcsstr(text, L"1e9") != NULL) {
+            break;
+        }
+    }
+    print(text);
+    ask(study, WM_COMMAND, IDCANCEL, 0);
+    wait_for_no_box(study);
     PostMessageW(main_window, WM_CLOSE, 0, 0); /* the scene was changed: it asks */
     answer(IDNO);
 }
@@ -440,7 +470,7 @@ static void sentence(void)
 int main(int count, char **arguments)
 {
     int k;
-    for (k = 0; k < 600 && (main_window = FindWindowW(L"SINS_Emulator", NULL)) == NULL; k++) {
+    for (k = 0; k < 600 && (main_window = find_main_window()) == NULL; k++) {
         Sleep(100);
     }
     if (main_window == NULL || count < 2) {

@@ -1,5 +1,6 @@
-"""The unit by Ecos, a co-simulation engine in C++, coupled with a unit of a table that PythonFMU makes: couple.py UNIT.fmu FOLDER.
-Each step's outputs are the program's records of the same table, to the bit."""
+"""The unit by Ecos, a co-simulation engine in C++, coupled with a unit of a table that PythonFMU makes:
+couple.py UNIT.fmu FOLDER SINS, with the program sins.
+Each step's outputs are the records of that program and table, to the bit."""
 
 import csv
 import subprocess
@@ -9,7 +10,7 @@ from pathlib import Path
 from ecospy import EcosSimulation, EcosSimulationStructure
 from pythonfmu.csvbuilder import CsvFmuBuilder
 
-FMU, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+FMU, FOLDER, SINS = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve(), sys.argv[3]
 RATE_HZ, FRAMES = 128, 128 * 60  # times that are exact in binary, as Ecos adds its steps up
 INPUTS = ["latitude_rad", "longitude_rad", "height_m", "velocity_east_m_s", "velocity_north_m_s", "velocity_up_m_s", "roll_rad",
           "pitch_rad", "heading_rad"]
@@ -30,7 +31,7 @@ with open(table, "w", newline="") as file:
     rows.writerows(truth(frame) for frame in range(FRAMES + 1))
 source = CsvFmuBuilder.build_FMU(table, dest=FOLDER)
 
-subprocess.run(["target/release/sins", "fly", "c_examples/scenes/fighter.toml", "--log", table, "--out", FOLDER, "--name", "coupled",
+subprocess.run([SINS, "fly", "c_examples/scenes/fighter.toml", "--log", table, "--out", FOLDER, "--name", "coupled",
                 "--force", "--quiet", "--set", f"output.every_s={1 / RATE_HZ}"], check=True)
 with open(FOLDER / "coupled.csv") as file:
     records = list(csv.DictReader(file))

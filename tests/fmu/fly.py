@@ -1,4 +1,4 @@
-"""The unit by FMPy: fly.py UNIT.fmu FOLDER. Ends with a line of what was checked."""
+"""The unit by FMPy: fly.py UNIT.fmu FOLDER SINS, with the program sins. Ends with a line of what was checked."""
 
 import csv
 import math
@@ -14,8 +14,7 @@ from fmpy.fmi2 import (FMU2Slave, fmi2CallbackAllocateMemoryTYPE, fmi2CallbackFr
                        fmi2CallbackLoggerTYPE)
 from fmpy.validation import validate_fmu
 
-FMU, FOLDER = sys.argv[1], Path(sys.argv[2]).resolve()
-SINS = "target/release/sins"
+FMU, FOLDER, SINS = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3]
 checks = 0
 
 

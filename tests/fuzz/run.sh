@@ -5,7 +5,7 @@
 #     tests/fuzz/run.sh [SECONDS [TARGET...]]
 #
 # A target is a program of fuzz_targets and its folder in corpus. random_calls is none of libFuzzer's: it needs stable Rust alone, and runs at full speed, from seed FIRST (0).
-# SANITIZER=none builds the Rust targets without one: twice as fast. SANITIZER=address builds random_calls with it.
+# SANITIZER=none builds the Rust targets without one: twice as fast. SANITIZER=address builds random_calls with it, as the others.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tests/support/need.sh
@@ -41,8 +41,8 @@ build() {
     program=target/$3/$triple/release
 }
 
-# As cargo fuzz builds it, without that tool.
-fuzz_rust() {
+# instrumented TARGET: as cargo fuzz builds it, without that tool.
+instrumented() {
     local coverage="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
         -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table
         -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 --cfg fuzzing"
@@ -51,12 +51,11 @@ fuzz_rust() {
     else
         build "$nightly" "-Zsanitizer=address $coverage" sanitizers --bin "$1"
     fi
-    fuzz "$1" "$program/$1"
 }
 
 random_calls() {
     if [ "${SANITIZER:-none}" = address ]; then
-        build "$nightly" -Zsanitizer=address fuzz-address --no-default-features --bin random_calls
+        instrumented random_calls
     else
         build stable "" fuzz-plain --no-default-features --bin random_calls
     fi
@@ -75,7 +74,8 @@ for target in $targets; do
     elif [ "$target" = random_calls ]; then
         random_calls
     else
-        fuzz_rust "$target"
+        instrumented "$target"
+        fuzz "$target" "$program/$target"
     fi
 done
 report_not_run

@@ -22,9 +22,15 @@ need() {
     esac
 }
 
-# One at a time, when scripts run side by side.
+# One at a time, when scripts run side by side. The lists of packages are fetched where they are missing or old.
 install() {
-    as_root flock /var/lib/apt apt-get update -qq
+    apt_install "$@" 2>/dev/null || {
+        as_root flock /var/lib/apt apt-get update -qq
+        apt_install "$@"
+    }
+}
+
+apt_install() {
     as_root flock /var/lib/apt env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
 }
 

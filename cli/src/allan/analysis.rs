@@ -1,11 +1,8 @@
 //! What the log says of one sensor: deviations, coefficients, and whether these explain those.
 
-use super::estimate::chi_square::chi_square_quantile;
-use super::estimate::covariance::Covariance;
-use super::estimate::deviation::{allan_variance, factors, integral};
-use super::estimate::fit::Fit;
-use super::estimate::interval::{self, Interval, Point, degrees_of_freedom};
-use super::estimate::terms::{TERMS, Term};
+use sins::allan::{Estimator, Fit, Interval, Point, TERMS, Term};
+use sins::math::chi_square_quantile;
+
 use super::log::{Log, Series};
 use super::quantity::Sensor;
 use crate::failure::Failure;
@@ -65,51 +62,29 @@ pub struct Analysis {
 impl Analysis {
     /// All columns of a log.
     pub fn of_log(log: &Log) -> Result<Vec<Self>, Failure> {
-        let factors = factors(log.count());
         let progress = Progress::counting("analysing", 1 + log.series.len());
-        let covariance = Covariance::new(log.count(), log.interval_s, &factors);
+        let estimator = Estimator::new(log.count(), log.interval_s)?;
         progress.count();
         let analysis = |series| {
-            let analysis = Self::of_series(series, log.interval_s, &factors, &covariance);
+            let analysis = Self::of_series(series, &estimator);
             progress.count();
             analysis
         };
         log.series.iter().map(analysis).collect()
     }
 
-    fn of_series(
-        series: &Series,
-        interval_s: f64,
-        factors: &[usize],
-        covariance: &Covariance,
-    ) -> Result<Self, Failure> {
-        let theta = integral(&series.increments);
-        let taus_s: Vec<f64> = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
-        let variances: Vec<f64> =
-            factors.iter().map(|factor| allan_variance(&theta, interval_s, *factor)).collect();
-        // The mean that is taken off leaves rounding errors where nothing moves.
-        let first = series.increments.first();
-        if variances.contains(&0.0) || series.increments.iter().all(|value| Some(value) == first) {
-            return Err(Failure::new(format!("column \"{}\": expected noise, found none", series.name)));
-        }
-        let fit = Fit::new(&taus_s, &variances, covariance);
-        let points: Vec<Point> = taus_s
-            .iter()
-            .zip(&variances)
-            .enumerate()
-            .map(|(i, (&tau_s, &variance))| Point {
-                tau_s,
-                variance,
-                degrees: degrees_of_freedom(&fit, covariance, i, tau_s),
-            })
-            .collect();
-        let coefficients = std::array::from_fn(|p| Coefficient {
-            term: Term::ALL[p],
-            value: fit.squares[p].sqrt(),
-            interval: root(interval::of_square(&fit, p, &points, CONFIDENCE)),
+    fn of_series(series: &Series, estimator: &Estimator) -> Result<Self, Failure> {
+        let found = estimator
+            .estimate(&series.increments)
+            .map_err(|error| Failure::new(format!("column \"{}\": {error}", series.name)))?;
+        let coefficients = Term::ALL.map(|term| Coefficient {
+            term,
+            value: found.fit.squares[term as usize].sqrt(),
+            interval: root(found.interval(term, CONFIDENCE)),
         });
-        let estimates = points.iter().map(|point| estimate(point, &fit)).collect();
-        Ok(Self { name: series.name.clone(), sensor: series.sensor, estimates, coefficients, fit })
+        let estimates = found.points.iter().map(|point| estimate(point, &found.fit)).collect();
+        let (name, sensor) = (series.name.clone(), series.sensor);
+        Ok(Self { name, sensor, estimates, coefficients, fit: found.fit })
     }
 
     /// The deviation that the fit misses most, if it misses any: something else than the five terms is in the record.
@@ -129,7 +104,7 @@ fn estimate(point: &Point, fit: &Fit) -> Estimate {
     Estimate {
         tau_s: point.tau_s,
         deviation: point.variance.sqrt(),
-        interval: root(interval::of_variance(point.variance, point.degrees, CONFIDENCE)),
+        interval: root(point.interval(CONFIDENCE)),
         degrees: point.degrees,
         fitted: fit.variance(point.tau_s).sqrt(),
     }

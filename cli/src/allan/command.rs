@@ -82,26 +82,14 @@ fn wanted(text: &str) -> Result<Wanted, String> {
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-
     use super::*;
-
-    #[derive(Debug, Parser)]
-    struct Line {
-        #[command(flatten)]
-        order: Order,
-    }
-
-    fn parsed(arguments: &[&str]) -> Result<Order, String> {
-        let line = Line::try_parse_from([&["allan"], arguments].concat());
-        line.map(|line| line.order).map_err(|error| error.to_string())
-    }
+    use crate::parsed::parsed;
 
     #[test]
     fn columns_come_with_units_or_without() {
         let arguments =
             ["log.csv", "-o", "a.svg", "--rate", "200", "--columns", "wx:deg_s, f_z_g", "--csv", "p.csv"];
-        let order = parsed(&arguments).unwrap();
+        let order: Order = parsed(&arguments).unwrap();
         let columns = [("wx", Some("deg_s")), ("f_z_g", None)]
             .map(|(name, unit)| Wanted { name: name.into(), unit: unit.map(str::to_owned) });
         assert_eq!((order.columns.as_slice(), order.rate_hz), (&columns[..], Some(200.0)));
@@ -116,9 +104,9 @@ mod tests {
             (&["log.csv", "-o", "a.svg", "--rate=-1"], "-1"),
             (&["log.csv", "-o", "a.svg", "second.csv"], "second.csv"),
         ] {
-            assert!(parsed(arguments).unwrap_err().contains(named), "{arguments:?}");
+            assert!(parsed::<Order>(arguments).unwrap_err().contains(named), "{arguments:?}");
         }
-        let failure = parsed(&["log.csv", "-o", "a.png"]).unwrap().is_page().unwrap_err();
+        let failure = parsed::<Order>(&["log.csv", "-o", "a.png"]).unwrap().is_page().unwrap_err();
         assert!(failure.to_string().contains("a.png"));
     }
 }

@@ -1,7 +1,8 @@
 //! The curve of one column on logarithmic axes: deviation, band, fit, and the asymptotes of the terms that are resolved.
 
+use sins::allan::Term;
+
 use super::analysis::{Analysis, Coefficient, Estimate};
-use super::estimate::terms::Term;
 use super::sheet;
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Legend;

@@ -4,8 +4,9 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use sins::allan::FEWEST_SAMPLES;
+
 use super::command::Order;
-use super::estimate::deviation::FEWEST_SAMPLES;
 use super::quantity::{Quantity, Sensor, TIMES, choose};
 use crate::drawing::series::mean;
 use crate::failure::Failure;

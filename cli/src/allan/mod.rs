@@ -1,13 +1,12 @@
 //! The Allan deviation of an IMU log, and the noises that explain it.
 //!
-//! The data flow is `command` → `quantity`, `log` → `estimate`, `analysis` → `diagram`, `document`, `table`, `records`;
-//! `sheet` has the units of data sheets.
+//! The data flow is `command` → `quantity`, `log` → `analysis` → `diagram`, `document`, `table`, `records`. `sheet` has the units
+//! of data sheets. The estimator is that of the library, [`sins::allan`].
 
 mod analysis;
 mod command;
 mod diagram;
 mod document;
-mod estimate;
 mod log;
 mod quantity;
 mod records;

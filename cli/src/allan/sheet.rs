@@ -1,8 +1,8 @@
 //! The units of data sheets, and those of SI.
 
+use sins::allan::Term;
 use sins::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR};
 
-use super::estimate::terms::Term;
 use super::quantity::Sensor;
 use crate::units::{MICRO_G, Unit};
 

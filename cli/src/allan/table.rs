@@ -1,7 +1,8 @@
 //! Coefficients in words, and as a table on the terminal.
 
+use sins::allan::Term;
+
 use super::analysis::{Analysis, Coefficient};
-use super::estimate::terms::Term;
 use super::log::Log;
 use super::sheet;
 use crate::units::{Unit, in_unit, significant, time_text};
@@ -87,7 +88,7 @@ mod tests {
     /// A fit under the constraint that nothing is negative leaves some coefficients on an end of their interval.
     #[test]
     fn an_estimate_on_its_own_bound_is_no_finding() {
-        use super::super::estimate::interval::Interval;
+        use sins::allan::Interval;
         let told = |value: f64, low: f64, high: f64| {
             let interval = Interval { low, high };
             on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval })

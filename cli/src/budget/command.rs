@@ -4,11 +4,10 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use sins::budget::BudgetRequest;
-use sins::recommend::SolutionError;
-use sins::units::ARCSEC;
 
 use crate::failure::Failure;
 use crate::given::Settings;
+use crate::limits::LimitArguments;
 
 /// How a log is flown that comes without a scene: the recommended simulator with sensors of navigation grade.
 pub const FOR_LOGS: &str = "\
@@ -22,8 +21,11 @@ preset = \"navigation\"
 
 /// Finds which errors of a scene matter: flies each error alone, and all errors together
 ///
-/// Writes into DIR: budget.html; SCENE.svg; budget.csv, a row for each effect; table.md, which it prints as well. Errors of
-/// sensors, altimeter, start, mounting and gravity count as the scene sets them; failures of sensors are not flown.
+/// Writes into DIR: budget.html; SCENE.svg; budget.csv, a row for each effect; table.md, which it also prints. Errors of
+/// sensors, altimeter, start, mounting and gravity are those that the scene sets; failures of sensors are not flown.
+///
+/// With limits it also finds the effects that can be left out: without all of them together, no error changes by more than its
+/// limit at any time.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv, which are flown with sensors of navigation grade
@@ -40,15 +42,8 @@ pub struct Order {
     /// Runs of each random effect, 8 to 1000
     #[arg(long, default_value_t = 16)]
     pub runs: u64,
-    /// Limit for the change of the position error by all effects that are left out together, at any time; 0: no limit
-    #[arg(long, value_name = "METRES", default_value_t = 0.0)]
-    pub position: f64,
-    /// Limit for the change of the velocity error, likewise; 0: no limit
-    #[arg(long, value_name = "M_PER_S", default_value_t = 0.0)]
-    pub velocity: f64,
-    /// Limit for the change of the misalignment, likewise; 0: no limit
-    #[arg(long, value_name = "ARCSEC", default_value_t = 0.0)]
-    pub attitude: f64,
+    #[command(flatten)]
+    limits: LimitArguments,
     /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
@@ -60,12 +55,7 @@ impl Order {
         if !(0.001..=1000.0).contains(&self.hours) {
             return Err(Failure::new(format!("--hours {}: expected 0.001 to 1000", self.hours)));
         }
-        let limits = SolutionError {
-            position_m: self.position,
-            velocity_m_s: self.velocity,
-            attitude_rad: ARCSEC * self.attitude,
-        };
-        let request = BudgetRequest { runs: self.runs, limits };
+        let request = BudgetRequest { runs: self.runs, limits: self.limits.errors() };
         request.validate()?;
         Ok(request)
     }
@@ -73,19 +63,11 @@ impl Order {
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-
     use super::*;
-
-    #[derive(Debug, Parser)]
-    struct Line {
-        #[command(flatten)]
-        order: Order,
-    }
+    use crate::parsed::parsed;
 
     fn request(arguments: &[&str]) -> Result<BudgetRequest, String> {
-        let line = Line::try_parse_from([&["budget"], arguments].concat()).map_err(|e| e.to_string())?;
-        line.order.request().map_err(|failure| failure.to_string())
+        parsed::<Order>(arguments)?.request().map_err(|failure| failure.to_string())
     }
 
     #[test]

@@ -1,8 +1,7 @@
 //! What is flown, sample by sample: a scene without its failures, or the first part of it.
 
-use sins::budget::ErrorParameters;
 use sins::truth::FlightSample;
-use sins::{Error, Options};
+use sins::{Error, ErrorParameters, Options};
 
 use crate::given::Given;
 use crate::units::time_text;
@@ -37,14 +36,7 @@ impl Scene {
                 (rate_hz * 10.0).round() / 10.0
             ),
             options: scene.simulator_options(),
-            parameters: ErrorParameters {
-                gyro: scene.gyro,
-                accel: scene.accel,
-                altimeter: scene.altimeter,
-                initial: scene.initial,
-                mounting: scene.mounting,
-                gravity: scene.gravity,
-            },
+            parameters: scene.errors,
             count,
             period_s: given.period_s,
             given,

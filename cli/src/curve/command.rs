@@ -81,23 +81,11 @@ fn named(name: &str) -> Result<Choice, String> {
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-
     use super::*;
-
-    #[derive(Debug, Parser)]
-    struct Line {
-        #[command(flatten)]
-        order: Order,
-    }
-
-    fn parsed(arguments: &[&str]) -> Result<Order, String> {
-        let line = Line::try_parse_from([&["curve"], arguments].concat());
-        line.map(|line| line.order).map_err(|error| error.to_string())
-    }
+    use crate::parsed::parsed;
 
     fn names(arguments: &[&str]) -> Vec<&'static str> {
-        parsed(arguments).unwrap().embedded().iter().map(|scene| scene.name).collect()
+        parsed::<Order>(arguments).unwrap().embedded().iter().map(|scene| scene.name).collect()
     }
 
     #[test]
@@ -106,15 +94,15 @@ mod tests {
         assert_eq!(names(&["--flight", "pole", "--flight", "rest"]), ["pole", "rest"]);
         assert_eq!(names(&["own.csv"]), [""; 0]);
         assert_eq!(names(&["own.csv", "--flight", "all"]).len(), embedded::ALL.len());
-        let order = parsed(&["own.csv", "--quick", "--instructions", "i.csv"]).unwrap();
+        let order = parsed::<Order>(&["own.csv", "--quick", "--instructions", "i.csv"]).unwrap();
         assert_eq!((order.effort(), order.given), (QUICK, vec!["own.csv".into()]));
         assert_eq!(order.instructions, Some("i.csv".into()));
     }
 
     #[test]
     fn what_is_wrong_is_named() {
-        assert!(parsed(&["--flight", "moon"]).unwrap_err().contains("moon"));
-        assert!(parsed(&["--flight", "aerobatic"]).unwrap_err().contains("aerobatics?"));
-        assert!(parsed(&["--slow"]).unwrap_err().contains("--slow"));
+        assert!(parsed::<Order>(&["--flight", "moon"]).unwrap_err().contains("moon"));
+        assert!(parsed::<Order>(&["--flight", "aerobatic"]).unwrap_err().contains("aerobatics?"));
+        assert!(parsed::<Order>(&["--slow"]).unwrap_err().contains("--slow"));
     }
 }

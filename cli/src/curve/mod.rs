@@ -70,6 +70,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let costs = timing::costs(&courses, effort.rounds)?;
     for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
         survey.set_costs(&costs);
+        front::mark(&mut survey.points);
         picture.finish(diagram::diagram(survey)?)?;
     }
     points_file.finish(records::points(&surveys, &instructions)?)?;

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use sins::Options;
 use sins::earth::Earth;
 use sins::flight::Flight;
-use sins::math::{Compensated, attitude_from_euler};
+use sins::math::{Compensated, GAUSS_5, attitude_from_euler};
 use sins::recommend::{Reference, SolutionError, Track};
 use sins::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::truth::FlightSample;
@@ -16,15 +16,6 @@ const MARGIN: f64 = 100.0;
 
 /// Longest step of the quadrature that checks a flight [s]: at 4 Hz half a radian, which five nodes integrate to 1e-16.
 const STEP_S: f64 = 0.02;
-
-/// Nodes and weights of Gauss-Legendre quadrature on 0..1.
-const GAUSS5: [(f64, f64); 5] = [
-    (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
-    (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
-    (0.5, 0.284_444_444_444_444_44),
-    (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
-    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
-];
 
 /// 2π over Schuler's period [rad/s]: what a position error makes of velocity.
 const SCHULER_RAD_S: f64 = 1.24e-3;
@@ -64,7 +55,7 @@ impl Judge {
             let steps = (span / STEP_S).ceil().max(1.0);
             let step = span / steps;
             for k in 0..steps as usize {
-                for (node, weight) in GAUSS5 {
+                for (node, weight) in GAUSS_5 {
                     let sample = flight.sample_at(time_s + (k as f64 + node) * step)?;
                     moved.add(&(velocity(earth, &sample) * (weight * step)));
                 }

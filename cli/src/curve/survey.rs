@@ -8,7 +8,7 @@ use super::matrix::Outcome;
 use super::reference::Judgement;
 use super::scene::{Rate, Scene};
 use super::timing::Course;
-use super::{front, grades, matrix};
+use super::{grades, matrix};
 use crate::failure::Failure;
 
 /// A configuration at a rate, with what it costs and what it leaves.
@@ -87,12 +87,11 @@ impl Survey {
         Ok((survey, course))
     }
 
-    /// Enters what its course cost.
+    /// Enters the costs of its course.
     pub fn set_costs(&mut self, costs: &[f64]) {
         let measured = self.points.iter_mut().filter_map(|point| point.measured.as_mut().ok());
         for (measured, cost_ns) in measured.zip(costs) {
             measured.cost_ns = *cost_ns;
         }
-        front::mark(&mut self.points);
     }
 }

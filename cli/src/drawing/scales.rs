@@ -1,14 +1,32 @@
 //! Scales that drawings of different reports share: time along, zero in sight, east and north equal.
 
 use super::axis::{Axis, TimeAxis};
-use super::plot::{PANEL_WIDTH, Panel, Trace};
-use super::series::bounds;
+use super::plot::{Drawing, PANEL_WIDTH, Panel, Trace, WIDTH};
+use super::series::{Points, bounds, thinned};
+use crate::units::Unit;
 
 /// Most ticks of a time axis.
-pub const TIME_TICKS: usize = 8;
+const TIME_TICKS: usize = 8;
 
-pub fn time_label(time: &TimeAxis) -> String {
-    format!("time since the start [{}]", time.unit)
+/// The time axis of a run that lasts `duration_s` [s].
+pub fn time_axis(duration_s: f64) -> TimeAxis {
+    Axis::time(duration_s, TIME_TICKS)
+}
+
+/// A drawing of `panels` above one another, on one time axis.
+pub fn over_time(time: TimeAxis, panels: Vec<Panel>) -> Drawing {
+    let x_label = format!("time since the start [{}]", time.unit);
+    Drawing { width: WIDTH, x_label, x: time.axis, panels }
+}
+
+/// Points (time [s], value [SI]) in the units of their axes.
+pub fn scaled(points: Points, time: &TimeAxis, unit: Unit) -> Points {
+    points.into_iter().map(|(t, y)| (t / time.seconds, y / unit.si)).collect()
+}
+
+/// The records (`time_s`, `values`), thinned, in the units of their axes.
+pub fn line(time_s: &[f64], values: &[f64], time: &TimeAxis, unit: Unit) -> Points {
+    scaled(thinned(time_s, values), time, unit)
 }
 
 /// A panel whose y axis covers its traces and zero.

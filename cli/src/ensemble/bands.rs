@@ -3,32 +3,28 @@
 use sins::ErrorSource;
 
 use super::study::{Quantity, Study};
-use crate::drawing::axis::{Axis, TimeAxis};
+use crate::drawing::axis::TimeAxis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Drawing, Trace, WIDTH};
-use crate::drawing::scales::{TIME_TICKS, panel, time_label};
+use crate::drawing::plot::Trace;
+use crate::drawing::scales::{over_time, panel, scaled, time_axis};
 use crate::drawing::series::Points;
 use crate::failure::Failure;
-use crate::units::{LENGTH, Unit, fitting, with_unit};
-
-const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
+use crate::record::EAST_NORTH_UP;
+use crate::units::{LENGTH, Unit, fitting, fitting_axis, with_unit};
 
 /// Mean and bands of one quantity, a panel for each axis.
 pub fn figure(study: &Study, quantity: &Quantity) -> Result<Figure, Failure> {
     let lines: Vec<Lines> =
         (0..study.axes(quantity)).map(|axis| Lines::of(study, quantity.first + axis)).collect();
     let largest = lines.iter().map(Lines::size).fold(0.0, f64::max);
-    let time = time(study);
+    let time = time_axis(study.given.duration_s);
     let panels = lines.iter().enumerate().map(|(axis, lines)| {
-        // One unit for all axes, unless one is so small that its ticks would be fractions.
-        let size = lines.size();
-        let unit = fitting(if size < 0.05 * largest { size } else { largest }, quantity.family);
+        let unit = fitting_axis(lines.size(), largest, quantity.family);
         let caption = format!("{} {} [{}]", quantity.name, EAST_NORTH_UP[axis], unit.name);
         panel(caption, 130.0, 5, lines.traces(&time, unit))
     });
-    let drawing =
-        Drawing { width: WIDTH, panels: panels.collect(), x_label: time_label(&time), x: time.axis };
+    let panels = panels.collect();
     let drawn = study.results.drawn.len();
     let legend = vec![
         (Pen::Computed, "mean of the runs".to_owned()),
@@ -48,8 +44,8 @@ pub fn figure(study: &Study, quantity: &Quantity) -> Result<Figure, Failure> {
         note += " Up is not shown: the vertical channel follows the truth.";
     }
     let title = format!("Errors of the {}", quantity.name);
-    let svg = drawing.svg(&format!("{title} over time, mean and bands of 1 and 3 sigma. {note}"))?;
-    Ok(Figure { title, legend, drawings: vec![svg], note })
+    let axes = " over time, mean and bands of 1 and 3 sigma";
+    Figure::new(title, axes, legend, &over_time(time, panels), note)
 }
 
 /// One error over time [s], [SI].
@@ -87,8 +83,7 @@ impl Lines {
 
     /// The widest first: each is drawn over those before it.
     fn traces(&self, time: &TimeAxis, unit: Unit) -> Vec<Trace> {
-        let scaled =
-            |points: Points| points.into_iter().map(|(t, y)| (t / time.seconds, y / unit.si)).collect();
+        let scaled = |points: Points| scaled(points, time, unit);
         let mut traces = vec![
             Trace::new(Pen::OuterBand, scaled(self.band(3.0))),
             Trace::new(Pen::Band, scaled(self.band(1.0))),
@@ -110,13 +105,9 @@ impl Lines {
     }
 }
 
-fn time(study: &Study) -> TimeAxis {
-    Axis::time(study.given.duration_s, TIME_TICKS)
-}
-
 /// Half, 95 % and all of the runs are nearer to the truth.
 pub fn radial(study: &Study) -> Result<Figure, Failure> {
-    let time = time(study);
+    let time = time_axis(study.given.duration_s);
     let rows = study.of(ErrorSource::Navigation);
     let unit = fitting(rows.iter().map(|row| row.figures.largest_radial_m).fold(0.0, f64::max), LENGTH);
     let start_s = study.given.start_s();
@@ -139,9 +130,6 @@ pub fn radial(study: &Study) -> Result<Figure, Failure> {
             .map(|size| with_unit(size, LENGTH));
         format!("At the end: CEP50 {cep50}, R95 {r95}, largest {largest}.")
     });
-    let title = "Horizontal position error".to_owned();
     let panels = vec![panel(format!("horizontal error [{}]", unit.name), 400.0, 6, traces)];
-    let drawing = Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels };
-    let svg = drawing.svg(&format!("{title} over time. {note}"))?;
-    Ok(Figure { title, legend, drawings: vec![svg], note })
+    Figure::new("Horizontal position error", " over time", legend, &over_time(time, panels), note)
 }

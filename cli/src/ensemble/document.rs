@@ -8,9 +8,8 @@ use super::table::Row;
 use super::{bands, ends};
 use crate::drawing::document::{document, figure};
 use crate::failure::Failure;
+use crate::record::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
-
-const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
 
 /// The whole page.
 pub fn page(study: &Study) -> Result<String, Failure> {

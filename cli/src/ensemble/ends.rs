@@ -119,9 +119,7 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
         (Pen::Computed, "ellipse of 50 % of a normal distribution".to_owned()),
         (Pen::Fit, "ellipse of 95 %".to_owned()),
     ];
-    let title = "Positions at the end".to_owned();
-    let svg = drawing.svg(&format!("{title}, equal axes. {note}"))?;
-    Ok(Some(Figure { title, legend, drawings: vec![svg], note }))
+    Figure::new("Positions at the end", ", equal axes", legend, &drawing, note).map(Some)
 }
 
 /// The histogram; none if every run diverged.
@@ -161,9 +159,8 @@ pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
         (Pen::Computed, "CEP50".to_owned()),
         (Pen::Fit, "R95".to_owned()),
     ];
-    let title = "Horizontal position error at the end".to_owned();
-    let svg = drawing.svg(&format!("{title}: histogram. {note}"))?;
-    Ok(Some(Figure { title, legend, drawings: vec![svg], note }))
+    let title = "Horizontal position error at the end";
+    Figure::new(title, ": histogram", legend, &drawing, note).map(Some)
 }
 
 #[cfg(test)]

@@ -19,32 +19,29 @@ pub use command::Order;
 
 use crate::drawing::document::PAGE_MARK;
 use crate::failure::{Failure, Kind};
-use crate::given::Given;
 use crate::interrupt;
 use crate::output::Outputs;
 use crate::parallel::cores;
-use crate::places::places;
 use crate::terminal;
 use checkpoint::Checkpoint;
 use plan::Plan;
 use study::Study;
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let given =
-        Given::load(order.scene.as_deref(), order.log.as_deref(), &order.settings, command::FOR_LOGS)?;
+    let given = order.scene.load(command::FOR_LOGS)?;
     let plan = Plan::new(order, &given)?;
-    let (folder, name) = places(order.out.as_deref(), order.name.as_deref(), &given)?;
-    let mut outputs = Outputs::new(&given.inputs, order.force);
+    let (folder, name) = order.output.places(&given)?;
+    let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // Before anything is flown: what cannot be written is known at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}_ensemble{ending}"));
-    let mut checkpoint = Checkpoint::new(file(".checkpoint"), &given, &plan, order.force)?;
+    let mut checkpoint = Checkpoint::new(file(".checkpoint"), &given, &plan, order.output.force)?;
     let mut results = checkpoint.read(&plan)?;
     let statistics_file = outputs.file(&file(".csv"), table::MARK)?;
     let mut runs_file = outputs.file(&file("_runs.csv"), table::RUNS_MARK)?;
     let page_file = outputs.file(&file(".html"), PAGE_MARK)?;
 
-    let quiet = order.quiet || given.scene.output.quiet;
+    let quiet = order.output.is_quiet(&given);
     let threads = order.threads.map_or_else(cores, usize::from);
     let before = results.runs(&plan);
     if before > 0 && !quiet {

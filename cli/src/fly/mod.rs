@@ -9,14 +9,11 @@ mod print;
 mod spacing;
 mod summary;
 
-use std::ffi::OsString;
-use std::path::PathBuf;
-
 use crate::failure::{Failure, Kind};
-use crate::given::{Given, Settings};
+use crate::given::SceneArguments;
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
-use crate::places::{below, places};
+use crate::places::{OutputArguments, below};
 use crate::record::COLUMNS;
 use crate::terminal::print;
 use figures::Figures;
@@ -26,41 +23,26 @@ use flight::{Files, Flown};
 pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
 /// Flies a scene, writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
+///
+/// A log without a scene is flown with ideal sensors.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv ("-": standard input), which is flown with
-    /// ideal sensors
-    #[arg(value_name = "SCENE")]
-    pub scene: Option<OsString>,
-    /// Flies this flight log instead of the scene's own flight
-    #[arg(long, value_name = "LOG.csv")]
-    pub log: Option<PathBuf>,
     #[command(flatten)]
-    pub settings: Settings,
-    /// Folder of all outputs [default: the scene's output.folder, or sins_out]
-    #[arg(short, long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Base name of the outputs [default: the scene's output.name, or the name of its file]
-    #[arg(long)]
-    pub name: Option<String>,
+    scene: SceneArguments,
+    #[command(flatten)]
+    output: OutputArguments,
     /// Also writes the measured increments of every sample interval into this file below DIR
     #[arg(long, value_name = "FILE.csv")]
-    pub imu: Option<String>,
-    /// Neither progress nor summary
-    #[arg(short, long)]
-    pub quiet: bool,
-    /// Also replaces files that this program did not write
-    #[arg(long)]
-    pub force: bool,
+    imu: Option<String>,
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let given = Given::load(order.scene.as_deref(), order.log.as_deref(), &order.settings, FOR_LOGS)?;
-    let (folder, name) = places(order.out.as_deref(), order.name.as_deref(), &given)?;
+    let given = order.scene.load(FOR_LOGS)?;
+    let (folder, name) = order.output.places(&given)?;
     let imu = order.imu.as_ref().or(Some(&given.scene.output.imu).filter(|imu| !imu.is_empty()));
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
     let every = spacing::intervals(&given)?;
-    let mut outputs = Outputs::new(&given.inputs, order.force);
+    let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // Before anything is flown: what cannot be written is known at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}{ending}"));
@@ -77,7 +59,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             None => None,
         },
     };
-    let quiet = order.quiet || given.scene.output.quiet;
+    let quiet = order.output.is_quiet(&given);
     let mut flown = Flown::default();
     interrupt::graceful(true);
     let ended = flight::fly(&given, every, &mut files, &mut flown, quiet);

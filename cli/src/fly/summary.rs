@@ -4,9 +4,8 @@ use nalgebra::Vector3;
 use sins::units::NMI_PER_HOUR;
 
 use super::figures::Figures;
-use crate::failure::Failure;
+use crate::failure::{Failure, printable};
 use crate::rows;
-use crate::terminal::printable;
 use crate::units::six_digits;
 
 /// How every summary begins.

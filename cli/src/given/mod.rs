@@ -1,5 +1,6 @@
 //! The scene that the command line names, and its flight sample by sample.
 
+mod arguments;
 mod log;
 mod settings;
 mod text;
@@ -13,6 +14,7 @@ use sins::log::FlightLog;
 use sins::scene::{FlightSource, Scene};
 use sins::truth::FlightSample;
 
+pub use arguments::SceneArguments;
 pub use log::refuse_device;
 pub use settings::Settings;
 pub use text::is_log;

@@ -1,15 +1,14 @@
 //! Attitude, velocity and position errors over time: error data 2 over error data 1.
 
-use crate::drawing::axis::Axis;
 use crate::drawing::figure::{Figure, Legend};
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Drawing, Panel, Trace, WIDTH};
-use crate::drawing::scales::{TIME_TICKS, panel, time_label};
+use crate::drawing::plot::{Drawing, Panel, Trace};
+use crate::drawing::scales::{line, over_time, panel, time_axis};
 use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
-use crate::report::figures::over_time;
-use crate::report::run::{EAST_NORTH_UP, Errors, Run};
-use crate::units::{self, Family, Unit, fitting, in_unit, usual, with_unit};
+use crate::record::EAST_NORTH_UP;
+use crate::report::run::{Errors, Run};
+use crate::units::{self, Family, Unit, fitting, fitting_axis, in_unit, usual, with_unit};
 
 /// Pens of the differences.
 const PENS: [Pen; 3] = [Pen::East, Pen::North, Pen::Up];
@@ -55,13 +54,12 @@ pub const POSITION: Quantity = Quantity {
 pub fn figure(run: &Run, quantity: &Quantity) -> Result<Figure, Failure> {
     let axes = axes(run, quantity);
     let note = note(run, quantity, axes);
-    let svg = drawing(run, quantity).svg(&format!("{} over time. {note}", quantity.title))?;
-    Ok(Figure { title: quantity.title.to_owned(), legend: legend(run, quantity), drawings: vec![svg], note })
+    Figure::new(quantity.title, " over time", legend(run, quantity), &drawing(run, quantity), note)
 }
 
 /// A panel for each axis, and the difference of data 2 and data 1 below.
 pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
-    let time = Axis::time(run.duration_s(), TIME_TICKS);
+    let time = time_axis(run.duration_s());
     let (axes, computed) = (axes(run, quantity), (quantity.of)(&run.errors));
     let model = run.model.as_ref().map(quantity.of);
     let sigma = run.sigma.as_ref().map(quantity.of);
@@ -70,10 +68,8 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
     let largest = (0..axes).map(size).fold(0.0, f64::max);
     let mut panels: Vec<Panel> = (0..axes)
         .map(|axis| {
-            // One unit for all axes, unless one is so small that its ticks would be fractions.
-            let unit =
-                fitting(if size(axis) < 0.05 * largest { size(axis) } else { largest }, quantity.family);
-            let trace = |pen, values: &[f64]| Trace::new(pen, over_time(run, &time, values, unit));
+            let unit = fitting_axis(size(axis), largest, quantity.family);
+            let trace = |pen, values: &[f64]| Trace::new(pen, line(&run.time_s, values, &time, unit));
             let mut traces: Vec<Trace> =
                 model.iter().map(|model| trace(Pen::Reference, &model[axis])).collect();
             if let Some(sigma) = sigma {
@@ -90,10 +86,10 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
         let traces = PENS
             .into_iter()
             .zip(&differences[..axes])
-            .map(|(pen, values)| Trace::new(pen, over_time(run, &time, values, unit)));
+            .map(|(pen, values)| Trace::new(pen, line(&run.time_s, values, &time, unit)));
         panels.push(panel(caption("data 2", "minus data 1", unit), 80.0, 4, traces.collect()));
     }
-    Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels }
+    over_time(time, panels)
 }
 
 /// What the lines are.

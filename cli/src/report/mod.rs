@@ -1,6 +1,7 @@
 //! `sins report`: recorded runs as one page that needs nothing from outside.
 //!
-//! The data flow is `run`, `summary` → `spectrum`, `trajectory`, `errors`, `figures` → `overview`, `comparison`, `page`, `picture`.
+//! The data flow is `run`, `summary` → `trajectory`, `errors`, `radial`, `spectrum`, `sensors` → `figures` → `overview`, `comparison`,
+//! `page`, `picture`.
 
 mod comparison;
 mod errors;
@@ -8,7 +9,9 @@ mod figures;
 mod overview;
 mod page;
 mod picture;
+mod radial;
 mod run;
+mod sensors;
 mod spectrum;
 mod summary;
 mod trajectory;

@@ -10,12 +10,6 @@ use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Re
 use crate::report::summary::Summary;
 use crate::table::Table;
 
-/// Axes of all errors but those of the sensors, in the order of the columns.
-pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
-
-/// Axes of the sensor errors.
-pub const SENSOR_AXES: [&str; 3] = ["x", "y", "z"];
-
 /// Everything that was recorded. All columns have one entry a record.
 pub struct Run {
     /// Name in the summary, or else of the file.

@@ -142,9 +142,8 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
     );
     let x = Axis::periods(low, high, (high - low) * TICK_ROOM / PANEL_WIDTH);
     let drawing = Drawing { width: WIDTH, x, x_label: "period".to_owned(), panels: vec![panel] };
-    let title = "Spectrum of the horizontal velocity errors".to_owned();
-    let svg = drawing.svg(&format!("{title}, amplitude over period. {note}"))?;
-    Ok(Some(Figure { title, legend, drawings: vec![svg], note }))
+    let title = "Spectrum of the horizontal velocity errors";
+    Figure::new(title, ", amplitude over period", legend, &drawing, note).map(Some)
 }
 
 /// The strongest line between the logarithms `low` and `high` of its period.

@@ -8,10 +8,9 @@ use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Dot, Drawing, Panel, Trace, WIDTH};
-use crate::drawing::scales::{TIME_TICKS, equal_scale, time_label};
+use crate::drawing::scales::{equal_scale, line, over_time, time_axis};
 use crate::drawing::series::{Points, bounds, magnitude, outline};
 use crate::failure::Failure;
-use crate::report::figures::over_time;
 use crate::report::run::{Places, Run};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, time_text, with_unit};
 
@@ -121,9 +120,9 @@ fn track(
 
 /// Height over the first `shown_s`.
 fn height(run: &Run, shown_s: f64) -> Result<(String, String), Failure> {
-    let time = Axis::time(shown_s, TIME_TICKS);
+    let time = time_axis(shown_s);
     let shown = run.time_s.partition_point(|t| *t <= shown_s);
-    let of = |places: &Places, unit: Unit| over_time(run, &time, &places.height_m[..shown], unit);
+    let of = |places: &Places, unit: Unit| line(&run.time_s, &places.height_m[..shown], &time, unit);
     let (low, high) = bounds(&[of(&run.truth, METRE), of(&run.navigation, METRE)]);
     let unit = if high - low >= KILOMETRE.si { KILOMETRE } else { METRE };
     let traces = vec![
@@ -134,7 +133,7 @@ fn height(run: &Run, shown_s: f64) -> Result<(String, String), Failure> {
     let panels = vec![Panel::new(format!("height above the ellipsoid [{}]", unit.name), y, 120.0, traces)];
     let (low, high) = range(&run.truth.height_m);
     let note = format!("Heights {low:.1} m to {high:.1} m.");
-    let drawing = Drawing { width: WIDTH, x_label: time_label(&time), x: time.axis, panels };
+    let drawing = over_time(time, panels);
     Ok((drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?, note))
 }
 

@@ -20,7 +20,7 @@ use std::path::Path;
 use model::Interface;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 39] = [
+const SOURCES: [&str; 41] = [
     "version",
     "failure",
     "options",
@@ -36,6 +36,8 @@ const SOURCES: [&str; 39] = [
     "sample",
     "run",
     "solution",
+    "imu",
+    "errors",
     "accuracy",
     "truth_summary",
     "covariance",

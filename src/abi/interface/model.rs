@@ -60,6 +60,7 @@ pub struct Function {
 }
 
 /// A field of a struct, or an argument of a function, which has no documentation of its own.
+#[derive(Clone)]
 pub struct Variable {
     pub name: String,
     pub kind: Type,

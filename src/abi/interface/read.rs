@@ -4,6 +4,9 @@ use syn::{Attribute, Expr, FnArg, Item, Lit, Meta, Pat, ReturnType, Visibility};
 
 use super::model::{Alias, Constant, Enumeration, Function, Interface, Struct, Type, Variable};
 
+/// The documentation of a field whose own fields are, in C, those of the struct that it is in.
+const FLAT: &str = "Flat in C.";
+
 impl Interface {
     /// Of the sources, in their order, and of the units of the preamble.
     pub fn read(preamble: &str, sources: &[String]) -> Self {
@@ -84,11 +87,23 @@ impl Interface {
     fn need(&mut self, name: &str, structs: &mut Vec<Struct>) {
         let Some(index) = structs.iter().position(|one| one.name == name) else { return };
         let mut one = structs.remove(index);
+        one.fields = one.fields.into_iter().flat_map(|field| self.flat(field, structs)).collect();
         for within in one.fields.iter().filter_map(|field| field.kind.name()) {
             self.need(&within, structs);
         }
         one.size = one.fields.iter().map(|field| self.size(&field.kind)).sum();
         self.structs.push(one);
+    }
+
+    /// The fields of the struct that a field is, where its documentation is [`FLAT`]: structs of C with the same fields share one
+    /// definition, and a host writes no name more.
+    fn flat(&self, field: Variable, structs: &[Struct]) -> Vec<Variable> {
+        if field.doc != [FLAT] {
+            return vec![field];
+        }
+        let is_it = |one: &&Struct| Some(&one.name) == field.kind.name().as_ref();
+        let found = structs.iter().chain(&self.structs).find(is_it);
+        found.unwrap_or_else(|| panic!("{} is no struct", field.name)).fields.clone()
     }
 }
 

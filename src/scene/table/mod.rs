@@ -55,6 +55,11 @@ pub fn of_section(section: Section) -> impl Iterator<Item = (usize, &'static Key
     KEYS.iter().enumerate().filter(move |(_, key)| key.section == section)
 }
 
+/// The names of the keys of a section, in their own units and in SI.
+pub fn names_of(section: Section) -> impl Iterator<Item = &'static str> {
+    of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten()
+}
+
 /// Of a key of [[failure]] whose unit belongs to another sensor, the key of the same quantity for `sensor`.
 pub fn of_sensor(key: &Key, sensor: usize) -> Option<&'static str> {
     let names = failure::BY_SENSOR.iter().find(|names| names.contains(&key.name))?;
@@ -140,8 +145,7 @@ mod tests {
     #[test]
     fn no_two_keys_of_a_section_share_a_name() {
         for section in Section::ALL {
-            let names: Vec<&str> =
-                of_section(section).flat_map(|(_, key)| [Some(key.name), key.si_name()]).flatten().collect();
+            let names: Vec<&str> = names_of(section).collect();
             for (index, name) in names.iter().enumerate() {
                 assert!(!names[..index].contains(name), "{}.{name}", section.name());
             }

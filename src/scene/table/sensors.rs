@@ -29,12 +29,12 @@ const fn preset(section: Section, field: &'static str, set: fn(&mut Draft, usize
 
 pub const GYRO: &[Key] = &keys::<{ count(Sensor::Gyro) }>(
     Sensor::Gyro,
-    preset(Section::Gyro, "gyro.preset", |d, grade| d.scene.gyro = of_grade(grade).0),
+    preset(Section::Gyro, "gyro.preset", |d, grade| d.scene.errors.gyro = of_grade(grade).0),
 );
 
 pub const ACCELEROMETER: &[Key] = &keys::<{ count(Sensor::Accelerometer) }>(
     Sensor::Accelerometer,
-    preset(Section::Accelerometer, "accel.preset", |d, grade| d.scene.accel = of_grade(grade).1),
+    preset(Section::Accelerometer, "accel.preset", |d, grade| d.scene.errors.accel = of_grade(grade).1),
 );
 
 /// Number of keys: the preset, and each parameter that these sensors have.

@@ -79,7 +79,8 @@ impl Host {
             motion = motion.next(&mut self.input);
             let mut sample = motion.sample();
             if k == SAMPLES / 2 && self.input.one_in(4) {
-                let failure = sins_failure { kind: SINS_FAILURE_STUCK, ..init() };
+                let mut failure: sins_failure = init();
+                failure.fields.kind = SINS_FAILURE_STUCK;
                 let (sensor, axis) = (self.input.pick(&[0, 1, 3]), self.input.below(3) as i32);
                 let status = call!(sins_ensemble_set_failure(ensemble, sensor, axis, &failure));
                 assert_eq!(status, call!(sins_set_failure(single, sensor, axis, &failure)));

@@ -212,11 +212,11 @@ impl Host {
         let navigation =
             check::<sins_navigation>(|navigation| call!(sins_get_navigation(handle, navigation)))
                 .expect("an interval was navigated");
-        let norm2: f64 = navigation.quaternion_nb.iter().map(|q| q * q).sum();
+        let norm2: f64 = navigation.solution.quaternion_nb.iter().map(|q| q * q).sum();
         assert!((norm2 - 1.0).abs() < 1e-9, "norm of the quaternion [{norm2}]");
-        let height = navigation.height_m;
+        let height = navigation.solution.height_m;
         assert!((-500.1e3..=20000.1e3).contains(&height), "height beyond its limits [{height}]");
-        let speed = navigation.velocity_enu_m_s.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let speed = navigation.solution.velocity_enu_m_s.iter().map(|v| v * v).sum::<f64>().sqrt();
         assert!(is_mounted || speed <= 100e3 * (1.0 + 1e-9), "speed beyond its limit [{speed}]");
     }
 

@@ -168,8 +168,8 @@ impl Host {
         if !navigates {
             return;
         }
-        let start = sins_navigation {
-            time_s: self.input.pick(&[0.0, 0.0, 1e10, -1e10]),
+        let time_s = self.input.pick(&[0.0, 0.0, 1e10, -1e10]);
+        let solution = sins_record_solution {
             latitude_rad: self.input.pick(&[0.7, 0.7, 0.0, 1.5, -std::f64::consts::FRAC_PI_2]),
             longitude_rad: self.input.pick(&[0.0, 100.0, 3.14]),
             height_m: self.input.pick(&[0.0, 0.0, 2000e3, -20e3]),
@@ -183,8 +183,9 @@ impl Host {
                 [0.6, 0.0, 0.0, 0.8],
                 [0.5, -0.5, 0.5, 0.5005],
             ]),
-            ..init()
+            ..init::<sins_navigation>().solution
         };
+        let start = sins_navigation { time_s, solution, ..init() };
         let status = self.giving_to(place, start, |sim, start| call!(sins_start_navigation(sim, start)));
         self.sims[place].is_navigating |= status == SINS_OK;
     }

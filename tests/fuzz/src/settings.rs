@@ -176,18 +176,20 @@ pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
         _ => 1e5,
     };
     let kind = input.below(7) as i32;
-    let mut failure = sins_failure { kind, ..init() };
+    let mut failure: sins_failure = init();
+    failure.fields.kind = kind;
     let size = input.within((-largest, largest));
     let interval_s = input.pick(&[0.05, 1e-4, 1.0, 1e9]);
     match kind {
-        SINS_FAILURE_BIAS_STEP => failure.size = size,
+        SINS_FAILURE_BIAS_STEP => failure.fields.size = size,
         SINS_FAILURE_SPIKES => {
             let duration_s = input.pick(&[0.2 * interval_s, interval_s, 1e-9]);
-            (failure.size, failure.interval_s, failure.duration_s) = (size, interval_s, duration_s);
+            (failure.fields.size, failure.fields.interval_s, failure.fields.duration_s) =
+                (size, interval_s, duration_s);
         }
-        SINS_FAILURE_NOISE => failure.density = size.abs(),
-        SINS_FAILURE_DROP_OUTS if input.byte() < 128 => failure.probability = input.within((0.0, 1.0)),
-        SINS_FAILURE_DROP_OUTS => failure.interval_s = interval_s,
+        SINS_FAILURE_NOISE => failure.fields.density = size.abs(),
+        SINS_FAILURE_DROP_OUTS if input.byte() < 128 => failure.fields.probability = input.within((0.0, 1.0)),
+        SINS_FAILURE_DROP_OUTS => failure.fields.interval_s = interval_s,
         _ => {}
     }
     failure

@@ -370,19 +370,13 @@ impl Host {
 
     fn plan_failure(&mut self) {
         let sensor = self.input.below(3) as i32;
-        let sins_failure { kind, size, density, interval_s, duration_s, probability, .. } =
-            some_failure(&mut self.input, sensor);
+        let sins_failure { fields, .. } = some_failure(&mut self.input, sensor);
         let failure = sins_planned_failure {
             sensor,
             axis: if sensor == SINS_SENSOR_ALTIMETER { 0 } else { self.input.below(3) as i32 },
             from_s: self.input.within((0.0, 1e9)),
             until_s: self.input.within((0.0, 1e9)),
-            kind,
-            size,
-            density,
-            interval_s,
-            duration_s,
-            probability,
+            fields,
             ..init()
         };
         let mut argument = self.input.argument(failure);

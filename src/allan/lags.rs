@@ -1,6 +1,6 @@
-//! Sums over the distances of two second differences of a record, each distance as often as the record has it.
+//! Sums over the distances of two second differences of a record. Each distance counts as often as the record has it.
 
-/// Longest piece between two corners that is summed term by term.
+/// Longest piece between two corners [samples] that is summed term by term.
 const SUMMED: i64 = 16;
 
 /// Abscissae and weights of Gauss and Legendre's quadrature with eight places on (-1, 1) (Abramowitz and Stegun 25.4.30).
@@ -28,19 +28,19 @@ pub struct Lag {
 }
 
 impl Pair {
-    /// How many second differences of either kind the record has.
+    /// Number of second differences of either kind in the record.
     pub fn starts(&self) -> (usize, usize) {
         (self.count + 1 - 2 * self.a, self.count + 1 - 2 * self.b)
     }
 
-    /// How often the record has the distance `lag`.
+    /// Number of pairs of differences with the distance `lag`.
     pub fn times(&self, lag: f64) -> f64 {
         let (first, second) = self.starts();
         ((first as f64).min(second as f64 - lag) - (-lag).max(0.0)).max(0.0)
     }
 
-    /// Places and weights that give Σ times(l) f(l) over all whole l, for an f that is smooth but for the distances at which
-    /// two points of the differences meet, and that dies away beyond the differences: squares of covariances of noise.
+    /// Places and weights that give Σ times(l) f(l) over all integers l. f is a square of covariances of noise: smooth except at the
+    /// distances at which two points of the differences meet, and decreasing to zero beyond the differences.
     pub fn lags(&self) -> Vec<Lag> {
         let (a, b) = (self.a as i64, self.b as i64);
         let (first, second) = (self.starts().0 as i64, self.starts().1 as i64);

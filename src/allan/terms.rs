@@ -1,34 +1,37 @@
-//! The five noises of gyros and accelerometers: what each puts into σ²(τ), and its covariance in time.
+//! The five terms of the Allan variance of gyros and accelerometers: the share of each in σ²(τ), and its covariance in time.
 
-use std::f64::consts::{LN_2, PI};
+use core::f64::consts::{LN_2, PI};
 
-/// The square of a coefficient times [`Term::shape`] is its share of σ²(τ) (IEEE Std 952-1997, annex C).
+use crate::math::ln;
+
+/// Term of the Allan variance: the square of its coefficient times [`Term::shape`] is its share of σ²(τ) (IEEE Std 952-1997,
+/// annex C). With u as the unit of the rate, \[rad/s\] or \[m/s²\]:
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Term {
-    /// Q: σ² = 3 Q² / τ².
+    /// Quantization Q \[u s\]: σ² = 3 Q² / τ².
     Quantization,
-    /// N, angle or velocity random walk: σ² = N² / τ.
+    /// Angle or velocity random walk N \[u √s\]: σ² = N² / τ.
     RandomWalk,
-    /// B, bias instability: σ² = (2 ln 2 / π) B², σ = 0.664 B.
+    /// Bias instability B \[u\]: σ² = (2 ln 2 / π) B², σ = 0.664 B.
     Flicker,
-    /// K, rate random walk: σ² = K² τ / 3.
+    /// Rate random walk K \[u/√s\]: σ² = K² τ / 3.
     RateRandomWalk,
-    /// R, a straight line, not a noise: σ² = R² τ² / 2.
+    /// Ramp R \[u/s\], a straight line, not a noise: σ² = R² τ² / 2.
     Ramp,
 }
 
-/// How many terms there are.
+/// Number of terms.
 pub const TERMS: usize = 5;
 
-/// The terms that are noises, all but the ramp.
-pub const NOISES: usize = 4;
+/// Number of terms that are noises: all except the ramp, which is the last.
+pub(super) const NOISES: usize = 4;
 
 impl Term {
-    /// By rising slope of σ over τ: -1, -1/2, 0, 1/2, 1. Arrays of coefficients have this order.
+    /// All terms, by rising slope of log σ over log τ: -1, -1/2, 0, 1/2, 1. Arrays of coefficients have this order.
     pub const ALL: [Self; TERMS] =
         [Self::Quantization, Self::RandomWalk, Self::Flicker, Self::RateRandomWalk, Self::Ramp];
 
-    /// The letter of its coefficient.
+    /// Letter of the coefficient: Q, N, B, K or R.
     pub fn letter(self) -> &'static str {
         match self {
             Self::Quantization => "Q",
@@ -39,7 +42,7 @@ impl Term {
         }
     }
 
-    /// σ²(τ) for a coefficient of 1.
+    /// σ²(τ) for a coefficient of 1, at the averaging time `tau_s` [s].
     pub fn shape(self, tau_s: f64) -> f64 {
         match self {
             Self::Quantization => 3.0 / (tau_s * tau_s),
@@ -50,23 +53,23 @@ impl Term {
         }
     }
 
-    /// Generalised covariance of the integrated noise at the distance `t_s` for a coefficient of 1 (Greenhall and Riley,
-    /// PTTI 2003): right for fourth differences, as those of two second ones are. The error of quantization is white: it has
-    /// a covariance at distance 0 only. A ramp has none.
+    /// Generalised covariance of the integrated noise at the distance `t_s` [s] for a coefficient of 1 (Greenhall and Riley,
+    /// PTTI 2003). It is valid in fourth differences, such as products of two second differences. The error of quantization is
+    /// white: it has a covariance at distance 0 only. A ramp has none.
     pub fn covariance(self, t_s: f64) -> f64 {
         let t = t_s.abs();
         match self {
             Self::Quantization => f64::from(t == 0.0),
             Self::RandomWalk => -0.5 * t,
             Self::Flicker if t == 0.0 => 0.0,
-            Self::Flicker => t * t * t.ln() / (2.0 * PI),
+            Self::Flicker => t * t * ln(t) / (2.0 * PI),
             Self::RateRandomWalk => t * t * t / 12.0,
             Self::Ramp => 0.0,
         }
     }
 }
 
-/// σ²(τ) of the coefficients whose squares are given.
+/// σ²(τ) at the averaging time `tau_s` [s], of coefficients with these `squares` in the order of [`Term::ALL`].
 pub fn total(squares: &[f64; TERMS], tau_s: f64) -> f64 {
     Term::ALL.iter().zip(squares).map(|(term, square)| square * term.shape(tau_s)).sum()
 }

@@ -1,26 +1,30 @@
 //! The overlapping Allan variance of a regularly sampled rate.
 
+use core::f64::consts::LN_2;
+
+use crate::math::exp;
+
 /// Averaging times in an octave.
 const PER_OCTAVE: f64 = 3.0;
 
-/// The longest averaging time is this part of the record: beyond it fewer than about six degrees of freedom are left.
+/// The longest averaging time is the record divided by this: beyond it fewer than about six degrees of freedom are left.
 const LONGEST: usize = 9;
 
-/// Fewest samples of a record: two octaves of averaging times.
+/// Fewest samples of a record: two octaves of averaging times fit into it.
 pub const FEWEST_SAMPLES: usize = 5 * LONGEST;
 
-/// Averaging times of a record of `count` samples, in samples: three an octave, from one to a ninth of the record.
+/// Averaging times of a record of `count` samples, in samples: three in each octave, from one to a ninth of the record.
 pub fn factors(count: usize) -> Vec<usize> {
     let mut factors: Vec<usize> = (0..)
-        .map(|k| (f64::from(k) / PER_OCTAVE).exp2().round() as usize)
+        .map(|k| exp(LN_2 * f64::from(k) / PER_OCTAVE).round() as usize)
         .take_while(|factor| *factor <= count / LONGEST)
         .collect();
     factors.dedup();
     factors
 }
 
-/// θ: running sums of `increments`, one more than those. Their mean is taken off before, which changes no second
-/// difference and keeps the digits of small ones.
+/// θ: running sums of `increments`, one more than there are increments. The mean of the increments is subtracted first, which
+/// changes no second difference and keeps the digits of small ones.
 pub fn integral(increments: &[f64]) -> Vec<f64> {
     let mean = increments.iter().sum::<f64>() / increments.len() as f64;
     let mut sum = 0.0;
@@ -28,11 +32,11 @@ pub fn integral(increments: &[f64]) -> Vec<f64> {
         sum += increment - mean;
         sum
     });
-    std::iter::once(0.0).chain(sums).collect()
+    core::iter::once(0.0).chain(sums).collect()
 }
 
-/// σ²(τ) = ⟨(θ(t + 2τ) - 2 θ(t + τ) + θ(t))²⟩ / 2τ² over all starts t that the record has (IEEE Std 952-1997, C.1;
-/// overlapping: NIST SP 1065, 5.2.4), τ = `factor` intervals.
+/// σ²(τ) = ⟨(θ(t + 2τ) - 2 θ(t + τ) + θ(t))²⟩ / 2τ² over all starts t in the record, τ = `factor` intervals (IEEE Std
+/// 952-1997, C.1; overlapping: NIST SP 1065, 5.2.4).
 pub fn allan_variance(integral: &[f64], interval_s: f64, factor: usize) -> f64 {
     let tau_s = factor as f64 * interval_s;
     let triples = integral.iter().zip(&integral[factor..]).zip(&integral[2 * factor..]);

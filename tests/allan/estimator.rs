@@ -1,25 +1,21 @@
-//! The Allan estimator on records that are made from the definitions of the noises: intervals hold the truth as often as
-//! they say.
+//! Records that are made from the definitions of the noises: intervals hold the truth as often as they say.
 
-#[path = "support/allan.rs"]
-mod allan;
-#[path = "support/noises.rs"]
-mod noises;
+use sins::allan::{Estimator, TERMS, Term, total};
 
-use allan::Records;
-use allan::estimate::interval::of_variance;
-use allan::estimate::terms::{TERMS, Term, total};
-use noises::{Coefficients, Normal, increments};
+use crate::noises::{Coefficients, Normal, increments};
 
 const NONE: Coefficients = Coefficients { q: 0.0, n: 0.0, b: 0.0, k: 0.0, r: 0.0 };
 
+/// Samples of a record, an interval of 1 s apart.
+const COUNT: usize = 4096;
+
 const RUNS: u32 = if cfg!(feature = "long-tests") { 10_000 } else { 500 };
 
-/// What the intervals of 95 % are held to: χ² is the distribution of overlapping variances but nearly.
+/// Bounds of the coverage of intervals of 95 %: the distribution of overlapping variances is only nearly χ².
 const LEAST: f64 = 0.93;
 const MOST: f64 = 0.985;
 
-/// How often an interval held the truth, within five binomial standard deviations of what is claimed.
+/// Checks how often an interval held the truth, within five binomial standard deviations of what is claimed.
 fn assert_coverage(label: &str, held: u32, may_be_long: bool) {
     let share = f64::from(held) / f64::from(RUNS);
     let scatter = |p: f64| 5.0 * (p * (1.0 - p) / f64::from(RUNS)).sqrt();
@@ -27,12 +23,12 @@ fn assert_coverage(label: &str, held: u32, may_be_long: bool) {
     assert!(may_be_long || (share < MOST + scatter(MOST) && held < RUNS), "{label}: {share}");
 }
 
-/// Each noise alone, mixtures of two, and all five: every deviation, and every coefficient that is there. Intervals may be
-/// long where a ramp is, which counts as random walk, and of quantization: errors of rounding are uniform, and their squares
-/// scatter less than those of normal numbers.
+/// Each noise alone, mixtures of two, and all five: every deviation, and every coefficient that is not zero. Intervals may be
+/// long with a ramp, which counts as random walk, and with quantization: rounding errors are uniform, and their squares scatter
+/// less than those of normal numbers.
 #[test]
 fn intervals_hold_the_truth_as_often_as_they_say() {
-    let records = Records::new(4096, 1.0);
+    let estimator = Estimator::new(COUNT, 1.0).unwrap();
     for (label, truth) in [
         ("Q", Coefficients { q: 1.0, ..NONE }),
         ("N", Coefficients { n: 1.0, ..NONE }),
@@ -44,24 +40,23 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     ] {
         let squares = truth.squares();
         let may_be_long = truth.q > 0.0 || truth.r > 0.0;
-        let mut held_deviations = vec![0; records.taus_s.len()];
+        let mut held_deviations = vec![0; estimator.taus_s().len()];
         let mut held = [0; TERMS];
         for run in 0..RUNS {
-            let series = increments(&truth, records.count, records.dt, &mut Normal::new(u64::from(run)));
-            let found = records.analyse(&series);
+            let series = increments(&truth, COUNT, 1.0, &mut Normal::new(u64::from(run)));
+            let found = estimator.estimate(&series).unwrap();
             for (held, point) in held_deviations.iter_mut().zip(&found.points) {
-                let interval = of_variance(point.variance, point.degrees, 0.95);
-                *held += u32::from(interval.contains(total(&squares, point.tau_s)));
+                *held += u32::from(point.interval(0.95).contains(total(&squares, point.tau_s)));
             }
             for term in (0..TERMS).filter(|term| squares[*term] > 0.0) {
-                held[term] += u32::from(found.interval(term, 0.95).contains(squares[term]));
+                held[term] += u32::from(found.interval(Term::ALL[term], 0.95).contains(squares[term]));
             }
         }
         let percent = |held: u32| 100.0 * f64::from(held) / f64::from(RUNS);
         let least = held_deviations.iter().copied().min().unwrap();
         let most = held_deviations.iter().copied().max().unwrap();
         print!("{label}: deviations {:.1} to {:.1} %", percent(least), percent(most));
-        for (tau_s, held) in records.taus_s.iter().zip(&held_deviations) {
+        for (tau_s, held) in estimator.taus_s().iter().zip(&held_deviations) {
             assert_coverage(&format!("{label}, deviation at {tau_s} s"), *held, may_be_long);
         }
         for term in (0..TERMS).filter(|term| squares[*term] > 0.0) {
@@ -72,17 +67,17 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     }
 }
 
-/// What is not there is told as nothing at least as often as the intervals say.
+/// The interval of a coefficient that is zero contains zero at least as often as it says.
 #[test]
 fn what_is_not_there_is_seldom_seen() {
-    let records = Records::new(4096, 1.0);
+    let estimator = Estimator::new(COUNT, 1.0).unwrap();
     let mut seen = [0; TERMS];
     for run in 0..RUNS {
         let truth = Coefficients { n: 1.0, ..NONE };
-        let series = increments(&truth, records.count, records.dt, &mut Normal::new(u64::from(run)));
-        let found = records.analyse(&series);
+        let series = increments(&truth, COUNT, 1.0, &mut Normal::new(u64::from(run)));
+        let found = estimator.estimate(&series).unwrap();
         for (term, seen) in seen.iter_mut().enumerate() {
-            *seen += u32::from(found.interval(term, 0.95).low > 0.0);
+            *seen += u32::from(found.interval(Term::ALL[term], 0.95).low > 0.0);
         }
     }
     println!("seen in {RUNS} records of N alone, of Q, N, B, K, R: {seen:?}");
@@ -96,22 +91,23 @@ fn what_is_not_there_is_seldom_seen() {
 /// A long record of all five, each within an interval that chance misses once in ten thousand times, and each seen.
 #[test]
 fn all_five_are_recovered_from_one_record() {
-    let records = Records::new(1 << 20, 0.1);
+    let (count, dt) = (1 << 20, 0.1);
+    let estimator = Estimator::new(count, dt).unwrap();
     let truth = Coefficients { q: 0.3, n: 1.0, b: 0.2, k: 5e-3, r: 1e-4 };
-    let found = records.analyse(&increments(&truth, records.count, records.dt, &mut Normal::new(1)));
+    let found = estimator.estimate(&increments(&truth, count, dt, &mut Normal::new(1))).unwrap();
     for (term, square) in truth.squares().into_iter().enumerate() {
         let letter = Term::ALL[term].letter();
         let [put_in, recovered] = [square, found.fit.squares[term]].map(f64::sqrt);
-        let usual = found.interval(term, 0.95);
+        let usual = found.interval(Term::ALL[term], 0.95);
         println!(
             "{letter}: {put_in} put in, {recovered:.4e} ({:.4e} to {:.4e}) recovered",
             usual.low.sqrt(),
             usual.high.sqrt()
         );
-        assert!(found.interval(term, 0.9999).contains(square), "{letter}");
+        assert!(found.interval(Term::ALL[term], 0.9999).contains(square), "{letter}");
     }
     // Q, N and B make most of the deviation somewhere.
     for term in 0..3 {
-        assert!(found.interval(term, 0.95).low > 0.0, "{term} is not resolved");
+        assert!(found.interval(Term::ALL[term], 0.95).low > 0.0, "{term} is not resolved");
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::lags::Pair;
 use super::terms::{NOISES, TERMS, Term};
 
-/// A quadratic form in the squares of the coefficients.
+/// Quadratic form in the squares of the coefficients.
 pub type Form = SMatrix<f64, TERMS, TERMS>;
 
 /// Second differences d of Gaussian noise with the covariance c between them and the means µ of a ramp have squares with the
@@ -13,8 +13,9 @@ pub type Form = SMatrix<f64, TERMS, TERMS>;
 /// ```text
 /// cov(σ²(τ), σ²(τ')) = Σ times(l) (2 c(l)² + 4 µ µ' c(l)) / (4 M M')
 /// ```
-/// and c is linear in the squares of the coefficients, as is µ µ' = R² τ τ'. Exact for Gaussian noises (Greenhall and Riley,
-/// PTTI 2003, for τ = τ'); depends on the length of the record and not on what is in it.
+/// where the sum is over the distances l of two differences, times(l) is how often the record has the distance, and M is the number
+/// of differences. c is linear in the squares of the coefficients, as is µ µ' = R² τ τ'. The covariance is exact for Gaussian
+/// noises (Greenhall and Riley, PTTI 2003, for τ = τ'). It depends on the length of the record only.
 #[derive(Debug, Clone)]
 pub struct Covariance {
     size: usize,
@@ -36,7 +37,7 @@ impl Covariance {
         Self { size, forms }
     }
 
-    /// The covariance at two averaging times is the form between the squares of the coefficients.
+    /// Covariance of the variances at averaging times `i` and `j`, as a form in the squares of the coefficients.
     pub fn form(&self, i: usize, j: usize) -> &Form {
         &self.forms[i * self.size + j]
     }
@@ -48,8 +49,26 @@ impl Covariance {
     }
 }
 
+/// Variance of the Allan variance at `factor` intervals, for Gaussian noise whose integral has the generalised covariance
+/// `covariance(t_s)`.
+pub fn variance_of_noise(
+    count: usize,
+    factor: usize,
+    interval_s: f64,
+    covariance: impl Fn(f64) -> f64,
+) -> f64 {
+    let pair = Pair { count, a: factor, b: factor };
+    let squared = |samples: f64| {
+        let c = of_differences(&pair, interval_s, samples, &covariance);
+        c * c
+    };
+    let sum: f64 = pair.lags().iter().map(|lag| lag.weight * squared(lag.samples)).sum();
+    let starts = pair.starts().0 as f64;
+    sum / (2.0 * starts * starts)
+}
+
 /// Covariance of two second differences over their averaging times, `samples` apart.
-pub fn of_differences(pair: &Pair, interval_s: f64, samples: f64, covariance: impl Fn(f64) -> f64) -> f64 {
+fn of_differences(pair: &Pair, interval_s: f64, samples: f64, covariance: impl Fn(f64) -> f64) -> f64 {
     let sum: f64 = pair
         .meetings()
         .map(|(meeting, factor)| factor * covariance((samples - meeting as f64) * interval_s))
@@ -63,7 +82,7 @@ fn form(pair: Pair, interval_s: f64) -> Form {
     const QUANTIZATION: usize = 0;
     let taus = pair.a as f64 * pair.b as f64 * interval_s * interval_s;
     let noises = |samples: f64| -> [f64; NOISES] {
-        std::array::from_fn(|p| match Term::ALL[p] {
+        core::array::from_fn(|p| match Term::ALL[p] {
             Term::Quantization => 0.0,
             term => of_differences(&pair, interval_s, samples, |t| term.covariance(t)),
         })

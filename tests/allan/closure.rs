@@ -1,15 +1,8 @@
-//! What is set of the sensors comes out of the Allan deviation of what they measure: a simulator at rest, all six axes, by
-//! the estimator of the report program.
+//! The estimator recovers the noise parameters that were set from the Allan variances of what the sensors measure: a simulator at
+//! rest, all six axes.
 
-#[path = "support/allan.rs"]
-mod allan;
-
-use allan::Records;
-use allan::estimate::covariance::of_differences;
-use allan::estimate::interval::of_variance;
-use allan::estimate::lags::Pair;
-use allan::estimate::terms::{TERMS, Term};
 use nalgebra::Vector3;
+use sins::allan::{Estimator, Point, TERMS, Term};
 use sins::earth::Geodetic;
 use sins::math::Euler;
 use sins::sensors::{Grade, TriadParameters};
@@ -56,22 +49,27 @@ fn squares(triad: &TriadParameters) -> [[f64; TERMS]; 3] {
     })
 }
 
-/// What is set comes out, within its interval; each coefficient set is told from nothing if `resolved`.
-fn recovers(name: &str, records: &Records, gyro: &TriadParameters, accel: &TriadParameters, resolved: bool) {
+/// Each coefficient that was set lies in its interval, and is significantly above zero if `resolved`.
+fn recovers(
+    name: &str,
+    estimator: &Estimator,
+    gyro: &TriadParameters,
+    accel: &TriadParameters,
+    resolved: bool,
+) {
     let put_in = [squares(gyro), squares(accel)].concat();
     for ((axis, increments), put_in) in AXES.iter().zip(&measured(gyro, accel)).zip(&put_in) {
         if *put_in == [0.0; TERMS] {
             // Nothing but rounding: a hundred operations on increments of 9.8 m/s² times the step.
-            let deviation = records.variances(increments)[0].sqrt();
+            let deviation = estimator.variances(increments).unwrap()[0].sqrt();
             println!("{name}, {axis}: nothing set, {deviation:.1e}");
             assert!(deviation < 100.0 * f64::EPSILON * 9.8, "{name}, {axis}: {deviation}");
             continue;
         }
-        let found = records.analyse(increments);
-        for (term, square) in put_in.iter().copied().enumerate() {
-            let (letter, usual) = (Term::ALL[term].letter(), found.interval(term, 0.95));
-            let [set, recovered, low, high] =
-                [square, found.fit.squares[term], usual.low, usual.high].map(f64::sqrt);
+        let found = estimator.estimate(increments).unwrap();
+        for ((term, square), recovered) in Term::ALL.into_iter().zip(*put_in).zip(found.fit.squares) {
+            let (letter, usual) = (term.letter(), found.interval(term, 0.95));
+            let [set, recovered, low, high] = [square, recovered, usual.low, usual.high].map(f64::sqrt);
             println!(
                 "{name}, {axis}: {letter} {set:.4e} set, {recovered:.4e} ({low:.4e} to {high:.4e}) recovered"
             );
@@ -83,7 +81,7 @@ fn recovers(name: &str, records: &Records, gyro: &TriadParameters, accel: &Triad
 
 #[test]
 fn each_random_effect_is_recovered_and_nothing_else() {
-    let records = Records::new(COUNT, DT);
+    let estimator = Estimator::new(COUNT, DT).unwrap();
     let each = Vector3::repeat;
     let noise = TriadParameters { random_walk: each(1.5e-6), ..Default::default() };
     // Over a step the noise moves by 1.5 pulses: what is rounded off is uniform within exp(-2π² 1.5²) and white.
@@ -98,13 +96,13 @@ fn each_random_effect_is_recovered_and_nothing_else() {
     for (name, triad) in
         [("N", noise), ("Q", quantized), ("B", flicker), ("K", walking), ("R", ramping), ("all but B", all)]
     {
-        recovers(name, &records, &triad, &triad, true);
+        recovers(name, &estimator, &triad, &triad, true);
     }
 }
 
 #[test]
 fn each_preset_is_recovered() {
-    let records = Records::new(COUNT, DT);
+    let estimator = Estimator::new(COUNT, DT).unwrap();
     for grade in [
         Grade::Strategic,
         Grade::Navigation,
@@ -117,7 +115,7 @@ fn each_preset_is_recovered() {
         // The source of one states no white noise, which hides the end of its flicker's band, as above.
         accel.random_walk =
             accel.random_walk.zip_map(&accel.flicker, |noise, flicker| noise.max(5.0 * flicker));
-        recovers(&format!("{grade:?}"), &records, &gyro, &accel, false);
+        recovers(&format!("{grade:?}"), &estimator, &gyro, &accel, false);
     }
 }
 
@@ -143,25 +141,19 @@ fn a_gauss_markov_bias_has_its_curve() {
         let a = t_s.abs() / time_s;
         Term::RandomWalk.covariance(t_s) * n * n - (sigma * time_s).powi(2) * (a + (-a).exp_m1())
     };
-    let records = Records::new(COUNT, DT);
-    let degrees = |factor: usize| {
-        let pair = Pair { count: COUNT, a: factor, b: factor };
-        let c = |samples: f64| of_differences(&pair, DT, samples, covariance);
-        let sum: f64 = pair.lags().iter().map(|lag| lag.weight * c(lag.samples).powi(2)).sum();
-        let starts = pair.starts().0 as f64;
-        2.0 * variance(factor as f64 * DT).powi(2) / (sum / (2.0 * starts * starts))
-    };
-    let degrees: Vec<f64> = records.factors.iter().map(|factor| degrees(*factor)).collect();
+    let estimator = Estimator::new(COUNT, DT).unwrap();
+    let degrees: Vec<f64> = (estimator.taus_s().iter().enumerate())
+        .map(|(i, tau_s)| estimator.degrees_of_freedom(i, variance(*tau_s), covariance))
+        .collect();
     // The bias makes most of the deviation where it is highest.
     assert!(variance(2.0 * time_s) > 4.0 * n * n / (2.0 * time_s));
     for (axis, increments) in AXES.iter().zip(&measured(&parameters, &parameters)) {
-        for ((tau_s, found), degrees) in
-            records.taus_s.iter().zip(records.variances(increments)).zip(&degrees)
-        {
-            let interval = of_variance(found, *degrees, CERTAIN);
-            let ratio = (found / variance(*tau_s)).sqrt();
+        let variances = estimator.variances(increments).unwrap();
+        for ((&tau_s, found), &degrees) in estimator.taus_s().iter().zip(variances).zip(&degrees) {
+            let interval = Point { tau_s, variance: found, degrees }.interval(CERTAIN);
+            let ratio = (found / variance(tau_s)).sqrt();
             println!("{axis}: {tau_s:.2} s, {ratio:.4} of the closed form, {degrees:.0} degrees of freedom");
-            assert!(interval.contains(variance(*tau_s)), "{axis} at {tau_s} s: {ratio}");
+            assert!(interval.contains(variance(tau_s)), "{axis} at {tau_s} s: {ratio}");
         }
     }
 }

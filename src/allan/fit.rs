@@ -4,39 +4,43 @@ use nalgebra::{SMatrix, SVector};
 
 use super::covariance::{Covariance, Form};
 use super::terms::{TERMS, Term, total};
+use crate::math::hypot;
 
 type Vector = SVector<f64, TERMS>;
 
-/// Rounds of weighting by the variances that the last fit implies; three digits of the weights stand after two.
+/// Rounds of weighting by the variances that the last fit implies. After two rounds the weights keep three digits.
 const ROUNDS: usize = 4;
 
-/// How well the five terms are trusted to describe a variance, relatively.
-const TRUSTED: f64 = 0.01;
+/// Smallest relative error that the weights assume of a variance: the five terms describe real sensors no better.
+const LEAST_ERROR: f64 = 0.01;
 
-/// A fit to the variances of one record.
+/// Coefficients fitted to the Allan variances of one record. Arrays have the order of [`Term::ALL`].
 #[derive(Debug, Clone)]
 pub struct Fit {
-    /// Squares of the coefficients, none negative: weighted least squares under that constraint.
+    /// Squares of the coefficients: weighted least squares under the constraint that none is negative.
     pub squares: [f64; TERMS],
-    /// The same without the constraint: linear in the variances and without bias, but now and then negative.
+    /// Squares of the coefficients without that constraint: linear in the variances and without bias, but sometimes negative.
     pub free: [f64; TERMS],
-    /// Variance of each of `free`, a form between the squares of the coefficients.
-    pub spread: [Form; TERMS],
+    /// Variance of each of `free`, as a form in the squares of the coefficients.
+    pub(super) spread: [Form; TERMS],
 }
 
 impl Fit {
-    /// Fits `variances` at `taus_s`, with the weights 1 / var(σ²) of the fit itself; `covariance` is that of the record.
-    /// The shortest times, known to a thousandth, must not decide on the longest by what no model has so exactly: no
-    /// variance counts as known better than to [`TRUSTED`]. The intervals take the weights as they are.
-    pub fn new(taus_s: &[f64], variances: &[f64], covariance: &Covariance) -> Self {
+    /// Fits `variances` at `taus_s` with the weights 1 / var(σ²), where var(σ²) follows from the fit itself and the `covariance` of
+    /// the record. Variances at the shortest times are known to a thousandth, but no model is as exact. So no variance counts as
+    /// known better than to [`LEAST_ERROR`]: otherwise the shortest times would determine the coefficients of the longest.
+    pub(super) fn new(taus_s: &[f64], variances: &[f64], covariance: &Covariance) -> Self {
         // To begin with, the relative errors of independent pieces of the record.
         let longest = taus_s.last().copied().unwrap_or(1.0);
-        let mut deviations: Vec<f64> =
-            taus_s.iter().zip(variances).map(|(tau, v)| v * (tau / longest).sqrt().max(TRUSTED)).collect();
+        let mut deviations: Vec<f64> = taus_s
+            .iter()
+            .zip(variances)
+            .map(|(tau, v)| v * (tau / longest).sqrt().max(LEAST_ERROR))
+            .collect();
         let mut squares = Equations::new(taus_s, variances, &deviations).constrained();
         for _ in 0..ROUNDS {
             for (i, deviation) in deviations.iter_mut().enumerate() {
-                *deviation = covariance.variance(i, &squares).sqrt().hypot(TRUSTED * variances[i]);
+                *deviation = hypot(covariance.variance(i, &squares).sqrt(), LEAST_ERROR * variances[i]);
             }
             squares = Equations::new(taus_s, variances, &deviations).constrained();
         }
@@ -45,13 +49,13 @@ impl Fit {
         Self { squares, free: free.into(), spread: spread(&gains, covariance) }
     }
 
-    /// σ²(τ) of the fit.
+    /// σ²(τ) of the fit at the averaging time `tau_s` [s].
     pub fn variance(&self, tau_s: f64) -> f64 {
         total(&self.squares, tau_s)
     }
 }
 
-/// Of each coefficient Σ g g' cov(σ², σ²') over all pairs of averaging times, g its gains.
+/// Variance of each coefficient: Σ g g' cov(σ², σ²') over all pairs of averaging times, where g are its gains.
 fn spread(gains: &[Vector], covariance: &Covariance) -> [Form; TERMS] {
     let mut spread = [Form::zeros(); TERMS];
     for i in 0..gains.len() {
@@ -87,10 +91,10 @@ impl Equations {
         Self { rows, scale, normal, right, deviations: deviations.to_vec() }
     }
 
-    /// Of all sets of terms whose solution has no negative one, that with the least squares: there are but 31.
+    /// The solution with the least squares among those of the 31 sets of terms, if none of its coefficients is negative.
     fn constrained(&self) -> [f64; TERMS] {
         let candidates = (1..1_usize << TERMS).filter_map(|set| self.solved(set));
-        // The sum of squares is that without any term less the inner product with the right side.
+        // The sum of squares is that without any term, less the inner product with the right side.
         let best = candidates
             .filter(|x| x.min() >= 0.0)
             .max_by(|a, b| a.dot(&self.right).total_cmp(&b.dot(&self.right)));
@@ -110,7 +114,7 @@ impl Equations {
         Some(normal.cholesky()?.solve(&right))
     }
 
-    /// What each variance counts in each coefficient of the solution with all terms.
+    /// Derivative of each coefficient of the solution with all terms by each variance.
     fn gains(&self) -> Vec<Vector> {
         let Some(factors) = self.normal.cholesky() else {
             return vec![Vector::zeros(); self.rows.len()];

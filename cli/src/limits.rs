@@ -1,0 +1,29 @@
+//! Limits of errors on the command line.
+
+use sins::recommend::SolutionError;
+use sins::units::ARCSEC;
+
+/// Limits in the units of a person.
+#[derive(Debug, clap::Args)]
+pub struct LimitArguments {
+    /// Limit of the position error; 0: none
+    #[arg(long, value_name = "METRES", default_value_t = 0.0)]
+    position: f64,
+    /// Limit of the velocity error; 0: none
+    #[arg(long, value_name = "M_PER_S", default_value_t = 0.0)]
+    velocity: f64,
+    /// Limit of the attitude error; 0: none
+    #[arg(long, value_name = "ARCSEC", default_value_t = 0.0)]
+    attitude: f64,
+}
+
+impl LimitArguments {
+    /// The limits in SI.
+    pub fn errors(&self) -> SolutionError {
+        SolutionError {
+            position_m: self.position,
+            velocity_m_s: self.velocity,
+            attitude_rad: ARCSEC * self.attitude,
+        }
+    }
+}

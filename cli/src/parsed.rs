@@ -1,0 +1,15 @@
+//! For tests: the arguments of a command as its order.
+
+use clap::{Args, Parser};
+
+#[derive(Debug, Parser)]
+struct Line<O: Args> {
+    #[command(flatten)]
+    order: O,
+}
+
+/// The order, or what is wrong with the arguments.
+pub fn parsed<O: Args>(arguments: &[&str]) -> Result<O, String> {
+    let line = Line::try_parse_from([&["sins"], arguments].concat());
+    line.map(|line| line.order).map_err(|error| error.to_string())
+}

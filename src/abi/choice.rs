@@ -1,0 +1,63 @@
+//! Constants of the host: choices of an enumeration, flags, and reserved fields.
+
+use super::failure::Failure;
+use crate::error::{Error, Rule};
+
+/// A choice of the library that is an enumeration of the interface.
+pub(super) trait Choice: Copy + 'static {
+    /// The name of the enumeration.
+    const ENUMERATION: &'static str;
+    /// Its constants.
+    const CODES: &'static [(i32, Self)];
+
+    /// The constant of this choice.
+    fn code(self) -> i32;
+
+    /// The choice of the host's `value` of `field`.
+    fn of(field: &'static str, value: i32) -> Result<Self, Failure> {
+        one_of(field, value, Self::CODES, Self::ENUMERATION)
+    }
+}
+
+/// Makes a type a [`Choice`]: all that it can be, with their constants.
+macro_rules! choices {
+    ($enumeration:ident: $type:ty { $($choice:ident = $code:ident),* $(,)? }) => {
+        impl $crate::abi::choice::Choice for $type {
+            const ENUMERATION: &'static str = stringify!($enumeration);
+            const CODES: &'static [(i32, Self)] = &[$(($code, Self::$choice)),*];
+
+            fn code(self) -> i32 {
+                match self { $(Self::$choice => $code,)* }
+            }
+        }
+    };
+}
+pub(super) use choices;
+
+/// The value of a field that holds a constant of `enumeration`; the constants are successive integers.
+pub(super) fn one_of<T: Copy>(
+    field: &'static str,
+    value: i32,
+    choices: &[(i32, T)],
+    enumeration: &'static str,
+) -> Result<T, Failure> {
+    match choices.iter().find(|(code, _)| *code == value) {
+        Some((_, choice)) => Ok(*choice),
+        None => {
+            let codes = || choices.iter().map(|&(code, _)| code);
+            let (first, last) = (codes().min().unwrap_or(0), codes().max().unwrap_or(0));
+            Err(Error::invalid(field, value, Rule::OneOf(enumeration, first, last)).into())
+        }
+    }
+}
+
+/// Refuses a reserved field that is not 0.
+pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
+    if value == 0 { Ok(()) } else { Err(Error::invalid(field, value, Rule::Zero("")).into()) }
+}
+
+/// `flag` if it is set, to be or'ed with others.
+#[inline(always)]
+pub(super) fn flag<T: Default>(is_set: bool, flag: T) -> T {
+    if is_set { flag } else { T::default() }
+}

@@ -1,0 +1,166 @@
+//! `sins_errors`: the errors of the navigated solution.
+
+use super::answer::written_or_need;
+use super::choice::{Choice, choices, flag};
+use super::failure::sins_status;
+use super::memory::{Output, interface_struct};
+use super::simulator::{sins_sim, with_simulator};
+use crate::errors::NavigationErrors;
+use crate::simulator::{ErrorSource, Moment};
+
+/// The two sources of errors.
+pub type sins_errors_source = i32;
+
+/// Navigation minus truth: the paper's error data 2.
+pub const SINS_ERRORS_NAVIGATION: sins_errors_source = 0;
+/// The error differential equations: the paper's error data 1 (sins_options.error_model).
+pub const SINS_ERRORS_MODEL: sins_errors_source = 1;
+
+/// Flags of a sins_errors.
+pub type sins_errors_flags = i32;
+
+/// Near a pole: the errors of longitude and heading, the up misalignment, and the east and north components of the velocity
+/// error have no meaning.
+pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
+/// Of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+/// displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
+pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
+/// In a sins_record: not computed, all zero.
+pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
+
+/// Errors within a sins_record; never grows. Fields as in sins_errors.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_record_errors {
+    /// Position error: displacement from truth along true east and north, and difference of heights [m].
+    pub position_enu_m: [f64; 3],
+    /// Error of latitude [rad].
+    pub latitude_rad: f64,
+    /// Error of longitude, wrapped to -pi to pi [rad].
+    pub longitude_rad: f64,
+    /// Error of height [m].
+    pub height_m: f64,
+    /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
+    pub velocity_enu_m_s: [f64; 3],
+    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) C, C from sensor axes to east-north-up. In the
+    /// error model it is of first order: computed C = (I - [phi x]) C.
+    pub misalignment_enu_rad: [f64; 3],
+    /// Error of roll, wrapped to -pi to pi [rad].
+    pub roll_rad: f64,
+    /// Error of pitch [rad].
+    pub pitch_rad: f64,
+    /// Error of heading, wrapped to -pi to pi [rad].
+    pub heading_rad: f64,
+    /// Flags of enum sins_errors_flags, or'ed.
+    pub flags: i32,
+    /// 0
+    pub reserved2: u32,
+}
+
+/// Errors of the navigated solution, computed less true.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_errors {
+    /// sizeof(sins_errors)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Time [s].
+    pub time_s: f64,
+    /// Flat in C.
+    pub errors: sins_record_errors,
+}
+
+interface_struct!(sins_errors, "errors", 144);
+
+choices!(sins_errors_source: ErrorSource { Navigation = SINS_ERRORS_NAVIGATION, Model = SINS_ERRORS_MODEL });
+
+impl sins_record_errors {
+    /// Errors that nobody computes.
+    const NOT_COMPUTED: Self = Self {
+        position_enu_m: [0.0; 3],
+        latitude_rad: 0.0,
+        longitude_rad: 0.0,
+        height_m: 0.0,
+        velocity_enu_m_s: [0.0; 3],
+        misalignment_enu_rad: [0.0; 3],
+        roll_rad: 0.0,
+        pitch_rad: 0.0,
+        heading_rad: 0.0,
+        flags: SINS_ERRORS_NOT_COMPUTED,
+        reserved2: 0,
+    };
+
+    #[inline(always)]
+    pub(super) fn of_navigation(moment: Moment<'_>) -> Self {
+        Self::new(&moment.navigation_errors(), moment.near_pole())
+    }
+
+    #[inline(always)]
+    pub(super) fn of_model(moment: Moment<'_>) -> Self {
+        moment.model_errors().map_or(Self::NOT_COMPUTED, |errors| Self::new(&errors, moment.near_pole()))
+    }
+
+    #[inline(always)]
+    fn new(errors: &NavigationErrors, near_pole: bool) -> Self {
+        Self {
+            position_enu_m: errors.position_n.into(),
+            latitude_rad: errors.latitude_rad,
+            longitude_rad: errors.longitude_rad,
+            height_m: errors.position_n.z,
+            velocity_enu_m_s: errors.velocity_n.into(),
+            misalignment_enu_rad: errors.misalignment_n.into(),
+            roll_rad: errors.roll_rad,
+            pitch_rad: errors.pitch_rad,
+            heading_rad: errors.heading_rad,
+            flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)
+                | flag(errors.outside_validity, SINS_ERRORS_OUTSIDE_VALIDITY),
+            reserved2: 0,
+        }
+    }
+}
+
+impl sins_errors {
+    #[inline(always)]
+    fn at(time_s: f64, errors: sins_record_errors) -> Self {
+        Self { struct_size: size_of::<Self>() as u32, reserved: 0, time_s, errors }
+    }
+
+    pub(super) fn new(time_s: f64, errors: &NavigationErrors, near_pole: bool) -> Self {
+        Self::at(time_s, sins_record_errors::new(errors, near_pole))
+    }
+}
+
+/// Reads the errors of the navigated solution; source is of enum sins_errors_source.
+///
+/// SINS_NEED_SAMPLE: no sample yet.
+/// SINS_ERROR_INVALID_ARGUMENT: no such source.
+/// SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+/// sins_options.error_model), or navigating on increments.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_get_errors(
+    sim: *mut sins_sim,
+    source: i32,
+    errors: *mut sins_errors,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(errors, "errors")? };
+        let source = ErrorSource::of("source", source)?;
+        simulator.refuse_without(source)?;
+        let written = match source {
+            ErrorSource::Navigation => simulator.see(|moment| {
+                output.fill(|place| {
+                    *place = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment))
+                })
+            })?,
+            ErrorSource::Model => simulator.see(|moment| {
+                output.fill(|place| {
+                    *place = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment))
+                })
+            })?,
+        };
+        Ok(written_or_need(written))
+    })
+}

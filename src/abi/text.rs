@@ -1,0 +1,113 @@
+//! Bytes and text of the host.
+
+#[cfg(feature = "scenes")]
+use core::ffi::CStr;
+use core::ffi::c_char;
+
+use super::failure::{Failure, SINS_OK, sins_status};
+
+/// Copies bytes to a place of the host.
+///
+/// # Safety
+/// `buffer` has `capacity` writable bytes.
+pub(super) unsafe fn put_bytes(bytes: &[u8], buffer: *mut u8, capacity: usize) -> Result<(), Failure> {
+    if bytes.len() > capacity {
+        return Err(Failure::buffer("capacity", capacity, bytes.len()));
+    }
+    // SAFETY: not more than there is room for; a local and the host's bytes do not overlap.
+    unsafe { core::ptr::copy_nonoverlapping(bytes.as_ptr(), buffer, bytes.len()) };
+    Ok(())
+}
+
+/// Bytes of the host to be written.
+///
+/// # Safety
+/// `buffer` has `size` writable bytes, which nobody else uses while the slice lives.
+pub(super) unsafe fn bytes_to_fill<'a>(buffer: *mut u8, size: usize) -> &'a mut [u8] {
+    // SAFETY: as this function.
+    unsafe { core::slice::from_raw_parts_mut(buffer, size) }
+}
+
+/// Bytes of the host.
+///
+/// # Safety
+/// `pointer` is null or has `size` readable bytes, which nobody writes while the slice lives.
+pub(super) unsafe fn bytes_of<'a>(
+    pointer: *const u8,
+    size: usize,
+    name: &'static str,
+) -> Result<&'a [u8], Failure> {
+    if pointer.is_null() {
+        return Err(Failure::null(name));
+    }
+    // No object is larger; a wrong size, as -1 for an error, stays a wrong size.
+    let size = size.min(isize::MAX as usize);
+    // SAFETY: not null, and of no larger size than an object can have.
+    Ok(unsafe { core::slice::from_raw_parts(pointer, size) })
+}
+
+/// The bytes of a terminated string of the host, without the terminator.
+///
+/// # Safety
+/// `text` is null or points to a terminated string, which nobody writes while the slice lives.
+#[cfg(feature = "scenes")]
+pub(super) unsafe fn text_of<'a>(text: *const c_char, name: &'static str) -> Result<&'a [u8], Failure> {
+    if text.is_null() {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not null, and terminated.
+    Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
+}
+
+/// Text as an array of a struct: terminated, cut at a character where it is longer.
+pub(super) fn chars<const N: usize>(text: &str) -> [c_char; N] {
+    let fits = |end: &usize| *end < N && text.is_char_boundary(*end);
+    let length = (0..=text.len().min(N)).rev().find(fits).unwrap_or(0);
+    let mut chars = [0; N];
+    for (place, byte) in chars.iter_mut().zip(&text.as_bytes()[..length]) {
+        *place = *byte as c_char;
+    }
+    chars
+}
+
+/// Length of the text that fits into `capacity` bytes, 1 at the least, with a terminator: not within a UTF-8 sequence.
+fn fitting(text: &[u8], capacity: usize) -> usize {
+    if text.len() < capacity {
+        return text.len();
+    }
+    let mut length = capacity - 1;
+    while length > 0 && text[length] & 0xc0 == 0x80 {
+        length -= 1;
+    }
+    length
+}
+
+/// Copies text with a terminating zero; what does not fit is cut at a character, the terminator is always there.
+///
+/// # Safety
+/// `buffer` is null or has `capacity` writable bytes; `needed` is null or points to a writable `usize`.
+pub(super) unsafe fn put_text(
+    text: &[u8],
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> Result<sins_status, Failure> {
+    let size = text.len() + 1;
+    if !needed.is_null() {
+        // SAFETY: not null.
+        unsafe { needed.write_unaligned(size) };
+    }
+    if buffer.is_null() {
+        // Asked for the size alone, or nothing to answer into.
+        return if capacity == 0 && !needed.is_null() { Ok(SINS_OK) } else { Err(Failure::null("buffer")) };
+    }
+    if capacity > 0 {
+        let length = fitting(text, capacity);
+        // SAFETY: `length` < `capacity`.
+        unsafe {
+            core::ptr::copy_nonoverlapping(text.as_ptr(), buffer.cast::<u8>(), length);
+            buffer.add(length).write(0);
+        }
+    }
+    if size <= capacity { Ok(SINS_OK) } else { Err(Failure::buffer("capacity", capacity, size)) }
+}

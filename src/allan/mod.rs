@@ -1,0 +1,145 @@
+//! Allan variance of a recorded rate, and the noise coefficients that explain it.
+//!
+//! A record is the output of one axis of a sensor: its increments, angles \[rad\] or velocities \[m/s\], over equal intervals.
+//! [`Estimator`] computes from it the overlapping Allan variances σ²(τ), in the unit of the rate squared, \[(rad/s)²\] or
+//! \[(m/s²)²\]. It then fits the coefficients of the five [`Term`]s of IEEE Std 952-1997, annex C, to them. Variances and
+//! coefficients have confidence intervals, for Gaussian noise.
+//!
+//! The data flow is `deviation` → `terms`, `lags`, `covariance` → `fit` → `interval`.
+//!
+//! Sources: IEEE Std 952-1997, annex C; Riley, *Handbook of Frequency Stability Analysis*, NIST SP 1065, 2008; Greenhall and
+//! Riley, "Uncertainty of Stability Variances Based on Finite Differences", PTTI 2003.
+
+mod covariance;
+mod deviation;
+mod fit;
+mod interval;
+mod lags;
+mod terms;
+
+pub use deviation::FEWEST_SAMPLES;
+pub use fit::Fit;
+pub use interval::{Interval, Point};
+pub use terms::{TERMS, Term, total};
+
+use crate::error::{Error, Rule, check_range, check_ranges};
+use covariance::Covariance;
+use deviation::{allan_variance, factors, integral};
+
+/// Allan variances from the lowest to the highest that the fit can take: their fourth powers stay within the range of numbers.
+const VARIANCES: (f64, f64) = (1e-70, 1e70);
+
+/// Estimator for records of one length.
+///
+/// It holds what does not depend on the numbers of a record: averaging times, and covariances of the variances.
+#[derive(Debug, Clone)]
+pub struct Estimator {
+    count: usize,
+    interval_s: f64,
+    factors: Vec<usize>,
+    taus_s: Vec<f64>,
+    covariance: Covariance,
+}
+
+/// Allan variances of one record, and the coefficients that explain them.
+#[derive(Debug, Clone)]
+pub struct Estimate {
+    /// Allan variance at each averaging time, shortest first.
+    pub points: Vec<Point>,
+    /// Coefficients whose terms add up to the variances.
+    pub fit: Fit,
+}
+
+impl Estimator {
+    /// For records of `count` samples, [`FEWEST_SAMPLES`] or more, over intervals of `interval_s` \[s\], 1e-9 to 1e9.
+    pub fn new(count: usize, interval_s: f64) -> Result<Self, Error> {
+        if count < FEWEST_SAMPLES {
+            let rule = Rule::AtLeast("must be at least", FEWEST_SAMPLES as f64);
+            return Err(Error::invalid("count", count, rule));
+        }
+        check_range("interval_s", interval_s, 1e-9, 1e9)?;
+        let factors = factors(count);
+        let taus_s = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
+        let covariance = Covariance::new(count, interval_s, &factors);
+        Ok(Self { count, interval_s, factors, taus_s, covariance })
+    }
+
+    /// Averaging times τ \[s\], shortest first: three in each octave, from one interval to a ninth of the record.
+    pub fn taus_s(&self) -> &[f64] {
+        &self.taus_s
+    }
+
+    /// σ²(τ) of the record at each averaging time.
+    ///
+    /// `increments` are angles \[rad\] or velocities \[m/s\] over the intervals, `count` finite numbers.
+    pub fn variances(&self, increments: &[f64]) -> Result<Vec<f64>, Error> {
+        if increments.len() != self.count {
+            let rule = Rule::Exactly("must be", self.count as f64);
+            return Err(Error::invalid("number of increments", increments.len(), rule));
+        }
+        check_ranges("increments", increments, f64::MIN, f64::MAX)?;
+        let theta = integral(increments);
+        Ok(self.factors.iter().map(|factor| allan_variance(&theta, self.interval_s, *factor)).collect())
+    }
+
+    /// Variances and coefficients of a record; `increments` as for [`Self::variances`].
+    ///
+    /// A record without noise is rejected: all its increments are equal, or a variance is not from 1e-70 to 1e70.
+    pub fn estimate(&self, increments: &[f64]) -> Result<Estimate, Error> {
+        let variances = self.variances(increments)?;
+        // The mean that is subtracted leaves rounding errors where nothing moves.
+        let first = increments[0];
+        if increments.iter().all(|increment| *increment == first) {
+            return Err(Error::invalid(
+                "increments",
+                first,
+                Rule::Words("expected noise, found this value throughout"),
+            ));
+        }
+        check_ranges("allan_variance", &variances, VARIANCES.0, VARIANCES.1)?;
+        let fit = Fit::new(&self.taus_s, &variances, &self.covariance);
+        let point = |(i, (&tau_s, &variance)): (usize, (&f64, &f64))| {
+            let degrees = interval::degrees_of_freedom(&fit, &self.covariance, i, tau_s);
+            Point { tau_s, variance, degrees }
+        };
+        let points = self.taus_s.iter().zip(&variances).enumerate().map(point).collect();
+        Ok(Estimate { points, fit })
+    }
+
+    /// Equivalent degrees of freedom 2 σ⁴ / var(σ²) at the averaging time `taus_s()[i]`, for Gaussian noise that is none of the
+    /// five terms: σ² is its Allan `variance` at that time, and `covariance(t_s)` the generalised covariance of its integral at the
+    /// distance `t_s` \[s\], a smooth function except at 0.
+    pub fn degrees_of_freedom(&self, i: usize, variance: f64, covariance: impl Fn(f64) -> f64) -> f64 {
+        2.0 * variance * variance
+            / covariance::variance_of_noise(self.count, self.factors[i], self.interval_s, covariance)
+    }
+}
+
+impl Estimate {
+    /// Interval that holds the square of the coefficient of `term` with the probability `confidence`, between 0 and 1.
+    pub fn interval(&self, term: Term, confidence: f64) -> Interval {
+        interval::of_square(&self.fit, term as usize, &self.points, confidence)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_estimated_is_rejected_with_its_limit() {
+        let words = |error: Option<Error>| error.map(|error| error.to_string()).unwrap_or_default();
+        assert_eq!(words(Estimator::new(44, 1.0).err()), "count = 44: must be at least 45");
+        assert_eq!(words(Estimator::new(45, 0.0).err()), "interval_s = 0: must be from 1e-9 to 1e9");
+        let estimator = Estimator::new(45, 1.0).unwrap();
+        let rejected = |increments: &[f64]| words(estimator.estimate(increments).err());
+        assert_eq!(rejected(&[1.0; 44]), "number of increments = 44: must be 45");
+        assert_eq!(rejected(&[0.1; 45]), "increments = 0.1: expected noise, found this value throughout");
+        let mut increments: Vec<f64> = (0..45).map(|k| f64::from(k * k % 11)).collect();
+        assert!(estimator.estimate(&increments).is_ok());
+        let small: Vec<f64> = increments.iter().map(|increment| 1e-40 * increment).collect();
+        assert!(rejected(&small).contains("must be from 1e-70 to 1e70"), "{}", rejected(&small));
+        increments[7] = f64::NAN;
+        assert_eq!(rejected(&increments), "increments[7] = NaN: must be a finite number");
+    }
+}

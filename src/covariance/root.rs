@@ -1,0 +1,50 @@
+//! The square root of the covariance.
+
+use super::factor::ROWS;
+use super::sources::{AXES, COUNT};
+use crate::error::Error;
+use crate::errors::column::Column;
+use crate::mechanization::VerticalLoop;
+use crate::memory::room;
+
+/// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
+/// Of the covariance of x and β this is a square root, so that no rounding makes it negative.
+#[derive(Debug, Clone)]
+pub(super) struct Root {
+    /// S, of each process.
+    pub sensitivities: Box<[Column]>,
+    /// L, lower triangular.
+    pub factor: Box<[Column]>,
+    /// Variance of the random walk of each axis [u²].
+    pub walks: [f64; AXES],
+    /// The vertical loop with the gains of the last stretch.
+    pub channel: VerticalLoop,
+}
+
+impl Root {
+    pub fn new() -> Result<Self, Error> {
+        Ok(Self {
+            sensitivities: zeros(COUNT)?,
+            factor: zeros(ROWS)?,
+            walks: [0.0; AXES],
+            channel: VerticalLoop::new(),
+        })
+    }
+
+    pub fn copy_from(&mut self, other: &Self) {
+        self.sensitivities.copy_from_slice(&other.sensitivities);
+        self.factor.copy_from_slice(&other.factor);
+        (self.walks, self.channel) = (other.walks, other.channel);
+    }
+
+    pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Column> {
+        self.sensitivities.iter_mut().chain(&mut *self.factor)
+    }
+}
+
+/// As many columns of zeros.
+pub(super) fn zeros(count: usize) -> Result<Box<[Column]>, Error> {
+    let mut columns = room(count)?;
+    columns.resize(count, Column::zeros());
+    Ok(columns.into_boxed_slice())
+}

@@ -1,0 +1,66 @@
+//! All that makes an INS err, as a host sets it.
+
+use super::{Options, Simulator, heap_simulator};
+use crate::error::Error;
+use crate::mounting::MountingParameters;
+use crate::sensors::{
+    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor, TriadParameters,
+};
+
+/// What is set of the sensors, of the start, of the mounting and of gravity. The default is ideal.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ErrorParameters {
+    /// Errors of the gyros.
+    pub gyro: TriadParameters,
+    /// Errors of the accelerometers.
+    pub accel: TriadParameters,
+    /// Errors of the altimeter.
+    pub altimeter: AltimeterParameters,
+    /// Errors at the start.
+    pub initial: InitialErrorParameters,
+    /// Where the sensor block sits, and where the INS believes that it sits.
+    pub mounting: MountingParameters,
+    /// True less normal gravity, which the INS computes with.
+    pub gravity: GravityDisturbanceParameters,
+}
+
+impl ErrorParameters {
+    /// What is set in a simulator, at any moment of its life.
+    pub fn of(simulator: &Simulator) -> Self {
+        Self {
+            gyro: *simulator.gyro(),
+            accel: *simulator.accel(),
+            altimeter: *simulator.altimeter(),
+            initial: *simulator.initial_errors(),
+            mounting: simulator.mounting(),
+            gravity: *simulator.gravity_disturbance(),
+        }
+    }
+
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        self.gyro.validate(Sensor::Gyro)?;
+        self.accel.validate(Sensor::Accelerometer)?;
+        self.altimeter.validate()?;
+        self.initial.validate()?;
+        self.mounting.validate()?;
+        self.gravity.validate()
+    }
+
+    /// Sets them all.
+    pub fn set_to(&self, simulator: &mut Simulator) -> Result<(), Error> {
+        simulator.set_gyro(&self.gyro)?;
+        simulator.set_accel(&self.accel)?;
+        simulator.set_altimeter(&self.altimeter)?;
+        simulator.set_initial_errors(&self.initial)?;
+        simulator.set_mounting(&self.mounting)?;
+        simulator.set_gravity_disturbance(&self.gravity)
+    }
+
+    /// A simulator before its first sample that has these errors.
+    pub(crate) fn simulator(&self, options: &Options) -> Result<Box<[Simulator]>, Error> {
+        let mut memory = heap_simulator(options)?;
+        memory.iter_mut().try_for_each(|simulator| self.set_to(simulator))?;
+        Ok(memory)
+    }
+}
