@@ -15,8 +15,10 @@ use sins::{Error, Options, Simulator};
 
 /// Samples of the flight, which is flown once.
 const SAMPLES: usize = 40_001;
-/// A round takes so many steps of all runs together, or one step: short, as another program may take the core at any time.
+/// A round takes so many steps of all runs together: short, as another program may take the core at any time.
 const ROUND: usize = 2000;
+/// Or so many samples, which an ensemble flies at once.
+const FEWEST_STEPS: usize = 32;
 /// Numbers at a time: SSE2 or NEON, AVX2, AVX-512.
 const WIDTHS: [usize; 3] = [2, 4, 8];
 
@@ -41,10 +43,10 @@ fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
     let mut ensembles = WIDTHS.map(|width| Ensemble::of_width(&template, 0, runs, width).unwrap());
     let (mut single_ns, mut ensemble_ns) = (Vec::new(), WIDTHS.map(|_| Vec::new()));
     // As many steps of the single chain as take about as long.
-    let steps = (ROUND / runs).max(1);
+    let steps = (ROUND / runs).max(FEWEST_STEPS);
     let single_steps = (steps * runs / 4).clamp(4, ROUND);
     let rounds = (SAMPLES - 1) / single_steps.max(steps + 1);
-    for round in 0..rounds.clamp(1, 300) {
+    for round in 0..rounds.clamp(1, (300 * ROUND / (steps * runs)).clamp(20, 300)) {
         let of_single = &c_samples[round * single_steps..][..single_steps];
         let start = Instant::now();
         // SAFETY: a living handle.
