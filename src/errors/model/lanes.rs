@@ -34,7 +34,7 @@ pub(crate) struct ModelInterval<'a> {
     /// Error-free increments.
     ideal: &'a [Increment],
     coefficients: Coefficients,
-    turn: TurnToEarth,
+    turn: TurnToEarth<'a>,
 }
 
 impl<'a> ModelInterval<'a> {
@@ -121,6 +121,9 @@ impl ModelBlock {
                 .advance_one_by_one(interval, aid, count, |lane| (interval.errors(measured, lane), None));
         }
         let &ModelInterval { motion, ideal, coefficients, turn, .. } = interval;
+        // By value, or the compiler fears that the rows lie over them.
+        let ends = turn.ends();
+        let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
             let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, interval.ideal.len()));
