@@ -1,8 +1,6 @@
 //! Error models of many runs side by side: what follows the truth is made once an interval, the rest in loops over the runs, as
 //! those of the [navigators](crate::mechanization).
 
-#![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
-
 use nalgebra::Vector3;
 
 use super::earth_fixed::{Coefficients, EarthFixedForm};
