@@ -52,17 +52,17 @@ pub enum Rule {
     Zero(&'static str),
     /// A value of this enumeration of the C interface: all integers from the first to the last.
     OneOf(&'static str, i32, i32),
-    /// A sentence, for limits that need words.
-    Words(&'static str),
-    /// A sentence and the number that ends it, which is no limit of the value itself.
-    WordsAnd(&'static str, f64),
+    /// A limit in a sentence.
+    Sentence(&'static str),
+    /// A sentence that ends with a number, which is not itself the limit of the value.
+    SentenceWith(&'static str, f64),
 }
 
 impl Rule {
     /// The least and the greatest value, where the rule has them. The limit of [`Rule::Below`] is no value itself.
     pub fn limits(&self) -> (Option<f64>, Option<f64>) {
         match *self {
-            Self::Finite | Self::Words(_) | Self::WordsAnd(..) => (None, None),
+            Self::Finite | Self::Sentence(_) | Self::SentenceWith(..) => (None, None),
             Self::Between(low, high) | Self::OffOr(low, high) | Self::NeededBy(low, high, _) => {
                 (Some(low), Some(high))
             }
@@ -149,7 +149,7 @@ impl Error {
 
     /// A call at the wrong moment.
     pub fn bad_state(why: &'static str) -> Self {
-        Self { kind: ErrorKind::BadState, field: "", index: None, value: None, rule: Rule::Words(why) }
+        Self { kind: ErrorKind::BadState, field: "", index: None, value: None, rule: Rule::Sentence(why) }
     }
 
     /// The same error, about element `index` of the field.
@@ -184,11 +184,11 @@ impl fmt::Display for Error {
             Rule::Below(high) => write!(f, "must be less than {}", limit(high)),
             Rule::OneOf(name, first, last) => write!(f, "must be of enum {name}, {first} to {last}"),
             Rule::Zero(why) => write!(f, "must be 0{why}"),
-            Rule::Words(words) => f.write_str(words),
+            Rule::Sentence(words) => f.write_str(words),
             Rule::AtLeast(words, number)
             | Rule::AtMost(words, number)
             | Rule::Exactly(words, number)
-            | Rule::WordsAnd(words, number) => write!(f, "{words} {}", limit(number)),
+            | Rule::SentenceWith(words, number) => write!(f, "{words} {}", limit(number)),
         }
     }
 }

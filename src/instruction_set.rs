@@ -19,18 +19,6 @@ enum Kind {
     Avx512,
 }
 
-/// Asks for the memory of `items`, which is needed soon. Evidence: runs that are more than a core's cache.
-#[inline]
-pub(crate) fn prefetch<T>(items: &[T]) {
-    #[cfg(target_arch = "x86_64")]
-    for offset in (0..size_of_val(items)).step_by(64) {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        // SAFETY: a prefetch reads nothing, and SSE is part of x86-64.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(items.as_ptr().cast::<i8>().wrapping_add(offset)) };
-    }
-    let _ = items;
-}
-
 /// Work that is compiled for each set. `run` and what it calls in its loops have to be inlined.
 pub(crate) trait Work {
     fn run(self);

@@ -128,11 +128,15 @@ check() {
     refuses "a binary file as scene" "binary.toml:" /scene "$(path "$folder/binary.toml")"
     refuses "a binary file as log" "binary.csv:" /scene "$(path "$folder/log.toml")" /run
 
-    # By the command line, with the measured increments of each interval.
-    "$sins" scene write simulation2 --set flight.hours=0.1 >"$folder/flown/increments.toml"
+    # By the command line, with the measured increments of each interval, standard deviations, and a title of 200,000 letters.
+    "$sins" scene write simulation2 --set flight.hours=0.1 --set options.covariance=on >"$folder/flown/increments.toml"
+    { printf 'title = "'; head -c 200000 /dev/zero | tr '\0' x; printf '"\n'; } >"$folder/title"
+    sed -i -e '/^title = /d' -e "/^\[flight\]/r $folder/title" "$folder/flown/increments.toml"
     printf '[output]\nimu = "imu.csv"\n' >>"$folder/flown/increments.toml"
     emulator /scene "$(path "$folder/flown/increments.toml")" /run /export "$(path "$folder/flown/records")" /quit
     "$sins" fly "$folder/flown/increments.toml" --out "$folder/flown/expected" --quiet
+    grep -q sigma_position_east_m "$folder/flown/expected/increments.csv" || fail "no standard deviations to compare"
+    cmp "$folder/flown/expected/increments.csv" "$folder/flown/records/increments.csv"
     cmp "$folder/flown/expected/imu.csv" "$folder/flown/records/imu.csv"
     if ! grep -qw "$2" <<<"$whole"; then
         echo "$2 bits: starts, rejects and exports"
@@ -154,6 +158,16 @@ check() {
     grep -q '^\[\[failure\]\]' "$folder/flown/exercise.toml" || fail "the failure is not in the scene"
     "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
+
+    # Composed in the dialogs: a manoeuvre with a sinusoid before the rest, a preset, a value in SI and another for one axis.
+    "$sins" scene write rest >"$folder/flown/edit.toml"
+    drive edit -- /language en /scene "$(path "$folder/flown/edit.toml")"
+    "$sins" scene check "$folder/flown/edit.toml"
+    tr -d '\n' <"$folder/flown/edit.toml" | grep -Eq 'kind = "sinusoids".*channel = "roll".*amplitude_deg = 5 .*kind = "rest"' ||
+        fail "edit.toml has other manoeuvres"
+    # 1e-6 rad/s are 0.2063 deg/h.
+    grep -Eq 'bias_deg_h = \[0.2062648[0-9]*, 0.4125296[0-9]*, 0.2062648[0-9]*\]' "$folder/flown/edit.toml" || fail "another bias"
+    grep -q 'bias_sigma_deg_h = ' "$folder/flown/edit.toml" || fail "edit.toml has no preset"
 
     # File dialogs, drag and drop, clipboard; studies that are cancelled; a sentence of the library in Chinese.
     cp c_examples/scenes/{trainer,fighter}.toml "$folder/flown"
@@ -194,6 +208,8 @@ dots() {
     dots_seen=1
     "$WINESERVER" -k || true
     screen 800x600
+    # The first program on a new screen may be told the size of the one before.
+    emulator /scene "$(path "$folder/flown/increments.toml")" /run /quit
     pictures en _small
     for dots in 144 192; do
         "$WINESERVER" -k || true

@@ -1,6 +1,7 @@
-//! Runs side by side are the single simulators with the instructions of each width: every frame, gravity, scheme, vertical channel
-//! and number of subsamples, with and without the error model, a mounting, a gravity disturbance and a closed loop, 60 random choices of all effects, irregular intervals, rotations beyond the short series, failures that come and go,
-//! a start without velocity, a run that diverges among good ones, and numbers of runs that are no multiple of a block.
+//! Runs of an ensemble are the single simulators with the instructions of each width: 60 random choices of all effects, every frame,
+//! gravity, scheme, vertical channel and number of subsamples, with and without the error model, a mounting, a gravity disturbance,
+//! a closed loop, and failures that come and go; irregular intervals, rotations beyond the short series, a start without velocity,
+//! a run that diverges among good ones, and numbers of runs that are no multiple of a block.
 
 #[path = "support/any_use.rs"]
 mod any_use;
@@ -19,7 +20,7 @@ use sins::mounting::MountingParameters;
 use sins::sensors::{
     Failure, GravityDisturbanceParameters, GravityField, SensorOutput, StreamKey, TriadParameters,
 };
-use sins::truth::FlightSample;
+use sins::truth::{FlightSample, Pushed};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 const FIRST_RUN: u64 = 40;
@@ -296,6 +297,47 @@ fn a_run_that_diverges_leaves_the_others_alone() {
         let diverged = compare(&setting, &samples, "divergence");
         assert!((1..RUNS as usize).contains(&diverged), "{diverged} of {RUNS}");
     }
+}
+
+/// Runs that are flown in several parts, over more samples than a part flies at once, by [`Ensemble::run`] and step by step.
+#[test]
+fn parts_of_an_ensemble_are_ensembles() {
+    const RUNS: usize = 1100;
+    let mut draw = Draws::new(4);
+    let (setting, samples) = (setting(&mut draw), samples(&mut draw, 70));
+    let template = setting.simulator(0);
+    let mut all = Ensemble::new(&template, FIRST_RUN, RUNS).unwrap();
+    let has_gap = all.run(samples.len(), |k| Ok::<_, sins::Error>(samples[k])).unwrap();
+    assert!(all.runs() == RUNS && all.intervals() == 69);
+    let mut bytes = vec![0; all.snapshot_size()];
+    all.save_snapshot(&mut bytes).unwrap();
+    let mut loaded = Ensemble::new(&template, 0, 1).unwrap();
+    loaded.load_snapshot(&bytes).unwrap();
+    for (first, count) in [(0, 1), (500, 30), (1020, 40), (1099, 1)] {
+        let mut some = Ensemble::new(&template, FIRST_RUN + first, count).unwrap();
+        let mut some_gap = false;
+        for sample in &samples {
+            some_gap |= some.push_sample(sample).unwrap() == Pushed::BehindGap;
+            some.step().unwrap();
+        }
+        assert_eq!(some_gap, has_gap);
+        for run in (FIRST_RUN + first..).take(count) {
+            let read = |ensemble: &Ensemble| format!("{:?}", (ensemble.navigation(run), ensemble.imu(run)));
+            assert_eq!(read(&all), read(&some), "run {run}");
+            assert_eq!(read(&loaded), read(&some), "run {run}");
+        }
+    }
+
+    // What is wrong with a sample is reported once, and all parts have flown the samples before it.
+    let mut late = samples.clone();
+    late.iter_mut().for_each(|sample| sample.time_s += 100.0);
+    late[40].time_s = late[39].time_s;
+    late.insert(0, FlightSample { time_s: late[0].time_s - 0.01, ..late[0] });
+    all.reposition(&late[0]).unwrap();
+    let (index, error) = all.run(70, |k| Ok::<_, sins::Error>(late[k + 1])).unwrap_err();
+    assert_eq!((index, error.kind, all.intervals()), (40, ErrorKind::TimeOrder, 40));
+    let times = [0, 600, 1099].map(|k| all.navigation(FIRST_RUN + k).unwrap().unwrap().time_s);
+    assert_eq!(times, [late[40].time_s; 3]);
 }
 
 /// From one run to more than two blocks.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The program sins on Windows, by wine: its tests of hostile files and orders, of files of its own, and of the first flights.
+# The program sins on Windows, by wine: the tests within it, and those of hostile files and command lines and of the first flights.
 # What cannot be had is told at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -20,7 +20,8 @@ else
     x86_64-w64-mingw32-gcc -shared -Wl,--kill-at -o target/windows/program/bcryptprimitives.dll tests/c/bcryptprimitives.c
     WINEPATH=$(/usr/lib/wine/wine64 winepath -w "$PWD/target/windows/program")
     export WINEPATH CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=/usr/lib/wine/wine64
-    # 700 programs for the pages of bad numbers, of a second each under wine: what they check does not depend on the system.
-    cargo test -p sins-cli --target "$target" --bin sins --test hostile --test fly -- --skip no_number_of_a_record "$@"
+    cargo test -p sins-cli --target "$target" --bin sins -- "$@"
+    # The other tests do not depend on the system.
+    cargo test -p sins-cli --target "$target" --test program -- fly:: inputs:: outputs:: "$@"
 fi
 report_not_run

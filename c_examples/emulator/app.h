@@ -7,8 +7,7 @@
 class App;
 
 /* A page of the main window: its fields go into the scene as soon as they are left. */
-class Page : public Form
-{
+class Page : public Form {
 public:
     explicit Page(App &app) : app_(app) {}
     /* Shows the scene; all_is_new: what was typed wrong goes too. */
@@ -23,8 +22,7 @@ protected:
 Page *trajectory_page(App &app);
 Page *general_page(App &app);
 
-class DisplayPage : public Page
-{
+class DisplayPage : public Page {
 public:
     using Page::Page;
     void refresh(bool) override { update(); }
@@ -54,8 +52,7 @@ struct Document {
     fs::path export_folder, picture_path;
 };
 
-class App : public Dialog
-{
+class App : public Dialog {
 public:
     explicit App(Document &document);
     bool run();                                  /* true: the language changed, and a new window follows */

@@ -23,8 +23,7 @@ struct Cell {
 };
 typedef std::array<Cell, CHANNELS> Cells;
 
-class Curves
-{
+class Curves {
 public:
     /* Three values of a channel, now. */
     void put(int channel, const double *values)

@@ -27,8 +27,7 @@ struct Row {
 };
 typedef std::vector<Row> Rows;
 
-class Dialog
-{
+class Dialog {
 public:
     virtual ~Dialog();
     void create(HWND parent, UINT id);   /* a page: lives until the object is destroyed */

@@ -1,14 +1,14 @@
-/* A dialog whose fields are keys of a scene: "L&atitude [deg]|flight.latitude_deg" on a label binds the field
- * behind it, as DoDataExchange() of MFC would. A key in brackets, "[manoeuvre.sinusoid.channel]", is that of
- * an item within the item: each time it stands on a label it is of the next one. */
+/* A dialog whose fields are keys of a scene. A label names the keys of the fields behind it, as
+ * DoDataExchange() of MFC would: "L&atitude [deg]|flight.latitude_deg". A key in brackets,
+ * "[manoeuvre.sinusoid.channel]", belongs to an item within the item: its first label to the first such item,
+ * its second label to the second. */
 #pragma once
 #include <set>
 
 #include "dialog.h"
 #include "scene.h"
 
-class Form : public Dialog
-{
+class Form : public Dialog {
 protected:
     struct Field {
         const Key *key;

@@ -6,8 +6,7 @@
 static const char *const SECTIONS[] = {"gyro",  "accelerometer", "altimeter", "gravity", "mounting",
                                        "start", "options",       "flight",    "output"};
 
-class GeneralPage : public Page
-{
+class GeneralPage : public Page {
 public:
     using Page::Page;
 

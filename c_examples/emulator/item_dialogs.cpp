@@ -2,8 +2,7 @@
  */
 #include "app.h"
 
-class ManoeuvreDialog : public Form
-{
+class ManoeuvreDialog : public Form {
 public:
     ManoeuvreDialog(App &app, Items &all, size_t own) : app_(app), all_(all), own_(own) {}
 
@@ -46,9 +45,9 @@ private:
         return nested > 0 ? manoeuvre.items[nested - 1] : manoeuvre;
     }
 
-    static std::string channel(const Item &manoeuvre, size_t nested)
+    static std::string channel(const Item &manoeuvre, const Field &field)
     {
-        return manoeuvre.items[nested - 1].get("manoeuvre.sinusoid.channel");
+        return manoeuvre.items[field.nested - 1].get("manoeuvre.sinusoid.channel");
     }
 
     Items edited() const
@@ -60,11 +59,24 @@ private:
         return all;
     }
 
-    /* The fields that a kind or a channel does not use, as the library says, are empty and off. */
+    /* Whether a field counts: for a sinusoid's numbers its channel must be chosen; the rest the library says.
+     */
+    static bool is_used(const Field &field, const Item &probe, const Faults &faults)
+    {
+        bool has_sinusoids = probe.get("manoeuvre.kind") == "\"sinusoids\"";
+        bool has_item =
+            field.nested == 0 || (has_sinusoids && (field.is_choice() || !channel(probe, field).empty()));
+        return has_item && std::none_of(faults.begin(), faults.end(), [&](const Fault &fault) {
+                   bool is_refused = fault.sentence.find("does not use it") != std::string::npos ||
+                                     fault.sentence.find("not for this channel") != std::string::npos;
+                   return key_of(fault.path) == field.key && fault.nested == field.nested && is_refused;
+               });
+    }
+
+    /* The fields that a kind or a channel does not use are empty and off. */
     void enable_used()
     {
         Item probe = edited()[own_];
-        bool has_sinusoids = probe.get("manoeuvre.kind") == "\"sinusoids\"";
         for (const auto &[control, field] : fields_) {
             if (!field.is_choice()) {
                 item_of(probe, field.nested).set(field.key->path, "1");
@@ -72,18 +84,12 @@ private:
         }
         Faults faults = Scene().set_list("manoeuvre", {probe});
         for (const auto &[control, field] : fields_) {
-            bool is_used = field.nested == 0 || field.is_choice() ? field.nested == 0 || has_sinusoids
-                                                                  : !channel(probe, field.nested).empty();
-            for (const Fault &fault : faults) {
-                bool is_own = key_of(fault.path) == field.key && fault.nested == field.nested;
-                is_used =
-                    is_used && !(is_own && (fault.sentence.find("does not use it") != std::string::npos ||
-                                            fault.sentence.find("not for this") != std::string::npos));
-            }
-            EnableWindow(control, is_used);
-            if (!is_used) {
-                SendMessageW(control, field.is_choice() ? CB_SETCURSEL : WM_SETTEXT, 0,
-                             field.is_choice() ? 0 : (LPARAM)L"");
+            bool used = is_used(field, probe, faults);
+            EnableWindow(control, used);
+            if (!used && field.is_choice()) {
+                SendMessageW(control, CB_SETCURSEL, 0, 0);
+            } else if (!used) {
+                SetWindowTextW(control, L"");
             }
         }
     }
@@ -99,8 +105,7 @@ bool edit_manoeuvre(App &app, Items &all, size_t own)
 }
 
 /* The failures that the scene plans. In flight they begin and end with the next interval. */
-class FailureDialog : public Form
-{
+class FailureDialog : public Form {
 public:
     explicit FailureDialog(App &app) : app_(app) {}
 

@@ -69,11 +69,8 @@ std::wstring Key::si_unit() const
         return same == 0 ? L"SI" : L"1";
     }
     std::string unit = si_name.substr(si_name.rfind('_', same - 1) + 1);
-    for (auto [from, to] : {std::pair("^enu_", ""),
-                            {"sqrt_s", "sqrt(s)"},
-                            {"^per_", "1 / "},
-                            {"_per_", " / "},
-                            {"_", "/"}}) {
+    for (auto [from, to] :
+         {std::pair("^enu_", ""), {"sqrt_s", "sqrt(s)"}, {"^per_", "1 / "}, {"_per_", " / "}, {"_", "/"}}) {
         unit = std::regex_replace(unit, std::regex(from), to);
     }
     return wide(unit);
@@ -152,9 +149,11 @@ std::string unquoted(const std::string &value)
 
 std::string toml(const std::wstring &typed)
 {
-    static const std::regex SPACES("^\\s+|\\s+$"), WHOLE("(0|[1-9]\\d{0,18})?");
-    std::string text = std::regex_replace(narrow(typed), SPACES, "");
+    static const std::regex WHOLE("(0|[1-9]\\d{0,18})?");
+    std::string text = narrow(typed);
     double number;
+    text.erase(0, text.find_first_not_of(" \t"));
+    text.erase(text.find_last_not_of(" \t") + 1);
     if (std::regex_match(text, WHOLE)) { /* one of up to 64 bits must not go through a double */
         return text;
     }

@@ -36,8 +36,7 @@ template <typename Call> std::string whole_text(Call call)
 }
 
 /* A handle that destroys itself. */
-template <typename T> class Handle
-{
+template <typename T> class Handle {
 public:
     Handle() = default;
     Handle(Handle &&other) { *this = std::move(other); }

@@ -4,8 +4,7 @@
 
 #include "text.h"
 
-class Lines
-{
+class Lines {
 public:
     ~Lines()
     {

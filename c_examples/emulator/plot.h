@@ -1,78 +1,164 @@
-/* A control that draws curves: panels one above the other, with axes, zoom and a cursor. Window class
- * "SinsPlot". */
+/* A control that shows a diagram, with zoom and a cursor. Window class "SinsPlot". */
 #pragma once
-#include <windows.h>
+#include <objidl.h>
 
-#include <string>
-#include <vector>
+#include <gdiplus.h>
 
-#include "curves.h"
+#include "diagram.h"
 
-/* A unit and how much of the SI unit it is. */
-struct Unit {
-    const wchar_t *name;
-    double si;
-};
-
-/* What an axis shows; the unit is the largest that the numbers fill. */
-enum Quantity { LENGTH, SPEED, ANGLE, ANGULAR_RATE, ACCELERATION, DEGREES, DURATION };
-Unit unit_for(Quantity quantity, double size);
-
-struct Trace {
-    std::wstring name;
-    COLORREF color;
-    bool is_wide; /* seen below another */
-    std::vector<Cell> cells;
-};
-
-struct Panel {
-    std::wstring title;
-    Quantity quantity;
-    std::vector<double> x;
-    std::vector<Trace> traces;
-};
-
-class Plot
-{
+class Plot {
 public:
-    static void register_class();
-    void attach(HWND control);
-    /* x_quantity DEGREES: a map, on which x and y have the same scale. */
-    void show(std::vector<Panel> panels, Quantity x_quantity, bool is_logarithmic);
-    void draw(HDC dc, RECT area) const;
-    /* The picture as it is seen, at a size of its own. The caller deletes it. */
-    HBITMAP picture(int width, int height) const;
-    void save(const fs::path &path) const; /* PNG */
-    bool copy() const;                     /* to the clipboard */
+    static void register_class()
+    {
+        WNDCLASSW plot = {};
+        plot.style = CS_DBLCLKS | CS_HREDRAW | CS_VREDRAW;
+        plot.lpfnWndProc = procedure;
+        plot.hCursor = LoadCursorW(NULL, (LPCWSTR)IDC_CROSS);
+        plot.lpszClassName = L"SinsPlot";
+        RegisterClassW(&plot);
+    }
+
+    void attach(HWND control)
+    {
+        window_ = control;
+        SetWindowLongPtrW(control, GWLP_USERDATA, (LONG_PTR)this);
+    }
+
+    void show(const std::vector<Panel> &panels, Quantity x_quantity, bool is_logarithmic)
+    {
+        Range zoomed = x_quantity == diagram_.x_quantity ? diagram_.zoomed : Range{0, 0};
+        diagram_ = {panels, x_quantity, is_logarithmic && x_quantity == DURATION, zoomed};
+        InvalidateRect(window_, NULL, FALSE);
+    }
+
+    void save(const fs::path &path) const /* PNG */
+    {
+        static const CLSID PNG = {
+            0x557cf406, 0x1a04, 0x11d3, {0x9a, 0x73, 0x00, 0x00, 0xf8, 0x1e, 0xf3, 0x2e}};
+        ULONG_PTR token = 0;
+        Gdiplus::GdiplusStartupInput input;
+        Gdiplus::GdiplusStartup(&token, &input, NULL);
+        write_file(path, [this](const fs::path &to) {
+            HBITMAP bitmap = picture(scaled(1000), scaled(700), -1);
+            bool done = Gdiplus::Bitmap(bitmap, (HPALETTE)NULL).Save(to.c_str(), &PNG, NULL) == Gdiplus::Ok;
+            DeleteObject(bitmap);
+            return done;
+        });
+        Gdiplus::GdiplusShutdown(token);
+    }
+
+    bool copy() const /* to the clipboard */
+    {
+        HBITMAP bitmap = picture(scaled(1000), scaled(700), -1);
+        bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL;
+        CloseClipboard();
+        if (!done) { /* else it is the clipboard's */
+            DeleteObject(bitmap);
+        }
+        return done;
+    }
 
 private:
-    struct Range {
-        double low, high;
-    };
-    static double share(double value, Range range) { return (value - range.low) / (range.high - range.low); }
-    struct Scale { /* from values to pixels of one panel */
-        RECT box;
-        Range x, y;
-        bool is_logarithmic;
-        double x_of(double value) const { return box.left + share(value, x) * (box.right - box.left); }
-        double y_of(double value) const;
-    };
-    static LRESULT CALLBACK procedure(HWND, UINT, WPARAM, LPARAM);
-    LRESULT handle(UINT message, WPARAM wparam, LPARAM lparam);
-    Range whole_x() const;
-    Range seen_y(const Panel &panel, Range x) const;
-    Scale scale(size_t panel, RECT area) const;
-    void draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last) const;
-    void draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trace &trace) const;
-    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, Unit x_unit, Unit y_unit) const;
-    double x_at(int pixel) const;
-    void zoom(Range x);
+    static LRESULT CALLBACK procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
+    {
+        Plot *plot = (Plot *)GetWindowLongPtrW(window, GWLP_USERDATA);
+        return plot == NULL || message == WM_DESTROY ? DefWindowProcW(window, message, wparam, lparam)
+                                                     : plot->handle(message, wparam, lparam);
+    }
+
+    LRESULT handle(UINT message, WPARAM wparam, LPARAM lparam)
+    {
+        int x = (short)LOWORD(lparam);
+        switch (message) {
+        case WM_ERASEBKGND: return 1;
+        case WM_PAINT: paint(); return 0;
+        case WM_MOUSEMOVE: {
+            TRACKMOUSEEVENT leave = {sizeof leave, TME_LEAVE, window_, 0};
+            TrackMouseEvent(&leave);
+            cursor_ = x;
+            break;
+        }
+        case WM_MOUSELEAVE: cursor_ = -1; break;
+        case WM_LBUTTONDOWN:
+            SetFocus(window_);
+            SetCapture(window_);
+            drag_ = x;
+            break;
+        case WM_LBUTTONUP:
+            ReleaseCapture();
+            if (drag_ >= 0 && abs(x - drag_) > 4) {
+                zoom({x_at(min(x, drag_)), x_at(max(x, drag_))});
+            }
+            drag_ = -1;
+            break;
+        case WM_LBUTTONDBLCLK:
+        case WM_RBUTTONUP:
+            drag_ = -1;
+            diagram_.zoomed = {0, 0};
+            break;
+        case WM_MOUSEWHEEL: {
+            POINT at = {x, (short)HIWORD(lparam)};
+            ScreenToClient(window_, &at);
+            Range all = diagram_.zoomed.high > diagram_.zoomed.low ? diagram_.zoomed : diagram_.whole_x();
+            double middle = x_at(at.x), factor = (short)HIWORD(wparam) > 0 ? 0.7 : 1 / 0.7;
+            zoom({middle + (all.low - middle) * factor, middle + (all.high - middle) * factor});
+            break;
+        }
+        default: return DefWindowProcW(window_, message, wparam, lparam);
+        }
+        InvalidateRect(window_, NULL, FALSE);
+        return 0;
+    }
+
+    RECT area() const
+    {
+        RECT area;
+        GetClientRect(window_, &area);
+        return area;
+    }
+
+    double x_at(int pixel) const { return diagram_.x_at(pixel, area()); }
+
+    void paint() const
+    {
+        PAINTSTRUCT paint;
+        RECT all = area(), band = {min(drag_, cursor_), 0, max(drag_, cursor_), all.bottom};
+        HDC dc = BeginPaint(window_, &paint), memory = CreateCompatibleDC(dc);
+        HBITMAP bitmap = picture(all.right, all.bottom, cursor_);
+        SelectObject(memory, bitmap);
+        if (drag_ >= 0) {
+            InvertRect(memory, &band);
+        }
+        BitBlt(dc, 0, 0, all.right, all.bottom, memory, 0, 0, SRCCOPY);
+        DeleteDC(memory);
+        DeleteObject(bitmap);
+        EndPaint(window_, &paint);
+    }
+
+    /* No closer than 1e-6 of all, and no farther than all. */
+    void zoom(Range x)
+    {
+        Range all = diagram_.whole_x();
+        x = {max(x.low, all.low), min(x.high, all.high)};
+        if (x.high - x.low > 1e-6 * (all.high - all.low)) {
+            diagram_.zoomed = x.low > all.low || x.high < all.high ? x : Range{0, 0};
+        }
+    }
+
+    /* The diagram at a size of its own. The caller deletes it. */
+    HBITMAP picture(int width, int height, int cursor) const
+    {
+        HDC screen = GetDC(NULL), memory = CreateCompatibleDC(screen);
+        HBITMAP bitmap = CreateCompatibleBitmap(screen, max(1, width), max(1, height));
+        HGDIOBJ before = SelectObject(memory, bitmap);
+        diagram_.draw(memory, {0, 0, width, height}, cursor);
+        SelectObject(memory, before);
+        DeleteDC(memory);
+        ReleaseDC(NULL, screen);
+        return bitmap;
+    }
 
     HWND window_ = NULL;
-    std::vector<Panel> panels_;
-    Quantity x_quantity_ = DURATION;
-    bool is_logarithmic_ = false;
-    Range zoomed_ = {0, 0};   /* of x; equal: all */
-    mutable int cursor_ = -1; /* not in pictures */
-    int drag_ = -1;
+    Diagram diagram_;
+    int cursor_ = -1, drag_ = -1; /* pixels */
 };

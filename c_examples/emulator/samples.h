@@ -4,8 +4,7 @@
 
 #include "scene.h"
 
-class Samples
-{
+class Samples {
 public:
     /* folder: that of the scene's file, from which a log is seen. */
     void open(const Scene &scene, const fs::path &folder)

@@ -1,7 +1,5 @@
 #include "scene.h"
 
-#include <regex>
-
 std::wstring last_error(const sins_sim *sim)
 {
     sins_error_info info = sized<sins_error_info>();
@@ -67,22 +65,34 @@ Texts Item::described() const
     return {words, values};
 }
 
-/* The sections of a text that the library wrote: one key a line, and its meaning as a comment. */
+/* A value without the comment that the library writes behind it. */
+static std::string without_comment(const std::string &value)
+{
+    size_t end = 1;
+    if (value[0] != '"') {
+        return value.substr(0, value.find("  #"));
+    }
+    while (end < value.size() && value[end] != '"') {
+        end += value[end] == '\\' ? 2 : 1;
+    }
+    return value.substr(0, end + 1);
+}
+
+/* The sections of a text that the library wrote: one key a line. */
 static Items items_of(const std::string &text)
 {
-    static const std::regex LINE("(\\w+) = (\"(?:[^\"\\\\]|\\\\.)*\"|.*?)(  #.*)?");
     Items items;
     Item *last = NULL;
-    std::smatch found;
     for (const std::string &line : split(text, "\n")) {
+        size_t equals = line.find(" = ");
         if (line.starts_with("[")) {
             size_t first = line.find_first_not_of('[');
             std::string section = line.substr(first, line.find(']') - first);
             bool is_nested = !items.empty() && section.starts_with(items.back().section + ".");
             Items &all = is_nested ? items.back().items : items;
             last = &all.emplace_back(Item{section, {}, {}});
-        } else if (last != NULL && std::regex_match(line, found, LINE)) {
-            last->entries.push_back({found[1], found[2]});
+        } else if (!line.starts_with("#") && equals != std::string::npos && last != NULL) {
+            last->entries.push_back({line.substr(0, equals), without_comment(line.substr(equals + 3))});
         }
     }
     return items;

@@ -30,8 +30,7 @@ struct Change {
     bool in_si;
 };
 
-class Scene
-{
+class Scene {
 public:
     /* The built-in scene of a name; "": the default scene. */
     explicit Scene(const std::string &builtin = "");

@@ -144,8 +144,7 @@ struct Study {
  * time. */
 static std::shared_ptr<Study> running;
 
-class StudyDialog : public Dialog
-{
+class StudyDialog : public Dialog {
 public:
     StudyDialog(App &app, const Kind &kind) : app_(app), kind_(kind) {}
     ~StudyDialog() override { cancel(); }

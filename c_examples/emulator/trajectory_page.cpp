@@ -4,8 +4,7 @@
 /* Where a flight comes from, in the order of the text "sources": as the paper, built-in flights first. */
 static const int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES, SINS_SCENE_FLIGHT_LOG};
 
-class TrajectoryPage : public Page
-{
+class TrajectoryPage : public Page {
 public:
     using Page::Page;
 

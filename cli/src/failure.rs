@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Whose fault it is: the exit code says so.
+/// The kind of failure, which sets the exit code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A file or an option that cannot be used.
@@ -21,7 +21,7 @@ pub enum Kind {
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done
-  1    failed: an output could not be written, or the solution diverged (what was flown is written)
+  1    failed: an output could not be written, or the solution diverged (what was flown until then is written)
   2    an option or an input file cannot be used; nothing is written
   3    recommend: no options meet the requirement; the best options were printed
   130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete";
@@ -66,7 +66,7 @@ impl Failure {
         Self { kind, sentence: sentences.join("\n") }
     }
 
-    /// Whose fault it is.
+    /// The kind of failure.
     pub fn kind(&self) -> Kind {
         self.kind
     }
@@ -83,7 +83,7 @@ impl Failure {
 }
 
 impl fmt::Display for Failure {
-    /// Words of files and paths come in: what would steer a terminal is left out.
+    /// The sentence can contain text of files and paths: characters that would steer a terminal are replaced.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&printable(&self.sentence))
     }
@@ -107,8 +107,8 @@ impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErro
     }
 }
 
-/// `text` without what would steer a terminal, or hide in it: control characters but line feeds and tabs, and those that turn the
-/// direction of writing.
+/// `text` with a question mark for each character that would steer a terminal or hide text: control characters except line feed and
+/// tab, and characters that turn the direction of writing.
 pub fn printable(text: &str) -> String {
     let is_turning = |letter: char| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let is_steering = |letter: char| letter.is_control() && letter != '\n' && letter != '\t';

@@ -17,7 +17,7 @@ static IS_ASKED: AtomicBool = AtomicBool::new(false);
 
 /// Catches the signals from now on.
 pub fn catch() -> Result<(), Failure> {
-    let failed = |error| Failure::of_kind(Kind::Failed, format!("signals cannot be caught: {error}"));
+    let failed = |error| Failure::of_kind(Kind::Failed, format!("signals cannot be handled: {error}"));
     ctrlc::set_handler(on_signal).map_err(failed)
 }
 

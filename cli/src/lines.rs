@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, BufReader, Read, Result};
 
-/// With which some editors begin a file in UTF-8.
+/// The bytes with which some editors begin a file in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Gives the data on and counts the lines.

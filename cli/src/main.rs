@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_meant_is_told() {
+    fn what_was_meant_is_reported() {
         let words =
             |arguments: &[&str]| CommandLine::try_parse_from(arguments).unwrap_err().render().to_string();
         assert!(words(&["sins", "reprot"]).contains("'report'"));

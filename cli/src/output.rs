@@ -1,8 +1,8 @@
-//! The files that the program writes: whole or not at all, never one of its inputs, and never what somebody else made.
+//! The files that the program writes: complete or not at all, never one of its inputs, and never a file of another program.
 //!
-//! Each is written to a temporary file beside it, of a name that nobody knows before, and renamed at the end. So nobody sees
-//! half a file, and two runs of one name leave the file of one of them. A file that is there is replaced if it begins as the
-//! program's own files do; any other needs `--force`. What is no plain file (a device, a FIFO, a link) is never replaced.
+//! Each file is written to a temporary file in the same folder, with an unpredictable name, and renamed at the end. So nobody sees
+//! half a file, and two runs of one name leave the file of one of them. An existing file is replaced if it begins as the
+//! program's own files do; any other file needs `--force`. A device, a FIFO or a link is never replaced.
 
 use std::fs::{File, Metadata};
 use std::io::{BufWriter, ErrorKind, Read, Write};
@@ -14,7 +14,7 @@ use tempfile::{Builder, TempPath};
 use crate::failure::{Failure, Kind};
 use crate::interrupt::Temporary;
 
-/// How far from its begin a file has the mark of the program's own [bytes].
+/// A file of this program has its mark within this distance from its beginning [bytes].
 const MARK_WITHIN: u64 = 4096;
 
 /// What may be written, and what was taken already.
@@ -32,7 +32,7 @@ struct Rules {
     force: bool,
 }
 
-/// What tells a file from others, by whatever name or link it is found.
+/// Identity of a file, the same by whatever name or link it is found.
 #[derive(Debug, PartialEq)]
 struct Identity {
     device: u64,
@@ -76,7 +76,7 @@ impl Outputs {
         })
     }
 
-    /// A file to be written. One that is there already is replaced if `mark` stands near its begin.
+    /// A file to be written. An existing file is replaced if it has `mark` near its beginning.
     pub fn file(&mut self, path: &Path, mark: &str) -> Result<OutputFile, Failure> {
         let folder = match path.parent() {
             Some(folder) if folder != Path::new("") => folder,
@@ -131,7 +131,7 @@ impl Rules {
         };
         let identity = Identity::of(path);
         if let Some((input, _)) = self.inputs.iter().find(|(_, input)| Some(input) == identity.as_ref()) {
-            let what = format!("is the input {}: an output of another name is needed", input.display());
+            let what = format!("is the input {}; choose another name for the output", input.display());
             return Err(Failure::of_file(path, &what));
         }
         if !metadata.is_file() {

@@ -18,7 +18,7 @@ pub struct OutputArguments {
     /// Base name of the outputs [default: the scene's output.name, or the name of its file]
     #[arg(long)]
     name: Option<String>,
-    /// Neither progress nor summary
+    /// Shows neither progress nor summary
     #[arg(short, long)]
     quiet: bool,
     /// Also replaces files that this program did not write

@@ -22,12 +22,12 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Flights of so many steps together.
+    /// Progress of flights of `steps` steps in all.
     pub fn flying(what: impl Into<String>, steps: usize, quiet: bool) -> Self {
         Self::new(what, Some(steps as u64), quiet)
     }
 
-    /// So many parts of work.
+    /// Progress of work in `parts` parts.
     pub fn counting(what: impl Into<String>, parts: usize) -> Self {
         Self::new(what, Some(parts as u64), false)
     }
@@ -54,7 +54,7 @@ impl Progress {
         Self { bar, flown_us }
     }
 
-    /// So many steps of `period_s` [s] more were flown.
+    /// Adds `steps` flown steps of `period_s` [s].
     pub fn fly(&self, steps: usize, period_s: f64) {
         let flown_us = 1e6 * period_s * steps as f64;
         self.flown_us.fetch_add(flown_us.round() as u64, Ordering::Relaxed);

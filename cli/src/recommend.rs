@@ -28,10 +28,10 @@ pub struct Order {
     /// Duration for which the accuracy is required [default: the whole scene]
     #[arg(long)]
     pub hours: Option<f64>,
-    /// Start of the piece
+    /// Start of the piece that is flown
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     pub from: f64,
-    /// Length of the piece
+    /// Length of the piece that is flown
     #[arg(long, value_name = "SECONDS", default_value_t = 120.0)]
     pub piece: f64,
     /// Factor by which the predicted error must be smaller than the required one
@@ -59,7 +59,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.errors.mounting };
     let working = Progress::working("trying the algorithms");
     let answer = recommend(&setup, &samples, &requirement).map_err(|refusal| match refusal.sample {
-        Some(index) => given.refusal(first + index, &refusal.error),
+        Some(index) => given.failure_at(first + index, &refusal.error),
         None => Failure::new(format!("{}: {}", given.origin, refusal.error)),
     })?;
     drop(working);

@@ -4,7 +4,7 @@ use csv::Writer;
 
 use crate::failure::{Failure, Kind};
 
-/// What every table in Markdown begins with: by it the program knows its own.
+/// Every table in Markdown begins with this mark, by which the program recognizes its own tables.
 pub const TABLE_MARK: &str = "<!-- written by sins -->";
 
 /// `rows`, the header first, quoted where they need it.

@@ -17,7 +17,7 @@ use crate::units::{six_digits, time_text};
 pub enum Order {
     /// Lists the built-in scenes
     List,
-    /// Reports every fault of scenes and flight logs with its line, and summarizes what they fly
+    /// Reports every fault of scenes and flight logs with its line, and summarizes those without faults
     Check {
         /// Files SCENE.toml and LOG.csv, or built-in scenes
         #[arg(required = true, value_name = "SCENE")]
@@ -52,7 +52,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             }
             let text = read_scene(scene, settings)?.write();
             match output {
-                // A scene is written by hand after that: none is taken for the program's own.
+                // People edit scenes: a scene that exists is replaced only with --force.
                 Some(path) => Outputs::new(&[PathBuf::from(scene)], *force).write(path, "", &text),
                 None => print(&text),
             }
@@ -88,9 +88,9 @@ fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
 /// `sins keys`.
 pub fn print_keys() -> Result<(), Failure> {
     let head = "\
-A scene is a text in TOML: [section]s of key = value; # begins a comment. Each key with what it means, what it takes, its unit,
-and the name under which it takes SI units. `sins fly SCENE --set section.key=value` sets one beside the text.
-A preset comes first, wherever it stands, then what differs from it.
+A scene is a text in TOML: sections, [section], with lines key = value; # begins a comment. The list has for each key its meaning,
+its values, its unit, and the name of the same key in SI units. `sins fly SCENE --set section.key=value` sets a key in addition
+to the text. A preset is applied first, wherever it stands; other keys then change it.
 
 ";
     print(&format!("{head}{}", keys_text()))

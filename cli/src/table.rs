@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bad_number_is_told_with_line_and_column() {
+    fn a_bad_number_is_reported_with_line_and_column() {
         let expected = "run.csv:3: column 2 (x): expected a finite number up to 1e30, found";
         assert_eq!(read("t,x\n0,1\n1,one\n").err(), Some(format!("{expected} \"one\"")));
         assert_eq!(read("t,x\n0,1\n1,nan\n").err(), Some(format!("{expected} \"nan\"")));
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_short_row_is_told() {
+    fn a_short_row_is_reported() {
         let expected = "run.csv:2: expected 2 columns as in the header, found 1";
         assert_eq!(read("t,x\n0\n").err().as_deref(), Some(expected));
     }

@@ -100,7 +100,7 @@ pub fn short(value: f64) -> String {
     if (1e-3..1e6).contains(&value.abs()) { two_digits(value) } else { digits(value, 1) }
 }
 
-/// So many digits behind the first.
+/// The first digit and `digits` more.
 fn digits(value: f64, behind: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -132,12 +132,12 @@ pub fn two_digits(value: f64) -> String {
     format!("{rounded:.decimals$}")
 }
 
-/// Six digits of it: all that a person reads, and none that rounding made.
+/// `value` with six significant digits.
 pub fn six_digits(value: f64) -> f64 {
     rounded(value, 6)
 }
 
-/// So many significant digits of it.
+/// `value` with so many significant `digits`.
 pub fn rounded(value: f64, digits: usize) -> f64 {
     format!("{value:.0$e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
@@ -157,7 +157,7 @@ fn superscript(number: i32) -> String {
     number.to_string().chars().map(raised).collect()
 }
 
-/// A length of time in words, "84.4 min".
+/// A length of time as text, "84.4 min".
 pub fn time_text(seconds: f64) -> String {
     let (value, name) = match seconds {
         s if s < 120.0 => (s, "s"),

@@ -69,7 +69,7 @@ impl Failure {
             field,
             index: None,
             value: None,
-            rule: Rule::Words(words),
+            rule: Rule::Sentence(words),
         };
         Self { status, error, sample: None }
     }

@@ -82,7 +82,7 @@ pub unsafe extern "C" fn sins_log_parse(
                 if let Some(output) = output {
                     output.write(&sins_fault::new(&found, 1));
                 }
-                let rule = Rule::Words("the text is not a flight log; sins_fault gives the reason");
+                let rule = Rule::Sentence("the text is not a flight log; sins_fault gives the reason");
                 remember(Error::invalid("line", found.line, rule).into());
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn sins_log_get_sample(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
         let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
-            let rule = Rule::WordsAnd(
+            let rule = Rule::SentenceWith(
                 "must be less than the number of samples of the log:",
                 log.samples().len() as f64,
             );

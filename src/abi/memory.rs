@@ -101,7 +101,7 @@ unsafe fn copy_sized<T: Struct>(pointer: *const T, size: usize, value: *mut T) -
     for offset in known..size {
         // SAFETY: within the struct's stated size.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
-            let rule = Rule::Words(
+            let rule = Rule::Sentence(
                 "the struct is of a newer release and uses fields that this release does not know",
             );
             return Err(Failure::struct_size(T::NAME, size, rule));

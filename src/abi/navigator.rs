@@ -71,7 +71,7 @@ pub unsafe extern "C" fn sins_start_navigation(
         let q = Quaternion::new(w, x, y, z);
         let norm = q.norm_squared().sqrt();
         if (norm - 1.0).abs() > 1e-3 {
-            let rule = Rule::Words("must be 1 within 1e-3");
+            let rule = Rule::Sentence("must be 1 within 1e-3");
             return Err(Error::invalid("norm of navigation.quaternion_nb", norm, rule).into());
         }
         let place = Geodetic {

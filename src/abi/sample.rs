@@ -73,7 +73,7 @@ impl sins_flight_sample {
     pub(super) fn to_sample(self) -> Result<FlightSample, Failure> {
         let unknown = self.flags & !KNOWN_FLAGS;
         if unknown != 0 {
-            let rule = Rule::Words("must be a combination of SINS_SAMPLE_ flags; it has unknown bits");
+            let rule = Rule::Sentence("must be a combination of SINS_SAMPLE_ flags; it has unknown bits");
             return Err(Error::invalid("sample.flags", self.flags, rule).into());
         }
         let given = |flag: u32, values: [f64; 3]| (self.flags & flag != 0).then_some(Vector3::from(values));

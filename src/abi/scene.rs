@@ -118,8 +118,10 @@ pub unsafe extern "C" fn sins_scene_get_fault(
             SceneText::Faults(faults) => faults.as_slice(),
         };
         let Some(found) = faults.get(index) else {
-            let rule =
-                Rule::WordsAnd("must be less than the number of faults of the scene:", faults.len() as f64);
+            let rule = Rule::SentenceWith(
+                "must be less than the number of faults of the scene:",
+                faults.len() as f64,
+            );
             return Err(Error::invalid("index", index, rule).into());
         };
         output.write(&sins_fault::new(found, faults.len()));
@@ -145,7 +147,7 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
         let name = unsafe { text_of(name, "name")? };
         probe(ROOM_OF_BYTE * ROOM)?;
         let Some(found) = core::str::from_utf8(name).ok().and_then(builtin) else {
-            let rule = Rule::WordsAnd(
+            let rule = Rule::SentenceWith(
                 "must be the name of a built-in scene; there are",
                 BUILTIN_SCENES.len() as f64,
             );
@@ -169,7 +171,7 @@ pub unsafe extern "C" fn sins_scene_builtin_name(
 ) -> sins_status {
     enter_without_simulator(|| {
         let Some((name, _)) = BUILTIN_SCENES.get(index) else {
-            let rule = Rule::WordsAnd(
+            let rule = Rule::SentenceWith(
                 "must be less than the number of built-in scenes:",
                 BUILTIN_SCENES.len() as f64,
             );

@@ -58,7 +58,7 @@ pub unsafe extern "C" fn sins_scene_get_failure(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(failure, "failure")? };
         let Some(planned) = scene.failures.get(index) else {
-            let rule = Rule::WordsAnd(
+            let rule = Rule::SentenceWith(
                 "must be less than the number of failures of the scene:",
                 scene.failures.len() as f64,
             );
@@ -117,7 +117,7 @@ impl sins_planned_failure {
         check_reserved("failure.reserved", self.reserved)?;
         let output = output(self.sensor, self.axis)?;
         let Some(failure) = self.fields.to_failure()? else {
-            let rule = Rule::Words("must not be SINS_FAILURE_NONE: plan no failure instead");
+            let rule = Rule::Sentence("must not be SINS_FAILURE_NONE: plan no failure instead");
             return Err(Error::invalid("failure.kind", self.fields.kind, rule).into());
         };
         let until_s = match self.until_s {

@@ -131,12 +131,14 @@ pub unsafe extern "C" fn sins_scene_set_setup(
         if let (None, Some((field, value))) =
             (&changed.temperature, unused.iter().find(|(_, value)| *value != 0.0))
         {
-            return Err(Error::invalid(field, *value, Rule::Words("must be 0: has_temperature is 0")).into());
+            return Err(
+                Error::invalid(field, *value, Rule::Sentence("must be 0: has_temperature is 0")).into()
+            );
         }
         if !scene.is_log() {
             changed.rate_hz = setup.rate_hz;
         } else if setup.rate_hz != 0.0 {
-            let rule = Rule::Words("must be 0: a flight log has its own time stamps");
+            let rule = Rule::Sentence("must be 0: a flight log has its own time stamps");
             return Err(Error::invalid("setup.rate_hz", setup.rate_hz, rule).into());
         }
         changed.check_limits()?;
@@ -266,7 +268,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
         let bytes = unsafe { text_of(text, "text")? };
-        let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Words(words)) };
+        let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Sentence(words)) };
         let Ok(text) = core::str::from_utf8(bytes) else { return Err(refused("must be UTF-8").into()) };
         check_integer("bytes of text", text.len(), 0, 4096)?;
         if text.chars().any(char::is_control) {

@@ -1,15 +1,9 @@
 //! Sums over the distances of two second differences of a record. Each distance counts as often as the record has it.
 
+use crate::math::GAUSS_8;
+
 /// Longest piece between two corners [samples] that is summed term by term.
 const SUMMED: i64 = 16;
-
-/// Abscissae and weights of Gauss and Legendre's quadrature with eight places on (-1, 1) (Abramowitz and Stegun 25.4.30).
-const GAUSS: [(f64, f64); 4] = [
-    (0.183_434_642_495_650, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887),
-    (0.796_666_477_413_627, 0.222_381_034_453_374),
-    (0.960_289_856_497_536, 0.101_228_536_290_376),
-];
 
 /// Second differences with steps of `a` and of `b` samples in one record.
 #[derive(Debug, Clone, Copy)]
@@ -77,10 +71,9 @@ impl Pair {
             }
             return;
         }
-        let (middle, half) = (0.5 * (from + to) as f64, 0.5 * (to - from) as f64);
-        for (place, weight) in GAUSS {
-            push(middle - half * place, half * weight);
-            push(middle + half * place, half * weight);
+        let length = (to - from) as f64;
+        for (place, weight) in GAUSS_8 {
+            push(from as f64 + length * place, length * weight);
         }
     }
 }

@@ -93,7 +93,7 @@ impl Estimator {
             return Err(Error::invalid(
                 "increments",
                 first,
-                Rule::Words("expected noise, found this value throughout"),
+                Rule::Sentence("expected noise, found this value throughout"),
             ));
         }
         check_ranges("allan_variance", &variances, VARIANCES.0, VARIANCES.1)?;

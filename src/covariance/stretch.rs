@@ -132,9 +132,9 @@ impl Stretch {
             for ((sum, moment), signal) in
                 self.elements.iter_mut().zip(&mut self.elements_moment).zip(signals)
             {
-                let felt = mean * signal;
-                *sum += felt;
-                *moment += felt * middle_s;
+                let input = mean * signal;
+                *sum += input;
+                *moment += input * middle_s;
             }
         }
         let turn = angle.norm_squared().sqrt();

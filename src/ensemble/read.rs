@@ -1,6 +1,7 @@
 //! What is read of an ensemble.
 
 use super::Ensemble;
+use super::part::{PART_RUNS, Part};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
 use crate::sensors::{Failure, SensorOutput};
@@ -10,18 +11,19 @@ use crate::statistics::Statistics;
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.
     pub fn truth(&self) -> Option<Solution> {
-        let flown = self.intake.current().and_then(|point| self.runs.truth(point));
+        let Part { intake, runs, .. } = &self.first;
+        let flown = intake.current().and_then(|point| runs.truth(point));
         if flown.is_some() {
             return flown;
         }
-        let point = self.intake.current().or(self.intake.front())?;
+        let point = intake.current().or(intake.front())?;
         Some(Solution::of_truth(&self.options, &self.options.earth(), point))
     }
 
     /// The navigated solution of a run; `None` before the first sample. [`ErrorKind::Diverged`]: the run has diverged.
     pub fn navigation(&self, run: u64) -> Result<Option<Solution>, Error> {
-        let place = self.place_of(run)?;
-        self.runs.navigation(place, &self.intake)
+        let (Part { intake, runs, .. }, place) = self.at(self.place_of(run)?);
+        runs.navigation(place, intake)
     }
 
     /// Time [s] and errors of the navigated solution of a run; `None` before the first sample. [`ErrorKind::Diverged`]: the run
@@ -42,8 +44,8 @@ impl Ensemble {
     /// Ideal and measured signals of the last interval of a run; `None` before the first. [`ErrorKind::Diverged`]: the run has
     /// diverged.
     pub fn imu(&self, run: u64) -> Result<Option<ImuInterval>, Error> {
-        let place = self.place_of(run)?;
-        Ok(self.runs.imu(place))
+        let (part, place) = self.at(self.place_of(run)?);
+        Ok(part.runs.imu(place))
     }
 
     /// The runs that have diverged, in the order of their numbers.
@@ -86,12 +88,12 @@ impl Ensemble {
 
     /// The failure of an output, which all runs share; `None`: it is sound.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
-        self.runs.failure(output)
+        self.first.runs.failure(output)
     }
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
-        self.intake.newest().map(|point| point.sample.time_s)
+        self.first.intake.newest().map(|point| point.stamp_s())
     }
 
     /// Time [s] and errors of the run at `place`, and whether the truth is near a pole.
@@ -100,12 +102,23 @@ impl Ensemble {
         place: usize,
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
-        self.runs.errors_and_pole(place, &self.intake, source)
+        let (Part { intake, runs, .. }, place) = self.at(place);
+        runs.errors_and_pole(place, intake, source)
     }
 
     /// Time of the last good solution of the run at `place`, if it has diverged [s].
     pub(super) fn diverged_s(&self, place: usize) -> Option<f64> {
-        self.runs.diverged_s(place)
+        let (part, place) = self.at(place);
+        part.runs.diverged_s(place)
+    }
+
+    /// The part that has the run at `place`, and its place there.
+    pub(super) fn at(&self, place: usize) -> (&Part, usize) {
+        let part = match place / PART_RUNS {
+            0 => &self.first,
+            number => &self.others[number - 1],
+        };
+        (part, place % PART_RUNS)
     }
 
     /// Where a run is, unless it has diverged.
@@ -118,7 +131,7 @@ impl Ensemble {
         match self.diverged_s(place) {
             None => Ok(place),
             Some(time_s) => {
-                let rule = Rule::WordsAnd("has diverged; its last good solution was at time_s =", time_s);
+                let rule = Rule::SentenceWith("has diverged; its last good solution was at time_s =", time_s);
                 Err(Error::of(ErrorKind::Diverged, "run", run, rule))
             }
         }

@@ -1,8 +1,10 @@
 //! The whole ensemble as a snapshot, and back.
 
 use super::Ensemble;
+use super::part::{PART_RUNS, Part};
 use crate::error::{Error, ErrorKind, Rule};
 use crate::instruction_set::InstructionSet;
+use crate::memory::room;
 use crate::simulator::{Options, SideBySide, Simulator};
 use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::truth::Intake;
@@ -36,7 +38,7 @@ impl Ensemble {
 
     /// The length of the snapshot, of which as much is written as `buffer` has room for.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
-        let Self { first_run, options, intake, intervals, runs } = self;
+        let Self { first_run, options, first: Part { intake, intervals, .. }, .. } = self;
         let mut to = Writer::new(buffer, SnapshotOf::Ensemble);
         options.save(&mut to);
         intake.save(&mut to);
@@ -45,7 +47,8 @@ impl Ensemble {
         to.count(self.runs());
         for place in 0..self.runs() {
             to.flag(self.diverged_s(place).is_some());
-            runs.save_run(place, intake, &mut to);
+            let (part, place) = self.at(place);
+            part.runs.save_run(place, intake, &mut to);
         }
         to.finish()
     }
@@ -68,8 +71,8 @@ impl Ensemble {
             (1..=from.bytes_left()).contains(&count) && first_run.checked_add(count as u64 - 1).is_some();
         from.require(fits, count as f64, "is no number of runs")?;
 
-        let mut runs = None;
-        for run in (first_run..=u64::MAX).take(count) {
+        let mut parts: Vec<Part> = room(count.div_ceil(PART_RUNS))?;
+        for (place, run) in (first_run..=u64::MAX).take(count).enumerate() {
             from.enter("snapshot: Ensemble.diverged");
             let has_diverged = from.flag()?;
             let mut simulator = Simulator::load_from(from)?;
@@ -77,21 +80,21 @@ impl Ensemble {
             from.enter("snapshot: a run of the ensemble");
             let same = same_flight(simulator, &options, run, has_diverged, (&intake, intervals));
             from.require(same, run as f64, "is not one of this ensemble")?;
-            let runs = match &mut runs {
-                Some(runs) => runs,
-                None => {
-                    let set = InstructionSet::up_to(usize::MAX);
-                    runs.insert(SideBySide::new(simulator, first_run, count, set)?)
-                }
-            };
-            let fits = runs.has_sensors_of(simulator);
-            from.require(fits, run as f64, "has other sensors than the runs before")?;
-            runs.put_simulator((run - first_run) as usize, simulator, has_diverged);
+            if place % PART_RUNS == 0 {
+                let (set, count) = (InstructionSet::up_to(usize::MAX), PART_RUNS.min(count - place));
+                let runs = SideBySide::new(simulator, run, count, set)?;
+                parts.push(Part { intake: intake.clone(), intervals, runs });
+            }
+            if let Some(part) = parts.last_mut() {
+                let fits = part.runs.has_sensors_of(simulator);
+                from.require(fits, run as f64, "has other sensors than the runs before")?;
+                part.runs.put_simulator(place % PART_RUNS, simulator, has_diverged);
+            }
         }
-        match runs {
-            Some(runs) => Ok(Self { first_run, options, intake, intervals, runs }),
-            None => Err(from.refused(0.0, Rule::Words("is no number of runs"))),
+        if parts.is_empty() {
+            return Err(from.refused(0.0, Rule::Sentence("is no number of runs")));
         }
+        Ok(Self { first_run, options, first: parts.remove(0), others: parts })
     }
 }
 
@@ -109,5 +112,5 @@ fn same_flight(
         && (has_diverged
             || simulator.waiting_samples() == intake.waiting()
                 && simulator.intervals() == intervals
-                && simulator.last_sample_time_s() == intake.newest().map(|point| point.sample.time_s))
+                && simulator.last_sample_time_s() == intake.newest().map(|point| point.stamp_s()))
 }

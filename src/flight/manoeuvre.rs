@@ -160,7 +160,7 @@ impl Manoeuvre {
         let ramp = |ramp_s: f64| check_range("manoeuvre.ramp_s", ramp_s, 1e-3, 1e8);
         let whole = |turns: f64| {
             check_range("manoeuvre.turns", turns, -1e4, 1e4)?;
-            let rule = Rule::Words("must be a whole number other than 0");
+            let rule = Rule::Sentence("must be a whole number other than 0");
             if turns == 0.0 || turns != turns.round() {
                 Err(Error::invalid("manoeuvre.turns", turns, rule))
             } else {
@@ -168,7 +168,7 @@ impl Manoeuvre {
             }
         };
         let moving = || {
-            let rule = Rule::Words("must be greater than 0 in this manoeuvre; accelerate first");
+            let rule = Rule::Sentence("must be greater than 0 in this manoeuvre; accelerate first");
             if speed_m_s > 0.0 { Ok(()) } else { Err(Error::invalid("speed_m_s", speed_m_s, rule)) }
         };
         match *self {

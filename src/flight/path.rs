@@ -116,7 +116,7 @@ impl Path {
                     let Some(piece) = Piece::solve(earth, &basis, segment, t, length, q_ew, height_m) else {
                         length *= 0.5;
                         if length < MIN_PIECE_S {
-                            let rule = Rule::Words(
+                            let rule = Rule::Sentence(
                                 "the flight moves too rapidly there to be integrated to rounding",
                             );
                             return Err(Error::invalid("time_s", segment.start_s + t, rule));
@@ -127,7 +127,7 @@ impl Path {
                     (q_ew, height_m) = piece.at(1.0);
                     t = if length == to - t { to } else { t + length };
                     if pieces.len() == MAX_PIECES {
-                        let rule = Rule::Words("the flight needs too much memory; shorten it");
+                        let rule = Rule::Sentence("the flight needs too much memory; shorten it");
                         return Err(Error::of(ErrorKind::OutOfMemory, "pieces", pieces.len(), rule));
                     }
                     room_for_one_more(&mut pieces)?;

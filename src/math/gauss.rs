@@ -28,6 +28,18 @@ pub const GAUSS_5: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
+/// Eight nodes.
+pub const GAUSS_8: [(f64, f64); 8] = [
+    (0.019_855_071_751_231_884, 0.050_614_268_145_188_13),
+    (0.101_666_761_293_186_64, 0.111_190_517_226_687_24),
+    (0.237_233_795_041_835_5, 0.156_853_322_938_943_63),
+    (0.408_282_678_752_175_1, 0.181_341_891_689_181),
+    (0.591_717_321_247_825, 0.181_341_891_689_181),
+    (0.762_766_204_958_164_5, 0.156_853_322_938_943_63),
+    (0.898_333_238_706_813_4, 0.111_190_517_226_687_24),
+    (0.980_144_928_248_768_1, 0.050_614_268_145_188_13),
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,7 +47,7 @@ mod tests {
     /// ∫ u^k du = 1/(k + 1); nodes and weights are rounded, which k nodes' powers multiply by k.
     #[test]
     fn each_rule_is_exact_to_its_degree_and_no_further() {
-        for rule in [&GAUSS_2[..], &GAUSS_3, &GAUSS_4, &GAUSS_5] {
+        for rule in [&GAUSS_2[..], &GAUSS_3, &GAUSS_4, &GAUSS_5, &GAUSS_8] {
             let degree = 2 * rule.len() as i32;
             for power in 0..=degree {
                 let integral: f64 = rule.iter().map(|(node, weight)| weight * node.powi(power)).sum();

@@ -18,7 +18,7 @@ pub use arc_tangent::atan2_each;
 pub use axis::axis_cross;
 pub use compensated::{Compensated, two_product, two_sum};
 pub use euler::{Euler, attitude_from_euler, attitude_from_half_angles, euler_from_attitude};
-pub use gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5};
+pub use gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_8};
 pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
 pub use quantile::{chi_square_quantile, normal_quantile, wilson_hilferty};

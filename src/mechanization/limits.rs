@@ -41,7 +41,7 @@ pub(super) fn diverged(height: f64, speed2: f64, norm_error: f64) -> Result<(), 
     let (field, value, rule) = if !(height > low && height < high) {
         ("navigated height_m", height, Rule::Between(low, high))
     } else if speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S {
-        ("navigated attitude: squared norm of the quaternion", 1.0 + norm_error, Rule::Words("must be 1"))
+        ("navigated attitude: squared norm of the quaternion", 1.0 + norm_error, Rule::Sentence("must be 1"))
     } else {
         ("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S))
     };

@@ -12,7 +12,7 @@ use crate::snapshot::{SIGNALS, stored};
 use crate::state::{BodyAxes, EarthFixedState};
 use crate::truth::TruthPoint;
 
-/// A mounted block: what its sensors feel, where it is, and what the INS makes of that.
+/// A mounted block: what its sensors sense, where it is, and what the INS makes of that.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
     earth_rate: f64,
@@ -114,12 +114,12 @@ impl Block {
         for (m, increment) in increments.iter_mut().enumerate() {
             let (middle, end) = ((m as f64 + 0.5) * part, (m as f64 + 1.0) * part);
             let end_rate_b = motion.angular_rate(end);
-            let felt = lever_arm_velocity(&(end_rate_b - self.rate_b), &(increment.angle / dt), dt, arm_b);
+            let by_arm = lever_arm_velocity(&(end_rate_b - self.rate_b), &(increment.angle / dt), dt, arm_b);
             let to_earth = motion.to_earth(middle);
             let gravitation_b = to_earth.tr_mul(&gravitation_along(earth, start, &(to_earth * arm_b)));
             *increment = Increment {
                 angle: self.to_block * increment.angle,
-                velocity: self.to_block * (increment.velocity + felt - gravitation_b * dt),
+                velocity: self.to_block * (increment.velocity + by_arm - gravitation_b * dt),
             };
             self.rate_b = end_rate_b;
         }
@@ -170,15 +170,15 @@ impl Block {
             (end - start) * inverse_t,
             (start - middle * 4.0 + end * 3.0) * inverse_t,
         ];
-        let felt = |rate: &Vector3<f64>, change: &Vector3<f64>| {
+        let by_arm = |rate: &Vector3<f64>, change: &Vector3<f64>| {
             VectorPair::new(&rate.cross(arm_b), &(change.cross(arm_b) + centripetal(rate, arm_b)))
         };
         let [d0, d1, d2] = changes;
-        let felt_e = motion.to_earth_axes(&[felt(&start, &d0), felt(&middle, &d1), felt(&end, &d2)]);
+        let by_arm_e = motion.to_earth_axes(&[by_arm(&start, &d0), by_arm(&middle, &d1), by_arm(&end, &d2)]);
         let mut nodes = motion.nodes();
-        for (node, felt_e) in nodes.iter_mut().zip(&felt_e) {
-            node.v_e += felt_e.first();
-            node.f_e += felt_e.second();
+        for (node, by_arm_e) in nodes.iter_mut().zip(&by_arm_e) {
+            node.v_e += by_arm_e.first();
+            node.f_e += by_arm_e.second();
         }
         nodes
     }

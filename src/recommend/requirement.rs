@@ -36,7 +36,7 @@ impl Requirement {
         check_range("requirement.attitude_rad", self.attitude_rad, 0.0, 1e12)?;
         if self.limits() == SolutionError::default() {
             let words = "position_m, velocity_m_s or attitude_rad must be greater than 0";
-            return Err(Error::invalid("requirement.position_m", self.position_m, Rule::Words(words)));
+            return Err(Error::invalid("requirement.position_m", self.position_m, Rule::Sentence(words)));
         }
         check_range("requirement.margin", self.margin, 1.0, 1e6)
     }

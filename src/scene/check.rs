@@ -10,7 +10,7 @@ use crate::sensors::{AltimeterParameters, SensorOutput};
 
 /// The error of a field that does not go together with another.
 fn at_odds(field: &'static str, words: &'static str) -> Error {
-    Error { value: None, ..Error::invalid(field, 0.0, Rule::Words(words)) }
+    Error { value: None, ..Error::invalid(field, 0.0, Rule::Sentence(words)) }
 }
 
 impl Output {
@@ -75,7 +75,7 @@ impl Scene {
         }
         if !self.is_log() && self.rate_hz * self.options.intake.max_gap_s < 1.0 {
             let words = "samples would be farther apart than options.max_gap_s =";
-            let rule = Rule::WordsAnd(words, self.options.intake.max_gap_s);
+            let rule = Rule::SentenceWith(words, self.options.intake.max_gap_s);
             conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
         }
         if self.options.vertical != VerticalMode::Damped {

@@ -171,7 +171,7 @@ fn sentence(error: &Error, key: &Key) -> String {
         Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),
         Rule::AtMost(words, number) => Rule::AtMost(words, in_unit(number)),
         Rule::Exactly(words, number) => Rule::Exactly(words, in_unit(number)),
-        Rule::WordsAnd(words, number) => Rule::WordsAnd(words, in_unit(number)),
+        Rule::SentenceWith(words, number) => Rule::SentenceWith(words, in_unit(number)),
         other => other,
     };
     let in_units = Error { field: "", value: None, rule, ..*error };

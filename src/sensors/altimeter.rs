@@ -4,7 +4,7 @@ use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
-use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
+use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use super::validation::check_correlation_time;
 use crate::error::{Error, check_range};
 use crate::math::exp_m1;
@@ -80,7 +80,7 @@ struct Heights {
 stored!(Heights { true_m: 1e9, lagged_m: 1e9, indicated_m: SIGNALS });
 
 stored!(Altimeter {
-    x: DEVIATES,
+    x: MAX_NORMAL,
     markov,
     noise,
     heights,

@@ -65,17 +65,17 @@ impl Filter {
         (self.cos, self.sin) = (decay * cos, decay * sin);
     }
 
-    /// What is left of an increment `felt` over `dt` [s].
+    /// What is left of an increment `input` over `dt` [s].
     #[inline]
-    fn filtered(&mut self, dt: f64, felt: f64) -> f64 {
-        let u = felt / dt;
+    fn filtered(&mut self, dt: f64, input: f64) -> f64 {
+        let u = input / dt;
         let (y, w) = self.state.unwrap_or((u, 0.0));
         let e = y - u;
         let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
         let y1 = flush(u + ((self.cos + self.sin) * e + self.sin * w));
         let w1 = flush((self.cos - self.sin) * w - 2.0 * self.sin * e);
         *self.state = Some((y1, w1));
-        felt - ((y1 - y) + 0.5 * (w1 - w)) / self.rate
+        input - ((y1 - y) + 0.5 * (w1 - w)) / self.rate
     }
 }
 
@@ -105,10 +105,10 @@ impl Bandwidth {
 
     /// Acts on an increment over `dt` [s].
     #[inline]
-    pub fn apply(&mut self, dt: f64, felt: &mut Vector3<f64>) {
-        for (filter, felt) in self.axes.iter_mut().zip(felt.iter_mut()) {
+    pub fn apply(&mut self, dt: f64, input: &mut Vector3<f64>) {
+        for (filter, input) in self.axes.iter_mut().zip(input.iter_mut()) {
             if let Some(filter) = filter {
-                *felt = filter.filtered(dt, *felt);
+                *input = filter.filtered(dt, *input);
             }
         }
     }

@@ -184,7 +184,7 @@ impl FailingTriad {
         z.check(output(Axis::Z))
     }
 
-    /// Whether a failure adds to what is felt.
+    /// Whether a failure adds to the input.
     pub fn any_adds(&self) -> bool {
         self.failures().any(|failure| failure.is_added())
     }

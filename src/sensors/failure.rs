@@ -40,7 +40,7 @@ impl SensorOutput {
 
 /// A failure of one output, from the interval after it is set until it is cleared or another takes its place.
 ///
-/// Biases, spikes and noise are added to what the sensor feels, before dead zone, range and quantization: what they make of it
+/// Biases, spikes and noise are added to the input of the sensor, before dead zone, range and quantization: what they make of it
 /// looks like data. The others replace the output. Noise processes, filters and residuals run on behind a failure.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Failure {

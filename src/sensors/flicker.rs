@@ -6,7 +6,7 @@ use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
 use super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
+use super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
@@ -52,7 +52,7 @@ pub(super) struct Flicker {
     streams: Kept<[Stream; 3]>,
 }
 
-stored!(Flicker { x: DEVIATES, streams } rebuilt { instability, steps, own });
+stored!(Flicker { x: MAX_NORMAL, streams } rebuilt { instability, steps, own });
 
 impl Flicker {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {

@@ -6,7 +6,7 @@ use super::kept::Kept;
 use super::outputs::Outputs;
 use super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::stream::{DEVIATES, Purpose, Stream, StreamKey};
+use super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
 use crate::math::{exp_m1, tanh};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
@@ -104,7 +104,7 @@ pub(super) struct GaussMarkov {
     streams: [Kept<Stream>; 3],
 }
 
-stored!(GaussMarkov { x: DEVIATES, streams } rebuilt { sigma, time_s, steps });
+stored!(GaussMarkov { x: MAX_NORMAL, streams } rebuilt { sigma, time_s, steps });
 
 impl GaussMarkov {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {

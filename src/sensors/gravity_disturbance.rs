@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
-use super::stream::{DEVIATES, Purpose, Source, Stream, StreamKey};
+use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
 use crate::error::{Error, check_range};
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
@@ -111,7 +111,7 @@ impl Stored for Field {
         let Self { has_moved, x, streams } = self;
         has_moved.load(from)?;
         if *has_moved {
-            Numbers::load(x, from, DEVIATES)?;
+            Numbers::load(x, from, MAX_NORMAL)?;
             streams.load(from)?;
         }
         Ok(())
@@ -154,7 +154,7 @@ impl GravityDisturbance {
         let v_e = (current.state.v_e + next.state.v_e) * 0.5;
         let horizontal_e = v_e - next.up_e * next.up_e.dot(&v_e);
         let a = earth.equatorial_radius_m;
-        let over_ground = a / (a + next.sample.place.height_m);
+        let over_ground = a / (a + next.height_m());
         horizontal_e.norm_squared().sqrt() * next.interval_s * over_ground
     }
 
@@ -192,7 +192,7 @@ impl GravityDisturbance {
 
     /// The same of given deflections ξ, η [rad] and anomaly [m/s²].
     pub(crate) fn of_fields(earth: &Earth, point: &TruthPoint, [xi, eta, anomaly]: [f64; 3]) -> Vector3<f64> {
-        let (east, north, up) = earth.east_north_up(&point.sample.place);
+        let (east, north, up) = earth.east_north_up(point.place());
         let normal = point.gravity_e.norm_squared().sqrt();
         east * (-normal * eta) + north * (-normal * xi) - up * anomaly
     }

@@ -1,5 +1,5 @@
 //! The sensor models: what imperfect gyros and accelerometers make of the ideal signals (the paper's equations (1)-(3)),
-//! the barometric altimeter, and the disturbance of the gravity that accelerometers feel.
+//! the barometric altimeter, and the disturbance of the gravity that acts on accelerometers.
 //!
 //! # Effects
 //!
@@ -8,7 +8,7 @@
 //!
 //! | | effect | error |
 //! |---|---|---|
-//! | what the proof mass feels | size effect | ω'×r + ω×(ω×r) at each accelerometer, along its axis |
+//! | what acts on the proof mass | size effect | ω'×r + ω×(ω×r) at each accelerometer, along its axis |
 //! | | bandwidth | second-order Butterworth filter, exact for a signal constant over an increment |
 //! | scale-type errors of that | scale factor, misalignment, given and drawn at turn-on | K s |
 //! | | asymmetry | a/2 \|s\| |

@@ -215,11 +215,11 @@ mod tests {
             for run in 0..runs {
                 let mut triad = Triad::new(StreamKey { seed: 1, run }, sensor);
                 triad.set(&TriadParameters { misalignment_sigma, ..Default::default() });
-                let felt = [0, 1, 2].map(|axis| {
+                let errors = [0, 1, 2].map(|axis| {
                     let unit = Vector3::ith(axis, 1.0);
                     triad.steady_error(&unit, &unit, None)
                 });
-                let between = |i: usize, j: usize| felt[i][j] + felt[j][i];
+                let between = |i: usize, j: usize| errors[i][j] + errors[j][i];
                 let angles = Vector3::new(between(0, 1), between(1, 2), between(2, 0));
                 squares += angles.component_mul(&angles) / runs as f64;
             }

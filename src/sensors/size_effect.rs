@@ -9,7 +9,7 @@ use crate::signal::{MAX_INCREMENTS, Turning};
 use crate::snapshot::{SIGNALS, stored};
 use crate::truth::INTERVALS_S;
 
-/// Accelerometer i at r_i feels along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
+/// Accelerometer i at r_i senses along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
 /// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`], with ω at its ends from the motion that it is of.
 ///
 /// Of foreign increments, ω at an end is the derivative of the cubic through the angle at it and at the ends of the three
@@ -87,7 +87,7 @@ impl SizeEffect {
 
     /// Adds the error over an increment of the angle `angle` [rad] in `dt` [s].
     #[inline]
-    pub fn apply(&mut self, angle: &Vector3<f64>, dt: f64, felt: &mut Vector3<f64>) {
+    pub fn apply(&mut self, angle: &Vector3<f64>, dt: f64, input: &mut Vector3<f64>) {
         let mean = angle / dt;
         let change = match &mut self.turning {
             Some((turning, past)) => {
@@ -97,7 +97,7 @@ impl SizeEffect {
             }
             None => self.change_of_foreign(Past { dt, mean }),
         };
-        *felt += self.along_axes(|arm| lever_arm_velocity(&change, &mean, dt, arm));
+        *input += self.along_axes(|arm| lever_arm_velocity(&change, &mean, dt, arm));
     }
 
     /// Change of ω over the increment `now`, of which nothing but those before tells.

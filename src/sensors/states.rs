@@ -3,7 +3,6 @@
 use super::draw::normal_each;
 use super::stream::Stream;
 use crate::error::Error;
-use crate::instruction_set::prefetch;
 use crate::memory::room;
 use crate::signal::{RUNS, Row};
 
@@ -120,12 +119,6 @@ impl StateRows {
         for (rows, before) in self.streams.iter_mut().zip(&other.streams) {
             rows.0.iter_mut().zip(&before.0).for_each(|(row, before)| row[lane] = before[lane]);
         }
-    }
-
-    /// Asks for their memory.
-    pub fn prefetch(&self) {
-        prefetch(&self.numbers);
-        prefetch(&self.streams);
     }
 
     /// Bytes of a run.

@@ -44,7 +44,7 @@ pub struct StreamKey {
 stored!(StreamKey { seed: ANY, run: ANY });
 
 /// A standard normal number is never as large [1].
-pub(super) const DEVIATES: f64 = 100.0;
+pub(super) const MAX_NORMAL: f64 = 100.0;
 
 /// A stream of random numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -30,7 +30,7 @@ impl TriadParameters {
             let value = numbers[parameter.shape.place(index)];
             let checked = match (field.range, parameter.shape) {
                 (_, Shape::OffDiagonal(rule)) if index % 4 == 0 && value != 0.0 => {
-                    Err(Error::invalid(field.path, value, Rule::Words(rule)))
+                    Err(Error::invalid(field.path, value, Rule::Sentence(rule)))
                 }
                 (Range::Within(low, high), _) => check_range(field.path, value, low, high),
                 (Range::OffOr(low, high), _) => check_off_or(field.path, value, low, high),

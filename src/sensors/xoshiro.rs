@@ -13,7 +13,7 @@ pub(super) struct Xoshiro256PlusPlus {
 }
 
 stored!(Xoshiro256PlusPlus { state: ANY } then |generator, from| match generator.state {
-    [0, 0, 0, 0] => Err(from.refused(0.0, Rule::Words("is a state that the generator never has"))),
+    [0, 0, 0, 0] => Err(from.refused(0.0, Rule::Sentence("is a state that the generator never has"))),
     _ => Ok(()),
 });
 

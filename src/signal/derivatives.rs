@@ -39,7 +39,7 @@ impl Neighbour {
 
 /// What the host gave at `point`, if all of it.
 pub(super) fn given(point: &TruthPoint) -> Option<Derivatives> {
-    Some(Derivatives { a_e: point.a_e?, omega_ib_b: point.sample.omega_ib_b? })
+    Some(Derivatives { a_e: point.a_e?, omega_ib_b: point.omega_ib_b()? })
 }
 
 /// The samples before `next` as far as they are usable.
@@ -75,7 +75,7 @@ pub(super) fn derivatives_at(
     };
     Derivatives {
         a_e: point.a_e.unwrap_or(a_e),
-        omega_ib_b: point.sample.omega_ib_b.unwrap_or(omega_eb_b + earth_rate_b),
+        omega_ib_b: point.omega_ib_b().unwrap_or(omega_eb_b + earth_rate_b),
     }
 }
 

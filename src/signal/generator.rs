@@ -104,7 +104,7 @@ impl SignalGenerator {
         let since_second = turn.angle + self.turns[0].angle;
         let since_third = since_second + self.turns[1].angle;
         let second = before[0].filter(|_| since_second < MAX_STENCIL_ROTATION);
-        let is_noisy = current.sample.v_n.is_none() && next.ends_gap(current);
+        let is_noisy = !current.has_velocity() && next.ends_gap(current);
         let third = before[1].filter(|_| since_third < MAX_STENCIL_ROTATION && !is_noisy);
         let end = match (given(next), second, third) {
             (Some(given), ..) => given,
@@ -169,7 +169,7 @@ impl SignalGenerator {
         let [r1, r2, r3] = rotations;
         Derivatives {
             a_e: next.a_e.unwrap_or(v1 * w1 + v2 * w2 + v3 * w3),
-            omega_ib_b: next.sample.omega_ib_b.unwrap_or(r1 * w1 + r2 * w2 + r3 * w3 + earth_rate_b),
+            omega_ib_b: next.omega_ib_b().unwrap_or(r1 * w1 + r2 * w2 + r3 * w3 + earth_rate_b),
         }
     }
 

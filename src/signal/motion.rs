@@ -207,7 +207,7 @@ impl<'a> IntervalMotion<'a> {
 
     /// How [`Self::to_earth_axes`] turns.
     #[inline(always)]
-    pub fn turn_to_earth(&self) -> TurnToEarth {
+    pub fn turn_to_earth(&self) -> TurnToEarth<'a> {
         let [c1, c2, c3] = &self.rotation;
         let phi = 0.5 * c1 + 0.25 * c2 + 0.125 * c3;
         let n2 = phi.norm_squared();
@@ -216,8 +216,8 @@ impl<'a> IntervalMotion<'a> {
             phi: VectorPair::both(&phi),
             linear: 1.0 - n2 * series.cubic,
             square: series.square,
-            start: self.start.to_earth,
-            end: self.end.to_earth,
+            start: &self.start.to_earth,
+            end: &self.end.to_earth,
             earth_angle: 0.5 * self.earth_rate * self.interval_s,
         }
     }
@@ -225,18 +225,28 @@ impl<'a> IntervalMotion<'a> {
 
 /// Turns vectors from sensor axes at the start, in the middle and at the end of an interval to Earth-fixed axes.
 #[derive(Debug, Clone, Copy)]
-pub struct TurnToEarth {
+pub struct TurnToEarth<'a> {
     /// Rotation vector from the start to the middle [rad], and its coefficients.
     phi: VectorPair,
     linear: f64,
     square: f64,
-    start: Matrix3<f64>,
-    end: Matrix3<f64>,
+    start: &'a Matrix3<f64>,
+    end: &'a Matrix3<f64>,
     /// By which the Earth has turned on in half the interval [rad].
     earth_angle: f64,
 }
 
-impl TurnToEarth {
+impl TurnToEarth<'_> {
+    /// The matrices at both ends, for [`Self::with`].
+    pub fn ends(&self) -> [Matrix3<f64>; 2] {
+        [*self.start, *self.end]
+    }
+
+    /// The same with the matrices in another place.
+    pub fn with<'b>(&self, [start, end]: &'b [Matrix3<f64>; 2]) -> TurnToEarth<'b> {
+        TurnToEarth { start, end, ..*self }
+    }
+
     /// Two vectors at each instant.
     #[inline(always)]
     pub fn of(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
@@ -244,7 +254,7 @@ impl TurnToEarth {
         let turned = *middle
             + cross.times(Pair::both(self.linear))
             + self.phi.cross(&cross).times(Pair::both(self.square));
-        let middle = VectorPair::of_matrix(&self.start, &turned);
+        let middle = VectorPair::of_matrix(self.start, &turned);
         // 2e-3 rad at the most, to its second order.
         let angle = Pair::both(self.earth_angle);
         let half_square = angle * angle * 0.5;
@@ -253,7 +263,7 @@ impl TurnToEarth {
             y: middle.y - middle.x * angle - middle.y * half_square,
             z: middle.z,
         };
-        [VectorPair::of_matrix(&self.start, start), middle, VectorPair::of_matrix(&self.end, end)]
+        [VectorPair::of_matrix(self.start, start), middle, VectorPair::of_matrix(self.end, end)]
     }
 }
 

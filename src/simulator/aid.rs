@@ -12,19 +12,13 @@ pub(super) fn vertical_aid(
     next: &TruthPoint,
     sense: impl FnOnce(f64) -> Option<f64>,
 ) -> VerticalAid {
-    let height_m = next.sample.place.height_m;
+    let height_m = next.height_m();
     match mode {
         VerticalMode::Free => VerticalAid::None,
         VerticalMode::Damped => {
             sense(height_m).map_or(VerticalAid::None, |height_m| VerticalAid::Barometer { height_m })
         }
-        VerticalMode::FollowTruth => VerticalAid::Truth {
-            height_m,
-            velocity_up_m_s: match &next.sample.v_n {
-                Some(v_n) => v_n.z,
-                None => next.up_e.dot(&next.state.v_e),
-            },
-        },
+        VerticalMode::FollowTruth => VerticalAid::Truth { height_m, velocity_up_m_s: next.velocity_up_m_s() },
     }
 }
 

@@ -1,7 +1,7 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
-mod beside;
 mod covariance;
+mod extended;
 mod fly;
 mod moved;
 pub(super) mod side_by_side;
@@ -61,7 +61,7 @@ pub(super) struct Chain {
 }
 
 /// What a mounting and gravity beyond the normal field make of a chain, and the true state of the sensors.
-struct Beside {
+struct Extension {
     block: Option<Block>,
     disturbance: Option<Disturbance>,
     sensors_state: EarthFixedState,
@@ -92,9 +92,9 @@ impl Chain {
         let start = Start::new(options, &earth, at, &truth, disturbance_e, sensors)?;
         let state = with_errors(&earth, options, &truth, &start.errors).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
-        let beside = Beside { block, disturbance, sensors_state };
+        let extension = Extension { block, disturbance, sensors_state };
         let with_shadow = start.errors != StateErrors::NONE;
-        let chain = Self::new(options, earth, first, &start, mechanization, with_shadow, beside);
+        let chain = Self::new(options, earth, first, &start, mechanization, with_shadow, extension);
         chain.check()?;
         Ok(chain)
     }
@@ -107,7 +107,7 @@ impl Chain {
         start: &Start,
         mechanization: Mechanization,
         with_shadow: bool,
-        Beside { block, disturbance, sensors_state }: Beside,
+        Extension { block, disturbance, sensors_state }: Extension,
     ) -> Self {
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
             let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
@@ -164,13 +164,12 @@ impl Chain {
                 (time_s, interval_s, sensors_were_ideal, flags)
             }
         };
-        let Signals { ideal, measured } = &self.signals;
-        let measured = if sensors_were_ideal { ideal } else { measured };
+        let (ideal, measured) = self.signals.of(&self.parts, sensors_were_ideal);
         Some(ImuInterval {
             time_s,
             interval_s,
-            ideal: Increment::sum(self.ideal_increments()),
-            measured: Increment::sum(&measured[self.parts.clone()]),
+            ideal: Increment::sum(ideal),
+            measured: Increment::sum(measured),
             flags,
         })
     }

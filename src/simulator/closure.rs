@@ -15,7 +15,7 @@ const FLAG_SHARE: f64 = 0.01;
 
 /// Closure of the navigated solution on the truth.
 ///
-/// A host's positions are never quite the integral of its velocities. The INS integrates the velocities and feels gravity
+/// A host's positions are never quite the integral of its velocities. The INS integrates the velocities and senses gravity
 /// at the positions, so what the host contradicts itself by comes back Schuler-tuned; the rest of the closure is the
 /// simulator's own (and the sensors').
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -166,7 +166,7 @@ impl Closure {
     /// The figures while the truth is at `truth` and the solution has the errors `errors`.
     pub fn figures(&self, earth: &Earth, truth: &TruthPoint, errors: &NavigationErrors) -> ClosureFigures {
         let answer = self.answer.after(earth, truth, &self.pending_e, self.pending_s);
-        let (east, north, up) = earth.east_north_up(&truth.sample.place);
+        let (east, north, up) = earth.east_north_up(truth.place());
         let local = |v: &Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), v.dot(&up));
         let horizontal = |v: &Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), 0.0);
         ClosureFigures {

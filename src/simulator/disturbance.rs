@@ -1,4 +1,4 @@
-//! Gravity beyond the normal field in flight: what perfect accelerometers feel of it.
+//! Gravity beyond the normal field in flight: what perfect accelerometers sense of it.
 
 use nalgebra::Vector3;
 
@@ -17,15 +17,15 @@ pub(super) struct Disturbance {
     /// At the last sample, Earth-fixed axes [m/s²].
     at_last_e: Vector3<f64>,
     /// Of the last interval.
-    felt: SensorErrors,
+    apparent: SensorErrors,
 }
 
-stored!(Disturbance { at_last_e: 1e3 } rebuilt { felt });
+stored!(Disturbance { at_last_e: 1e3 } rebuilt { apparent });
 
 impl Disturbance {
     /// Starts with `at_first_e` [m/s²].
     pub const fn new(at_first_e: Vector3<f64>) -> Self {
-        Self { at_last_e: at_first_e, felt: SensorErrors::NONE }
+        Self { at_last_e: at_first_e, apparent: SensorErrors::NONE }
     }
 
     /// At the last sample, Earth-fixed axes [m/s²].
@@ -59,22 +59,22 @@ impl Disturbance {
         let part = 1.0 / increments.len() as f64;
         let half_dt = 0.5 * motion.interval_s * part;
         let change_e = at_next_e - self.at_last_e;
-        let felt = increments.iter_mut().enumerate().map(|(m, increment)| {
+        let sensed = increments.iter_mut().enumerate().map(|(m, increment)| {
             // Of two nodes in each increment the error is θ⁴/4320 of it, at a rotation θ [rad].
-            let felt_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, (node, _)| {
+            let sensed_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, (node, _)| {
                 let u = (m as f64 + node) * part;
                 sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
             });
-            let velocity = block.map_or(felt_b, |block| block.in_block_axes(&felt_b));
+            let velocity = block.map_or(sensed_b, |block| block.in_block_axes(&sensed_b));
             increment.velocity += velocity;
             Increment { velocity, ..Increment::ZERO }
         });
-        self.felt = SensorErrors::of_increments(felt, motion.interval_s);
+        self.apparent = SensorErrors::of_increments(sensed, motion.interval_s);
         self.at_last_e = at_next_e;
     }
 
-    /// What of the last interval's signals an INS that computes with normal gravity takes for errors.
-    pub fn felt(&self) -> &SensorErrors {
-        &self.felt
+    /// Errors that the sensors seem to have had in the last interval to an INS that computes with normal gravity.
+    pub fn apparent_errors(&self) -> &SensorErrors {
+        &self.apparent
     }
 }

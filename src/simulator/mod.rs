@@ -166,7 +166,7 @@ impl Simulator {
         let mut chain = self.chain_from_first_sample()?;
         let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
         let mut sensors = self.sensors.clone();
-        sensors.reposition(first.current.sample.place.height_m);
+        sensors.reposition(first.current.height_m());
         chain.signals = core::mem::take(&mut self.signals);
         chain.set_summary(self.summary);
         chain.begin_covariance(core::mem::take(&mut self.covariance), first.current, &sensors);
@@ -308,5 +308,5 @@ impl Simulator {
 
 /// The rule that a solution is singular in what was asked of it.
 fn singular(field: &'static str, value: f64, words: &'static str, limit: f64) -> Error {
-    Error::of(ErrorKind::Singular, field, value, Rule::WordsAnd(words, limit))
+    Error::of(ErrorKind::Singular, field, value, Rule::SentenceWith(words, limit))
 }

@@ -31,5 +31,5 @@ pub(super) fn rate_at_start(
         rotation_vector(&turn) / recent.next.interval_s
     });
     let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth.rate_rad_s));
-    first.sample.omega_ib_b.unwrap_or(against_earth + earth_rate_b)
+    first.omega_ib_b().unwrap_or(against_earth + earth_rate_b)
 }

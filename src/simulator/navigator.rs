@@ -55,7 +55,7 @@ impl Navigator {
             increments.iter().chain([&sum]).map(|part| part.angle.norm_squared()).fold(0.0, f64::max);
         if largest >= core::f64::consts::PI * core::f64::consts::PI {
             let rule =
-                Rule::Words("the rotation of an increment and of an interval must stay below half a turn");
+                Rule::Sentence("the rotation of an increment and of an interval must stay below half a turn");
             return Err(Error::invalid("imu.angle_rad", largest.sqrt(), rule));
         }
 

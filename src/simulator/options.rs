@@ -127,7 +127,7 @@ impl Options {
     /// Whether the mechanization can follow the truth to `next`.
     pub(crate) fn check_truth(&self, next: &TruthPoint) -> Result<(), Error> {
         if self.frame == Frame::Geographic {
-            let cos = sin_cos(next.sample.place.latitude_rad).1;
+            let cos = sin_cos(next.place().latitude_rad).1;
             if cos < Mechanization::MIN_COS_LATITUDE {
                 return Err(singular(
                     "cosine of sample.latitude_rad",

@@ -27,14 +27,7 @@ pub struct ErrorParameters {
 impl ErrorParameters {
     /// What is set in a simulator, at any moment of its life.
     pub fn of(simulator: &Simulator) -> Self {
-        Self {
-            gyro: *simulator.gyro(),
-            accel: *simulator.accel(),
-            altimeter: *simulator.altimeter(),
-            initial: *simulator.initial_errors(),
-            mounting: simulator.mounting(),
-            gravity: *simulator.gravity_disturbance(),
-        }
+        *simulator.sensors.set()
     }
 
     /// Checks every field.

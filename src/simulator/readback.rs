@@ -11,32 +11,32 @@ use crate::truth::TruthPoint;
 impl Simulator {
     /// Errors of the gyros, as they were set.
     pub fn gyro(&self) -> &TriadParameters {
-        self.sensors.gyro_parameters()
+        &self.sensors.set().gyro
     }
 
     /// Errors of the accelerometers, as they were set.
     pub fn accel(&self) -> &TriadParameters {
-        self.sensors.accel_parameters()
+        &self.sensors.set().accel
     }
 
     /// Errors of the altimeter, as they were set.
     pub fn altimeter(&self) -> &AltimeterParameters {
-        self.sensors.altimeter_parameters()
+        &self.sensors.set().altimeter
     }
 
     /// Errors with which the navigation starts, as they were set.
     pub fn initial_errors(&self) -> &InitialErrorParameters {
-        &self.sensors.initial
+        &self.sensors.set().initial
     }
 
     /// Where the sensor block sits, as it was set.
     pub fn mounting(&self) -> MountingParameters {
-        self.sensors.mounting().copied().unwrap_or_default()
+        self.sensors.set().mounting
     }
 
     /// True less normal gravity, as it was set.
     pub fn gravity_disturbance(&self) -> &GravityDisturbanceParameters {
-        self.sensors.gravity.parameters()
+        &self.sensors.set().gravity
     }
 
     /// The failure of an output; `None`: it has no failure.
@@ -46,6 +46,6 @@ impl Simulator {
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
-        self.intake.newest().map(|point: &TruthPoint| point.sample.time_s)
+        self.intake.newest().map(|point: &TruthPoint| point.stamp_s())
     }
 }

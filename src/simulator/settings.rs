@@ -56,7 +56,7 @@ impl Simulator {
         self.refuse_after_start(
             "initial errors can be set before the first step, after a reset or after a reposition",
         )?;
-        self.sensors.initial = *parameters;
+        self.sensors.set_initial_errors(parameters);
         Ok(())
     }
 
@@ -67,12 +67,12 @@ impl Simulator {
         self.refuse_after_start(
             "the mounting can be set before the first step, after a reset or after a reposition",
         )?;
-        self.sensors.set_mounting((*parameters != MountingParameters::default()).then_some(*parameters));
+        self.sensors.set_mounting(parameters);
         Ok(())
     }
 
-    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host have felt their
-    /// own.
+    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host contain
+    /// their own.
     pub fn set_gravity_disturbance(
         &mut self,
         parameters: &GravityDisturbanceParameters,

@@ -1,5 +1,7 @@
 //! The increments of the last intervals.
 
+use core::ops::Range;
+
 use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{Increment, MAX_INCREMENTS};
@@ -21,6 +23,13 @@ impl Signals {
             Ok(increments.into_boxed_slice())
         };
         Ok(Self { ideal: increments()?, measured: increments()? })
+    }
+
+    /// Ideal and measured increments at the places `parts`: ideal sensors have measured the ideal ones, which are not copied.
+    #[inline(always)]
+    pub fn of(&self, parts: &Range<usize>, sensors_were_ideal: bool) -> (&[Increment], &[Increment]) {
+        let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
+        (&self.ideal[parts.clone()], &measured[parts.clone()])
     }
 
     /// Where the increments of an interval begin whose predecessor's begin at `last`.

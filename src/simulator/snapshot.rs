@@ -130,7 +130,7 @@ impl Simulator {
             }
             _ if samples > 0 => {
                 from.enter("snapshot: samples that were flown");
-                return Err(from.refused(samples as f64, Rule::Words("must be 0 without a flight")));
+                return Err(from.refused(samples as f64, Rule::Sentence("must be 0 without a flight")));
             }
             NAVIGATING => {
                 let upright = Quaternion::identity();

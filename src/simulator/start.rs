@@ -43,8 +43,8 @@ impl Start {
         disturbance_e: Option<&Vector3<f64>>,
         sensors: &SensorSuite,
     ) -> Result<Self, Error> {
-        let mut start = Self { errors: sensors.initial.draw(options.key), north_unknown: false };
-        if sensors.initial.alignment == sensors::Alignment::LevelAndGyrocompass {
+        let mut start = Self { errors: sensors.set().initial.draw(options.key), north_unknown: false };
+        if sensors.set().initial.alignment == sensors::Alignment::LevelAndGyrocompass {
             let disturbance_e = disturbance_e.copied().unwrap_or_default();
             let aligned = aligned(earth, (first, state), truth, &disturbance_e, sensors)?;
             let given = rotation_quaternion(&-start.errors.misalignment_n);
@@ -69,7 +69,7 @@ fn aligned(
 ) -> Result<Aligned, Error> {
     let at_rest = AtRest::new(earth, state, truth, disturbance_e)?;
     let error_n = |triad: &Triad| {
-        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.sample.temperature_c);
+        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.temperature_c());
         rotate(&truth.q_nb, &steady)
     };
     // To an INS that computes with normal gravity the rest is an error of its accelerometers.

@@ -37,10 +37,10 @@ impl<'a> Reader<'a> {
             NOTHING => (0, 0),
             BYTE => (u64::from(u8::from_le_bytes(self.bytes()?)), 1),
             WHOLE => (u64::from_le_bytes(self.bytes()?), 256),
-            _ => return Err(self.refused(size, Rule::Words("is not the size of a word"))),
+            _ => return Err(self.refused(size, Rule::Sentence("is not the size of a word"))),
         };
         if word < smallest {
-            return Err(self.refused(word, Rule::Words("takes more bytes than it needs")));
+            return Err(self.refused(word, Rule::Sentence("takes more bytes than it needs")));
         }
         Ok(word)
     }
@@ -80,7 +80,7 @@ impl<'a> Reader<'a> {
 
     /// Rejects `value` of the current field if it is not `good`.
     pub fn require(&self, good: bool, value: f64, words: &'static str) -> Result<(), Error> {
-        if good { Ok(()) } else { Err(self.refused(value, Rule::Words(words))) }
+        if good { Ok(()) } else { Err(self.refused(value, Rule::Sentence(words))) }
     }
 
     /// The error of a value of the current field that breaks `rule`.
@@ -89,7 +89,7 @@ impl<'a> Reader<'a> {
     }
 
     fn ended(&self) -> Error {
-        let rule = Rule::Words("the snapshot ends before it");
+        let rule = Rule::Sentence("the snapshot ends before it");
         Error { value: None, ..self.refused(0.0, rule) }
     }
 }

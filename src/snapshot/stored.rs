@@ -62,7 +62,7 @@ macro_rules! codes {
                 *self = match from.word()? {
                     $($code => Self::$variant,)*
                     code => {
-                        let rule = $crate::error::Rule::Words("is not a value that this release knows");
+                        let rule = $crate::error::Rule::Sentence("is not a value that this release knows");
                         return Err(from.refused(code as u64, rule));
                     }
                 };

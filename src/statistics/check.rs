@@ -46,7 +46,7 @@ impl Statistics {
         let of_largest = super::bucket_of(self.largest_radial.min((1 << STATE_BITS) - 1));
         let fits = self.largest_radial < 1 << STATE_BITS
             && last.map_or(self.largest_radial == 0, |last| of_largest == last);
-        let rule = Rule::Words("is damaged: it is not in the last bucket of the histogram");
+        let rule = Rule::Sentence("is damaged: it is not in the last bucket of the histogram");
         require(fits, "statistics.largest_radial", self.largest_radial, rule)
     }
 
@@ -55,7 +55,7 @@ impl Statistics {
         let damaged = |field, index| {
             Err(Error {
                 value: None,
-                ..Error::invalid(field, 0_u64, Rule::Words("is damaged: no runs have such sums")).at(index)
+                ..Error::invalid(field, 0_u64, Rule::Sentence("is damaged: no runs have such sums")).at(index)
             })
         };
         for state in 0..STATES {

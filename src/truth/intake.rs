@@ -164,7 +164,7 @@ impl Intake {
     pub fn push(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         sample.validate()?;
         if self.waiting() == QUEUE_CAPACITY {
-            let rule = Rule::WordsAnd(
+            let rule = Rule::SentenceWith(
                 "the queue is full, step first; samples that can wait:",
                 QUEUE_CAPACITY as f64,
             );
@@ -215,7 +215,7 @@ impl Intake {
             None => stamp_s - last.time_s,
             Some(period) => {
                 if (stamp_s - time_s).abs() > OFF_PERIOD * period {
-                    return order(Rule::WordsAnd(
+                    return order(Rule::SentenceWith(
                         "is off the stated sample period; the nearest sample time is",
                         time_s,
                     ));
@@ -225,13 +225,13 @@ impl Intake {
         };
         let rounding = STAMP_ROUNDING * stamp_s.abs();
         if interval_s < MIN_INTERVAL_S - rounding || interval_s <= 0.0 {
-            return order(Rule::WordsAnd(
+            return order(Rule::SentenceWith(
                 "must be at least 5e-5 s after the previous sample, at",
                 last.time_s,
             ));
         }
         if interval_s > self.limits.max_gap_s + rounding {
-            let rule = Rule::WordsAnd(
+            let rule = Rule::SentenceWith(
                 "the gap after the previous sample must be at most max_gap_s =",
                 self.limits.max_gap_s,
             );

@@ -31,8 +31,8 @@ pub struct TruthPoint {
     pub gravity_e: Vector3<f64>,
     /// Acceleration against the Earth [m/s²], if the host gave the specific force.
     pub a_e: Option<Vector3<f64>>,
-    /// The sample of the host.
-    pub sample: FlightSample,
+    /// The sample itself, which other blocks do not see.
+    pub(super) sample: FlightSample,
 }
 
 impl TruthPoint {
@@ -102,6 +102,44 @@ impl TruthPoint {
         let ratio = self.interval_s / usual_s;
         // At the start there is no usual length.
         (usual_s > 0.0 && ratio > GAP).then_some(ratio)
+    }
+
+    /// The sample's own time stamp [s].
+    pub fn stamp_s(&self) -> f64 {
+        self.sample.time_s
+    }
+
+    /// Geodetic position.
+    pub fn place(&self) -> &Geodetic {
+        &self.sample.place
+    }
+
+    /// Height above the ellipsoid [m].
+    pub fn height_m(&self) -> f64 {
+        self.sample.place.height_m
+    }
+
+    /// Whether the host gave the velocity; else it follows from positions.
+    pub fn has_velocity(&self) -> bool {
+        self.sample.v_n.is_some()
+    }
+
+    /// Velocity up [m/s].
+    pub fn velocity_up_m_s(&self) -> f64 {
+        match &self.sample.v_n {
+            Some(v_n) => v_n.z,
+            None => self.up_e.dot(&self.state.v_e),
+        }
+    }
+
+    /// Angular rate against inertial space in sensor axes [rad/s], if the host gave it.
+    pub fn omega_ib_b(&self) -> Option<Vector3<f64>> {
+        self.sample.omega_ib_b
+    }
+
+    /// Temperature of the gyros and accelerometers [°C], if the host gave it.
+    pub fn temperature_c(&self) -> Option<f64> {
+        self.sample.temperature_c
     }
 
     /// The vertical there.

@@ -93,7 +93,7 @@ impl Intake {
     fn check_kept_time(&self, stamp_s: f64, time_s: f64, interval_s: f64) -> Result<(), Error> {
         let rounding = STAMP_ROUNDING * LATEST_S;
         let refuse = |value, why| {
-            Err(Error::of(ErrorKind::TimeOrder, "snapshot: time of a sample", value, Rule::Words(why)))
+            Err(Error::of(ErrorKind::TimeOrder, "snapshot: time of a sample", value, Rule::Sentence(why)))
         };
         if let Some(period) = self.limits.period_s
             && (stamp_s - time_s).abs() > OFF_PERIOD * period + rounding

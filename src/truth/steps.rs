@@ -112,7 +112,7 @@ impl Steps<'_> {
             return jump(
                 "sample attitude: rotation since the previous sample [rad]",
                 angle,
-                Rule::Words("must be below 170 degrees; beyond it the sense of the rotation is unknown"),
+                Rule::Sentence("must be below 170 degrees; beyond it the sense of the rotation is unknown"),
             );
         }
         Ok(())
@@ -148,7 +148,7 @@ impl Steps<'_> {
             return jump(
                 "sample attitude: rotation since the previous sample less the one foreseen [rad]",
                 change,
-                Rule::Words(
+                Rule::Sentence(
                     "must be below 180 degrees, of the rotation by the angular rates or else that of the interval before; \
                      beyond it whole turns may be lost",
                 ),

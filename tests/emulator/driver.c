@@ -8,6 +8,8 @@
  *     driver files DIR     opens DIR\exercise.toml and saves it as DIR\again.toml by the file dialogs, flies it, exports, saves and
  *                          copies the picture, drops DIR\trainer.toml and a log, opens a recent scene
  *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
+ *     driver edit          composes manoeuvres, takes a preset, types a value in SI and for one axis, pauses, stops and resets a
+ *                          flight, saves the scene
  *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks for
  *                          a study beyond a limit of its struct, and prints the dialog's line
  *
@@ -256,7 +258,7 @@ static void exercise(void)
 
 static void pages(void)
 {
-    HWND trajectory = page_of(IDC_SOURCE);
+    HWND trajectory = page_of(IDC_SOURCE), display = page_of(IDC_PROGRESS), plot = GetDlgItem(display, IDC_PLOT);
     command(ID_PAGE);
     look("1");
     command(ID_PAGE + 1);
@@ -265,6 +267,14 @@ static void pages(void)
     look("3");
     command(ID_PAGE + 3);
     look("4");
+    choose(display, IDC_QUANTITY, 7);
+    look("track");
+    choose(display, IDC_QUANTITY, 1);
+    ask(GetDlgItem(display, IDC_LOGARITHMIC), BM_CLICK, 0, 0);
+    ask(GetDlgItem(display, IDC_AXIS + 1), BM_CLICK, 0, 0); /* without north */
+    ask(plot, WM_LBUTTONDOWN, MK_LBUTTON, MAKELPARAM(200, 100));
+    ask(plot, WM_LBUTTONUP, 0, MAKELPARAM(400, 100));
+    look("zoomed");
     dialog(main_window, ID_FAILURE, "failures");
     dialog(main_window, ID_RECOMMEND, "recommend");
     dialog(main_window, ID_BUDGET, "budget");
@@ -467,6 +477,77 @@ static void sentence(void)
     answer(IDNO);
 }
 
+/* The control number k, from 0, of those that a label binds to keys. */
+static HWND field(HWND dialog, int k)
+{
+    HWND control = NULL;
+    while ((control = FindWindowExW(dialog, control, NULL, NULL)) != NULL) {
+        if (GetDlgCtrlID(control) == IDC_FIELD && k-- == 0) {
+            return control;
+        }
+    }
+    fail("no such field");
+    return NULL;
+}
+
+static void expect_state(HWND display, const wchar_t *state)
+{
+    wchar_t text[256] = L"";
+    ask(GetDlgItem(display, IDC_PROGRESS), WM_GETTEXT, 256, (LPARAM)text);
+    if (wcsncmp(text, state, wcslen(state)) != 0) {
+        printf("driver: the state is \"%ls\", not \"%ls\"\n", text, state);
+        exit(1);
+    }
+}
+
+static void edit(void)
+{
+    HWND trajectory = page_of(IDC_SOURCE), general = page_of(IDC_SECTION), display = page_of(IDC_PROGRESS), manoeuvre, channel;
+    manoeuvre = open_box(trajectory, IDC_ADD, IDC_KIND);
+    choose(manoeuvre, IDC_KIND, 8); /* sinusoids */
+    if (!IsWindowEnabled(field(manoeuvre, 7)) || IsWindowEnabled(field(manoeuvre, 8)) || IsWindowEnabled(field(manoeuvre, 2))) {
+        fail("the fields of sinusoids are not those that they use");
+    }
+    channel = field(manoeuvre, 7);
+    ask(channel, CB_SETCURSEL, 4, 0); /* roll */
+    ask(manoeuvre, WM_COMMAND, MAKEWPARAM(IDC_FIELD, CBN_SELCHANGE), (LPARAM)channel);
+    if (!IsWindowEnabled(field(manoeuvre, 8)) || IsWindowEnabled(field(manoeuvre, 9))) {
+        fail("the amplitude of a roll is no angle");
+    }
+    type(field(manoeuvre, 8), L"5");
+    type(field(manoeuvre, 10), L"0.25");
+    ask(manoeuvre, WM_COMMAND, IDOK, 0);
+    wait_for_no_box(manoeuvre);
+    ask(trajectory, WM_COMMAND, IDC_UP, 0); /* a row is chosen: the new manoeuvre */
+    manoeuvre = open_box(trajectory, IDC_ADD, IDC_KIND);
+    ask(manoeuvre, WM_COMMAND, IDOK, 0);
+    wait_for_no_box(manoeuvre);
+    ask(trajectory, WM_COMMAND, IDC_REMOVE, 0);
+
+    choose(general, IDC_PRESET, 4); /* tactical */
+    ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_HOME, 0); /* constant bias */
+    choose(general, IDC_UNIT, 1); /* SI */
+    type(GetDlgItem(general, IDC_VALUE), L"1e-6");
+    ask(GetDlgItem(general, IDC_SAME), BM_SETCHECK, BST_UNCHECKED, 0);
+    type(GetDlgItem(general, IDC_VALUE + 1), L"2e-6");
+
+    choose(display, IDC_PACE, 0); /* real time */
+    command(ID_FLY);
+    Sleep(500);
+    command(ID_PAUSE);
+    expect_state(display, L"Paused");
+    command(ID_PAUSE);
+    command(ID_FLY);
+    expect_state(display, L"Flying");
+    command(ID_STOP);
+    expect_state(display, L"Stopped");
+    command(ID_RESET);
+    expect_state(display, L"Ready");
+    command(ID_SAVE);
+    close_window();
+    printf("manoeuvres, a preset, units and axes edited; paused, stopped, reset\n");
+}
+
 int main(int count, char **arguments)
 {
     int k;
@@ -488,6 +569,8 @@ int main(int count, char **arguments)
         files(folder);
     } else if (strcmp(arguments[1], "studies") == 0) {
         studies();
+    } else if (strcmp(arguments[1], "edit") == 0) {
+        edit();
     } else if (strcmp(arguments[1], "sentence") == 0) {
         sentence();
     } else {

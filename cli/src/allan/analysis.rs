@@ -1,4 +1,4 @@
-//! What the log says of one sensor: deviations, coefficients, and whether these explain those.
+//! Results of one column: deviations, coefficients, and whether the coefficients explain the deviations.
 
 use sins::allan::{Estimator, Fit, Interval, Point, TERMS, Term};
 use sins::math::chi_square_quantile;
@@ -8,11 +8,11 @@ use super::quantity::Sensor;
 use crate::failure::Failure;
 use crate::progress::Progress;
 
-/// Of all intervals.
+/// Confidence of all intervals.
 pub const CONFIDENCE: f64 = 0.95;
 
-/// A deviation misses the fit where chance alone does so once in ten thousand times, and by more than a reader of the
-/// curve would overlook.
+/// The fit does not explain a deviation if chance alone would make the difference once in ten thousand times, and if the ratio of the
+/// two is large enough to be seen in the curve.
 const CERTAIN: f64 = 0.9999;
 const VISIBLE: f64 = 1.05;
 
@@ -24,7 +24,7 @@ pub struct Estimate {
     pub interval: Interval,
     /// Equivalent degrees of freedom.
     pub degrees: f64,
-    /// Of the fit.
+    /// Deviation of the fit.
     pub fitted: f64,
 }
 
@@ -37,20 +37,20 @@ pub struct Coefficient {
 }
 
 impl Coefficient {
-    /// Whether the record tells it from nothing.
+    /// Whether the record shows that it is not zero.
     pub fn is_resolved(&self) -> bool {
         self.interval.low > 0.0 && !self.is_at_bound()
     }
 
-    /// Whether the estimate sits on the upper bound of its own interval, which reaches far below it: what the constraint of the fit
-    /// left, nothing that the record shows. A short interval may end at the estimate as well; the term is there.
+    /// Whether the estimate is the upper end of its own interval, and the lower end is far below it. It is then a remainder of the
+    /// constraint of the fit, not a finding. A short interval may end at the estimate too: that term is a finding.
     pub fn is_at_bound(&self) -> bool {
         let Interval { low, high } = self.interval;
         self.value > 0.0 && self.value >= high && low < 0.5 * self.value
     }
 }
 
-/// Of one column.
+/// Results of one column.
 pub struct Analysis {
     pub name: String,
     pub sensor: Sensor,
@@ -60,7 +60,7 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// All columns of a log.
+    /// Results of all columns of a log.
     pub fn of_log(log: &Log) -> Result<Vec<Self>, Failure> {
         let progress = Progress::counting("analysing", 1 + log.series.len());
         let estimator = Estimator::new(log.count(), log.interval_s)?;
@@ -87,7 +87,7 @@ impl Analysis {
         Ok(Self { name, sensor, estimates, coefficients, fit: found.fit })
     }
 
-    /// The deviation that the fit misses most, if it misses any: something else than the five terms is in the record.
+    /// The deviation that the fit explains worst, if it does not explain it: the record has something else than the five terms.
     pub fn unexplained(&self) -> Option<&Estimate> {
         let ratio = |estimate: &&Estimate| (estimate.deviation / estimate.fitted).ln().abs();
         let missed = self.estimates.iter().filter(|estimate| {
@@ -152,7 +152,7 @@ pub mod tests {
     }
 
     #[test]
-    fn a_dead_column_is_told() {
+    fn a_dead_column_is_reported() {
         let mut log = made(1000, 0.0);
         log.series[0].increments.fill(9.81e-2);
         assert!(Analysis::of_log(&log).err().unwrap().to_string().contains("w<x>_rad"));

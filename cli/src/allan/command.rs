@@ -6,13 +6,13 @@ use crate::failure::Failure;
 
 /// Draws the Allan deviation of an IMU log, and finds the noise coefficients that explain it
 ///
-/// Overlapping Allan deviation of gyro and accelerometer columns, up to six, with 95 % intervals; the coefficients of quantization
-/// Q, random walk N, bias instability B, rate random walk K and ramp R that explain it. Prints them as a table.
+/// Computes the overlapping Allan deviation of up to six columns of gyros and accelerometers, with 95 % intervals. Fits the
+/// coefficients of quantization Q, random walk N, bias instability B, rate random walk K and ramp R, and prints them as a table.
 ///
-/// The unit of a column is the end of its name. Rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
-/// forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns all rates and forces are taken, and
-/// increments whose name has "increment" or "delta" in it. time_s (or _ms, _us, _ns) has the stamps: they may jitter by less than
-/// half an interval; a gap is refused.
+/// The unit of a column is the end of its name. Angular rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
+/// specific forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns, the command reads all rates and
+/// forces, and the angles and velocities whose name contains "increment" or "delta". Time stamps are in the column time_s, time_ms,
+/// time_us or time_ns. Each step must differ from the mean step by less than half of it: a log with a gap is rejected.
 #[derive(Debug, PartialEq, clap::Args)]
 pub struct Order {
     /// A log that `sins fly --imu` wrote, or one of your own
@@ -24,10 +24,10 @@ pub struct Order {
     /// Also writes averaging times and deviations into this file, and the coefficients into POINTS_fit.csv
     #[arg(long = "csv", value_name = "POINTS.csv")]
     pub points: Option<PathBuf>,
-    /// Samples per second, instead of the mean rate of the time stamps, or if there are none
+    /// Samples per second; needed if the log has no time stamps, otherwise replaces their mean rate
     #[arg(long = "rate", value_name = "HZ", value_parser = rate)]
     pub rate_hz: Option<f64>,
-    /// Reads only these columns; UNIT as above without its first _, if the name does not end with a unit
+    /// Reads only these columns, separated by commas. If a name does not end with a unit, add it: wx:deg_s
     #[arg(long, value_name = "NAME[:UNIT]", value_delimiter = ',', value_parser = wanted)]
     pub columns: Vec<Wanted>,
     /// Also replaces files that this program did not write
@@ -35,16 +35,16 @@ pub struct Order {
     pub force: bool,
 }
 
-/// A column that is wanted.
+/// A column to read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
     pub name: String,
-    /// Where the name has none.
+    /// Its unit, if the name does not end with one.
     pub unit: Option<String>,
 }
 
 impl Order {
-    /// Whether a page is wanted, not a picture.
+    /// Whether the output is a page, not a picture.
     pub fn is_page(&self) -> Result<bool, Failure> {
         match self.output.extension().and_then(|ending| ending.to_str()) {
             Some("svg") => Ok(false),
@@ -57,7 +57,7 @@ impl Order {
         }
     }
 
-    /// Where the coefficients go.
+    /// File of the coefficients.
     pub fn fit(&self) -> Option<PathBuf> {
         let points = self.points.as_ref()?;
         let stem = points.file_stem().unwrap_or_default().to_string_lossy();
@@ -68,7 +68,7 @@ impl Order {
 fn rate(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(rate) if rate > 0.0 && rate.is_finite() => Ok(rate),
-        _ => Err("expected samples a second".to_owned()),
+        _ => Err("expected a number of samples per second, greater than 0".to_owned()),
     }
 }
 

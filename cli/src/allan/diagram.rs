@@ -41,7 +41,7 @@ pub fn legend() -> Legend {
     ]
 }
 
-/// The drawing; what it says in words is the table's.
+/// The drawing.
 pub fn drawing(analysis: &Analysis) -> Drawing {
     let unit = sheet::deviation(analysis.sensor);
     let measured = curve(analysis, |estimate| estimate.deviation);

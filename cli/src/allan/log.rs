@@ -10,11 +10,11 @@ use super::command::Order;
 use super::quantity::{Quantity, Sensor, TIMES, choose};
 use crate::drawing::series::mean;
 use crate::failure::Failure;
-use crate::given::refuse_device;
+use crate::given::reject_device;
 use crate::progress::Progress;
 use crate::table::Table;
 
-/// A step between stamps may differ from the usual one by less than this part of it: a gap is a whole one.
+/// A step between stamps may differ from the usual step by less than this part of it; a gap differs by a whole step or more.
 const JITTER: f64 = 0.5;
 
 /// A column.
@@ -37,7 +37,7 @@ impl Log {
     /// Reads the log of `order`.
     pub fn read(order: &Order) -> Result<Self, Failure> {
         let path = &order.log;
-        refuse_device(path)?;
+        reject_device(path)?;
         let input =
             File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
         // A pipe has no length.
@@ -84,7 +84,7 @@ impl Log {
     }
 }
 
-/// The interval that was ordered, or the mean of the stamps; refuses stamps that are not at equal steps.
+/// The interval of --rate, or the mean step of the stamps; rejects stamps that are not at equal steps.
 fn interval(
     path: &Path,
     table: &mut Table,
@@ -109,7 +109,7 @@ fn interval(
     Ok(if rate_hz.is_some() { usual } else { mean })
 }
 
-/// The mean step but for gaps: stamps of few digits have steps of two lengths, of which the median is but one.
+/// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and it is one of them.
 fn usual(steps: &[f64]) -> f64 {
     let mut sorted = steps.to_vec();
     let middle = sorted.len() / 2;
@@ -151,7 +151,7 @@ pub mod tests {
     }
 
     #[test]
-    fn jitter_is_taken_and_gaps_are_told() {
+    fn jitter_is_taken_and_gaps_are_reported() {
         let stamps = |k: u32| format!("{:.3}", f64::from(k) * 0.0025);
         let log = read("time_s,a_g", None, stamps).unwrap();
         assert!((log.interval_s - 0.0025).abs() < 1e-5);
@@ -164,7 +164,7 @@ pub mod tests {
     }
 
     #[test]
-    fn short_logs_are_told() {
+    fn short_logs_are_reported() {
         let failure = Log::from_input(&order(Some(1.0)), "a_g\n1\n".as_bytes()).err().unwrap().to_string();
         assert!(failure.contains("found 1"), "{failure}");
     }

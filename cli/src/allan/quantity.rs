@@ -77,13 +77,13 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
     match chosen.len() {
         1..=MOST => Ok(chosen),
         0 => Err(Failure::new(
-            "no column of the header has the name of a rate or force; choose columns by --columns",
+            "no name of a column ends with the unit of a rate or force; choose columns with --columns",
         )),
         count => {
             let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).collect();
             let names = names.join(", ");
             Err(Failure::new(format!(
-                "expected up to {MOST} columns, found {count}; --columns chooses: {names}"
+                "expected up to {MOST} columns, found {count}; choose some with --columns: {names}"
             )))
         }
     }
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn units_are_told_by_the_end_of_the_name() {
+    fn units_are_reported_by_the_end_of_the_name() {
         for (name, unit) in [
             ("gyro_x_rad_s", "rad_s"),
             ("angle_increment_x_rad", "rad"),

@@ -13,12 +13,12 @@ const fn unit(name: &'static str, si: f64) -> Unit {
     Unit { name, si }
 }
 
-/// Of a deviation.
+/// Unit of a deviation.
 pub fn deviation(sensor: Sensor) -> Unit {
     coefficient(sensor, Term::Flicker)
 }
 
-/// Of a coefficient.
+/// Unit of a coefficient.
 pub fn coefficient(sensor: Sensor, term: Term) -> Unit {
     match (sensor, term) {
         (Sensor::Gyro, Term::Quantization) => unit("arcsec", ARCSEC),
@@ -34,7 +34,7 @@ pub fn coefficient(sensor: Sensor, term: Term) -> Unit {
     }
 }
 
-/// Another unit that random walks are quoted in.
+/// The other unit of data sheets for random walks.
 pub fn density(sensor: Sensor) -> Unit {
     match sensor {
         Sensor::Gyro => unit("°/h/√Hz", DEG_PER_HOUR),
@@ -42,7 +42,7 @@ pub fn density(sensor: Sensor) -> Unit {
     }
 }
 
-/// Of a coefficient in SI, as the interface of the library has it.
+/// SI unit of a coefficient, as in the interface of the library.
 pub fn si_name(sensor: Sensor, term: Term) -> &'static str {
     match (sensor, term) {
         (Sensor::Gyro, Term::Quantization) => "rad",
@@ -58,7 +58,7 @@ pub fn si_name(sensor: Sensor, term: Term) -> &'static str {
     }
 }
 
-/// What a coefficient is called.
+/// Name of a coefficient.
 pub fn name(sensor: Sensor, term: Term) -> &'static str {
     match (sensor, term) {
         (_, Term::Quantization) => "quantization",

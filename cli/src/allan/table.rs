@@ -1,4 +1,4 @@
-//! Coefficients in words, and as a table on the terminal.
+//! Coefficients as text, and as a table on the terminal.
 
 use sins::allan::Term;
 
@@ -7,7 +7,7 @@ use super::log::Log;
 use super::sheet;
 use crate::units::{Unit, in_unit, significant, time_text};
 
-/// Value and interval in `unit`, or what it is below.
+/// Value and interval in `unit`, or its upper limit.
 pub fn value(coefficient: &Coefficient, unit: Unit) -> String {
     let [value, low, high] = [coefficient.value, coefficient.interval.low, coefficient.interval.high]
         .map(|value| significant(value / unit.si));
@@ -31,7 +31,7 @@ pub fn density(analysis: &Analysis, coefficient: &Coefficient) -> Option<String>
     is_quoted.then(|| in_unit(coefficient.value, sheet::density(analysis.sensor)))
 }
 
-/// What else is in the record.
+/// Remark about what the coefficients do not explain.
 pub fn remark(analysis: &Analysis) -> Option<String> {
     analysis.unexplained().map(|missed| {
         format!(
@@ -43,13 +43,13 @@ pub fn remark(analysis: &Analysis) -> Option<String> {
     })
 }
 
-/// What the log is.
+/// The log in one line.
 pub fn source(log: &Log) -> String {
     let rate = significant(1.0 / log.interval_s);
     format!("{}: {} samples at {rate} Hz, {}", log.name, log.count(), time_text(log.duration_s()))
 }
 
-/// All of it for the terminal.
+/// The table for the terminal.
 pub fn table(log: &Log, analyses: &[Analysis]) -> String {
     let mut text = format!("{}; 95 % intervals\n", source(log));
     for analysis in analyses {
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_resolved_is_told_as_below() {
+    fn what_is_not_resolved_is_reported_as_below() {
         let log = made(20_000, 0.0);
         let text = table(&log, &Analysis::of_log(&log).unwrap());
         assert!(text.starts_with("made.csv: 20000 samples at 100.0 Hz, 3.3 min; 95 % intervals\n"), "{text}");
@@ -89,16 +89,16 @@ mod tests {
     #[test]
     fn an_estimate_on_its_own_bound_is_no_finding() {
         use sins::allan::Interval;
-        let told = |value: f64, low: f64, high: f64| {
+        let text = |value: f64, low: f64, high: f64| {
             let interval = Interval { low, high };
             on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval })
         };
-        assert_eq!(told(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
-        assert_eq!(told(2.0, 0.0, 2.0), "not shown by this record");
-        assert_eq!(told(2.0, 0.9, 2.0), "not shown by this record");
-        assert_eq!(told(2.0, 1.9, 2.0), "2.000 (1.900 to 2.000) u");
+        assert_eq!(text(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
+        assert_eq!(text(2.0, 0.0, 2.0), "not shown by this record");
+        assert_eq!(text(2.0, 0.9, 2.0), "not shown by this record");
+        assert_eq!(text(2.0, 1.9, 2.0), "2.000 (1.900 to 2.000) u");
         assert_eq!(
-            (told(0.0, 0.0, 2.0), told(1.0, 0.0, 2.0)),
+            (text(0.0, 0.0, 2.0), text(1.0, 0.0, 2.0)),
             ("below 2.000 u".into(), "below 2.000 u".into())
         );
     }

@@ -120,7 +120,7 @@ fn bar(line: &Line, width: f64, left: f64, k: usize) -> Markup {
     }
 }
 
-/// Powers of ten that hold all of `values` but those too small to be seen beside the largest.
+/// Powers of ten that contain `values`, except values that are too small to be seen next to the largest.
 fn axis(values: impl Iterator<Item = f64>) -> Axis {
     let positive = values.filter(|value| *value > 0.0 && value.is_finite());
     let (low, high) = positive

@@ -28,7 +28,7 @@ preset = \"navigation\"
 /// limit at any time.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv, which are flown with sensors of navigation grade
+    /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv; logs are flown with sensors of navigation grade
     #[arg(value_name = "SCENE", default_value = "simulation2")]
     pub scenes: Vec<OsString>,
     #[command(flatten)]
@@ -36,7 +36,7 @@ pub struct Order {
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/budget")]
     pub out: PathBuf,
-    /// Hours of each scene that are flown at most
+    /// Hours of each scene to fly, at most
     #[arg(long, default_value_t = 1.0)]
     pub hours: f64,
     /// Number of runs with all effects together, if any effect is random, 8 to 1000

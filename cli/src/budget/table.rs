@@ -61,7 +61,7 @@ impl Columns {
         std::array::from_fn(|part| short(parts[part] / self.units[part].si))
     }
 
-    /// What a step costs, where the clock can tell.
+    /// Cost of a step, if it is large enough to be measured.
     pub fn cost(&self, line: &Line) -> String {
         match line.cost_ns {
             None => String::new(),
@@ -85,7 +85,7 @@ pub fn kind(line: &Line) -> &'static str {
     }
 }
 
-/// How it was found, in words.
+/// How the figures were found.
 pub fn remark(survey: &Survey) -> String {
     let budget = &survey.budget;
     let mut text = format!("The largest in {}; {} flights", time_text(budget.span_s), budget.flights);

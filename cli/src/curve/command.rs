@@ -6,17 +6,17 @@ use std::path::PathBuf;
 use super::embedded::{self, Embedded};
 use crate::given::Settings;
 
-/// Measures what accuracy costs: computing time and error of schemes, subsamples, sample rates and axes, without sensor
-/// errors
+/// Measures what accuracy costs: computing time and error of each scheme, number of subsamples, sample rate and choice of axes,
+/// without sensor errors
 ///
-/// Writes into DIR: curve.csv, a row for each configuration; scenes.csv; SCENE.svg; table.md, which it prints as well. The
-/// ellipsoid and the gravity of a scene count; its scheme, axes and errors do not.
+/// Writes into DIR: curve.csv, a row for each configuration; scenes.csv, a row for each scene; SCENE.svg; table.md, which it also
+/// prints. Uses the ellipsoid and the gravity of a scene, but not its scheme, its axes and its sensor errors.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv
     #[arg(value_name = "SCENE")]
     pub given: Vec<OsString>,
-    /// Flights made for this measurement: rest, cruise, aerobatics, vibration, pole or all; all, if no scene is given
+    /// Built-in test flight: rest, cruise, aerobatics, vibration, pole or all; can be repeated [default: all, if no scene is given]
     #[arg(long = "flight", value_name = "NAME", value_parser = named)]
     flights: Vec<Choice>,
     #[command(flatten)]
@@ -24,10 +24,10 @@ pub struct Order {
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/curve")]
     pub out: PathBuf,
-    /// Two minutes of each scene instead of an hour, and fewer repetitions
+    /// Flies two minutes of each scene instead of an hour, with fewer repetitions
     #[arg(long)]
     quick: bool,
-    /// Adds the instructions of a step from this file, which benches/instructions.sh matrix prints
+    /// Adds the instructions of a step from this file, which `benches/instructions.sh matrix` prints
     #[arg(long, value_name = "FILE")]
     pub instructions: Option<PathBuf>,
     /// Also replaces files that this program did not write
@@ -35,10 +35,10 @@ pub struct Order {
     pub force: bool,
 }
 
-/// How much is flown and timed.
+/// Amount of work.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effort {
-    /// Length of the scenes that are not logs, at the most [s].
+    /// Largest length of scenes that are not logs [s].
     pub duration_s: f64,
     /// Rounds of the timing.
     pub rounds: usize,
@@ -58,7 +58,7 @@ impl Order {
         if self.quick { QUICK } else { FULL }
     }
 
-    /// The flights that are wanted.
+    /// The test flights to survey.
     pub fn embedded(&self) -> Vec<&'static Embedded> {
         let is_all = self.flights.iter().any(|choice| choice.0.is_none());
         if is_all || (self.flights.is_empty() && self.given.is_empty()) {

@@ -35,7 +35,7 @@ const RING: f64 = 8.5;
 const BELOW: (f64, f64) = (16.0, 9.0);
 const ABOVE: (f64, f64) = (-16.0, -9.0);
 
-/// Height of a line of the words below [drawing units].
+/// Height of a line of text below the drawing [drawing units].
 const LINE: f64 = 20.0;
 
 const HOW_TO_READ: [&str; 2] = [
@@ -50,17 +50,17 @@ pub fn diagram(survey: &Survey) -> Result<String, Failure> {
     let svg = drawing.svg(&format!("What accuracy costs. {title}"))?;
     let [first, second] = legends(survey);
     let top = TITLE + 2.0 * LEGEND - 14.0;
-    let words = top + drawing.height() + 10.0;
+    let below = top + drawing.height() + 10.0;
     let content = html! {
         text class="title" x=(MARGIN * FINE) y=(20.0 * FINE) { (title) }
         (legend_row(&first, TITLE - 6.0))
         (legend_row(&second, TITLE + LEGEND - 14.0))
         (placed(MARGIN, top, WIDTH, drawing.height(), &PreEscaped(svg)))
         @for (line, text) in (0..).zip(HOW_TO_READ) {
-            text x=(MARGIN * FINE) y=((words + f64::from(line) * LINE) * FINE) { (text) }
+            text x=(MARGIN * FINE) y=((below + f64::from(line) * LINE) * FINE) { (text) }
         }
     };
-    Ok(file(WIDTH + 2.0 * MARGIN, words + HOW_TO_READ.len() as f64 * LINE, &content))
+    Ok(file(WIDTH + 2.0 * MARGIN, below + HOW_TO_READ.len() as f64 * LINE, &content))
 }
 
 fn legends(survey: &Survey) -> [Legend; 2] {

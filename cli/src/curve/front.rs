@@ -1,4 +1,4 @@
-//! Which points are worth their cost.
+//! The points that are worth their cost.
 
 use super::survey::{Measured, Point, Survey};
 use crate::units::two_digits;
@@ -32,8 +32,9 @@ pub fn cheapest(points: &[Point], position_m: f64) -> Option<(&Point, &Measured)
     front(points).into_iter().find(|(_, measured)| measured.position_m() <= position_m)
 }
 
-/// The cheaper rung of the default family that leaves the least error at the same rate, if `point` is of that family and
-/// leaves more than it and `floor_m` [m]. Cost is counted in instructions: clocks are noisy.
+/// The rung that beats `point`, with the ratio of their errors: the most accurate of the cheaper rungs of the default family at the
+/// same rate, if `point` is of that family and its error is more than `floor_m` [m] larger. Cost is counted in instructions,
+/// because clocks are noisy.
 pub fn beaten_by<'a>(points: &'a [Point], point: &Point, floor_m: f64) -> Option<(&'a Point, f64)> {
     let instructions = |point: &Point| point.configuration.rung.instructions(point.configuration.frame);
     let own_m = point.eligible().filter(|_| point.configuration.is_default_family())?.position_m();
@@ -47,8 +48,8 @@ pub fn beaten_by<'a>(points: &'a [Point], point: &Point, floor_m: f64) -> Option
         .map(|(other, other_m)| (other, own_m / other_m))
 }
 
-/// A line for each rung of the default family and scene where it is beaten: by which, where the most, and how often.
-pub fn dearer_and_worse(surveys: &[Survey]) -> Vec<String> {
+/// A line for each rung of the default family that is beaten on a scene: by which rung, at which rate the most, and at how many.
+pub fn costlier_and_less_accurate(surveys: &[Survey]) -> Vec<String> {
     let mut lines = Vec::new();
     for survey in surveys {
         let beaten: Vec<_> = survey
@@ -119,7 +120,7 @@ pub mod tests {
     }
 
     #[test]
-    fn what_is_dearer_and_worse_in_words() {
+    fn beaten_rungs_are_listed() {
         let mut points =
             vec![made(3, 1.0, 1e-3), made(4, 1.0, 36.420_022), made(3, 1.0, 1e-3), made(5, 1.0, 2e-3)];
         (points[2].rate_hz, points[3].rate_hz) = (20.0, 20.0);
@@ -136,13 +137,13 @@ pub mod tests {
             points,
             sensors_m: [0.0; 2],
         };
-        let lines = dearer_and_worse(&[survey]);
+        let lines = costlier_and_less_accurate(&[survey]);
         assert!(lines[0].ends_with("36000 times its error; beaten at 2 rates"), "{}", lines[0]);
         assert!(lines[1].ends_with("2.0 times its error; beaten at this rate only"), "{}", lines[1]);
     }
 
     #[test]
-    fn a_dearer_rung_that_is_worse_is_found() {
+    fn a_costlier_rung_that_is_less_accurate_is_found() {
         // Earth-fixed: paper 1 and 2, exact 1 to 5, polynomial 1 to 5.
         let points = vec![made(3, 1.0, 1e-3), made(4, 1.0, 2e-3), made(5, 1.0, 1.01e-3), made(1, 1.0, 1e-9)];
         let beaten = |k: usize| beaten_by(&points, &points[k], 1e-4);

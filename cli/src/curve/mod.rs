@@ -78,5 +78,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let table = table::table(&surveys, effort.duration_s);
     table_file.finish(format!("{TABLE_MARK}\n\n{table}"))?;
     print(&table)?;
-    print(&front::dearer_and_worse(&surveys).iter().map(|line| format!("{line}\n")).collect::<String>())
+    print(
+        &front::costlier_and_less_accurate(&surveys)
+            .iter()
+            .map(|line| format!("{line}\n"))
+            .collect::<String>(),
+    )
 }

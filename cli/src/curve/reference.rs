@@ -1,4 +1,4 @@
-//! Who judges the solutions, and how well that is known.
+//! The reference that solutions are compared with, and its uncertainty.
 
 use nalgebra::Vector3;
 use sins::Options;
@@ -11,7 +11,7 @@ use sins::truth::FlightSample;
 
 use crate::failure::Failure;
 
-/// A point is told only down to so many times the reference's own uncertainty.
+/// Errors smaller than the uncertainty of the reference times this are reported as this floor.
 const MARGIN: f64 = 100.0;
 
 /// Longest step of the quadrature that checks a flight [s]: at 4 Hz half a radian, which five nodes integrate to 1e-16.
@@ -23,23 +23,23 @@ const SCHULER_RAD_S: f64 = 1.24e-3;
 /// A reference solution.
 pub struct Judge {
     track: Track,
-    /// Its own.
+    /// Errors that the reference itself may have.
     pub uncertainty: SolutionError,
-    /// What it is and how the uncertainty was found.
-    pub words: &'static str,
+    /// The kind of reference, and the source of its uncertainty.
+    pub description: &'static str,
 }
 
-/// Errors no smaller than the reference can tell.
+/// Errors of a solution, none below the floor of the reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Judgement {
     pub error: SolutionError,
-    /// Position, velocity, attitude: whether it is the floor that is told.
+    /// For position, velocity and attitude: whether the error is at the floor.
     pub at_floor: [bool; 3],
 }
 
 impl Judge {
-    /// The flight itself. Velocity and attitude are closed forms of time; the position is an integral, and what it differs
-    /// from an independent quadrature of the velocity is its uncertainty, with the rounding of the coordinates.
+    /// The flight itself. Velocity and attitude are closed forms of time. The position is an integral: its uncertainty is its
+    /// difference from an independent quadrature of the velocity, plus the rounding of the coordinates.
     pub fn of_flight(
         earth: &Earth,
         flight: &Flight,
@@ -65,11 +65,11 @@ impl Judge {
             speed = speed.max(state.v_e.norm());
         }
         let uncertainty = of_inconsistency(inconsistency, earth.equatorial_radius_m, speed);
-        let words = "the flight in closed form; uncertainty: its position against a quadrature of its velocity, and rounding";
-        Ok(Self { track: Track { states }, uncertainty, words })
+        let description = "the flight in closed form; uncertainty: its position against a quadrature of its velocity, and rounding";
+        Ok(Self { track: Track { states }, uncertainty, description })
     }
 
-    /// The finest solution that the samples of a log allow; what lies between them nobody knows.
+    /// The finest solution that the samples of a log allow. The motion between the samples is unknown.
     pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Failure> {
         let Reference { track, uncertainty } = Reference::new(&(*options).into(), samples, instants)?;
         let rounding = of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0);
@@ -78,11 +78,11 @@ impl Judge {
             velocity_m_s: uncertainty.velocity_m_s.max(rounding.velocity_m_s),
             attitude_rad: uncertainty.attitude_rad.max(rounding.attitude_rad),
         };
-        let words = "polynomials through 5 subsamples, 16 updates a sample of the log; uncertainty: against 8 updates";
-        Ok(Self { track, uncertainty, words })
+        let description = "polynomials through 5 subsamples, 16 updates a sample of the log; uncertainty: against 8 updates";
+        Ok(Self { track, uncertainty, description })
     }
 
-    /// The smallest errors that are told.
+    /// The smallest errors that are reported.
     pub fn floor(&self) -> SolutionError {
         let SolutionError { position_m, velocity_m_s, attitude_rad } = self.uncertainty;
         SolutionError {

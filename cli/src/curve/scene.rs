@@ -1,4 +1,4 @@
-//! A scene: the samples of a flight, the rates at which they are given to the simulator, and who judges the solutions.
+//! A scene: the samples of a flight, the rates at which the simulator gets them, and the reference for its solutions.
 
 use sins::Options;
 use sins::truth::{FlightSample, IntakeLimits};
@@ -14,7 +14,7 @@ const SAMPLES_OF_A_PERIOD: f64 = 10.0;
 /// A sample rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rate {
-    /// Every how many-th of the scene's samples.
+    /// Distance of two samples, in samples of the scene.
     pub stride: usize,
     pub hz: f64,
     /// Whether the period is stated to the simulator.
@@ -73,7 +73,7 @@ impl Scene {
         self.samples.iter().step_by(rate.stride).copied().collect()
     }
 
-    /// Whether the scene vibrates faster than samples at `rate` can tell: what agrees with them need not agree with the
+    /// Whether the scene vibrates too fast for samples at `rate`: a solution that agrees with the samples may then differ from the
     /// flight between them.
     pub fn is_undersampled(&self, rate: &Rate) -> bool {
         rate.hz < SAMPLES_OF_A_PERIOD * self.highest_hz

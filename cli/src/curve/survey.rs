@@ -1,4 +1,4 @@
-//! What was found out about a scene.
+//! The results of a scene: cost and error of each configuration.
 
 use sins::recommend::SolutionError;
 
@@ -11,14 +11,14 @@ use super::timing::Course;
 use super::{grades, matrix};
 use crate::failure::Failure;
 
-/// A configuration at a rate, with what it costs and what it leaves.
+/// A configuration at a sample rate, with its cost and its errors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     pub configuration: Configuration,
     pub rate_hz: f64,
-    /// Whether the scene vibrates faster than the samples can tell.
+    /// Whether the scene vibrates too fast for the sample rate.
     pub is_undersampled: bool,
-    /// Time for a simulated second [ns] and errors, or why there are none.
+    /// Cost and errors, or the reason why there are none.
     pub measured: Result<Measured, String>,
     /// Whether it is on the Pareto front.
     pub is_on_front: bool,
@@ -39,10 +39,10 @@ pub struct Survey {
     pub duration_s: f64,
     pub uncertainty: SolutionError,
     pub floor: SolutionError,
-    /// What the reference is.
+    /// The kind of reference.
     pub reference: &'static str,
     pub points: Vec<Point>,
-    /// Position errors that the grades of sensors make [m].
+    /// Position errors that sensors of navigation and of tactical grade cause [m].
     pub sensors_m: [f64; 2],
 }
 
@@ -53,14 +53,14 @@ impl Measured {
 }
 
 impl Point {
-    /// Cost and errors where they can be believed.
+    /// Cost and errors, if the sample rate is high enough for them to be true.
     pub fn eligible(&self) -> Option<&Measured> {
         self.measured.as_ref().ok().filter(|_| !self.is_undersampled)
     }
 }
 
 impl Survey {
-    /// Flies all of `scene`: what it leaves, and what is yet to be timed.
+    /// Flies all configurations on `scene`: gives their errors, and the course that is still to be timed.
     pub fn flown(scene: &Scene, effort: &Effort) -> Result<(Self, Course), Failure> {
         let outcomes = matrix::outcomes(scene, &Configuration::all());
         let candidates = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
@@ -80,7 +80,7 @@ impl Survey {
             duration_s: scene.duration_s(),
             uncertainty: scene.judge.uncertainty,
             floor: scene.judge.floor(),
-            reference: scene.judge.words,
+            reference: scene.judge.description,
             points: outcomes.into_iter().map(point).collect(),
             sensors_m: grades::effects(scene, effort.sensor_runs)?,
         };

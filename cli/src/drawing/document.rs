@@ -7,7 +7,7 @@ use super::pen::Pen;
 
 const STYLE: &str = concat!(include_str!("plot.css"), include_str!("page.css"));
 
-/// What every page has near its begin: by it the program knows its own.
+/// Every page has this near its beginning: the mark by which the program recognizes its own pages.
 pub const PAGE_MARK: &str = "<meta name=\"generator\" content=\"sins\">";
 
 /// `body` as a page that needs nothing from outside.

@@ -7,19 +7,18 @@ use crate::failure::Failure;
 /// Pens and what they draw.
 pub type Legend = Vec<(Pen, String)>;
 
-/// Drawings and the words around them.
+/// Drawings and the text around them.
 pub struct Figure {
     pub title: String,
     pub legend: Legend,
     /// As SVG elements.
     pub drawings: Vec<String>,
-    /// Below the drawings: what it says in numbers.
+    /// Text below the drawings: the main numbers.
     pub note: String,
 }
 
 impl Figure {
-    /// With one drawing, which readers who do not see it know as `title``axes`, and by the note: `axes` says what is over what,
-    /// " over time".
+    /// A figure of one drawing. Its description for readers who cannot see it is title, `axes` (such as " over time") and note.
     pub fn new(
         title: impl Into<String>,
         axes: &str,

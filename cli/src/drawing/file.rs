@@ -6,7 +6,7 @@ use super::document::swatch;
 use super::figure::Legend;
 use super::plot::FINE;
 
-/// What every file has near its begin: by it the program knows its own.
+/// Every picture has this near its beginning: the mark by which the program recognizes its own pictures.
 pub const PICTURE_MARK: &str = "data-generator=\"sins\"";
 
 const STYLE: &str = include_str!("plot.css");

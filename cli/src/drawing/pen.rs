@@ -40,13 +40,13 @@ pub enum Pen {
     Digit,
     /// The Pareto front.
     Front,
-    /// Round the points of one configuration, and the words at them.
+    /// Rings around the points of one configuration, and the text at them.
     DefaultRing,
     PaperRing,
     /// What sensors of a grade err.
     Navigation,
     Tactical,
-    /// The least that a reference can tell.
+    /// The smallest error that a reference shows.
     Floor,
     /// An area where the truth may be.
     Band,

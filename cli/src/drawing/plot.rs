@@ -118,7 +118,7 @@ impl Drawing {
         self.panels.iter().map(|panel| panel.above() + panel.height + GAP).sum::<f64>() + X_AXIS
     }
 
-    /// The drawing as an SVG element that fills the width it is given; `alt` says it in words.
+    /// The drawing as an SVG element that fills the width it is given; `alt` describes it.
     pub fn svg(&self, alt: &str) -> Result<String, Failure> {
         let height = self.height();
         let mut text = String::new();

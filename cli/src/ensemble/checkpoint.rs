@@ -20,7 +20,7 @@ use crate::output::Outputs;
 /// The first line. Its number is that of the layout.
 const MARK: &str = "sins ensemble checkpoint 1";
 
-/// It is written with the first block, and again after this time, or after so many times as long as writing takes.
+/// The file is written with the first block, and then each time this time has passed, or longer if writing takes long.
 const RENEWED: Duration = Duration::from_secs(10);
 const WRITING: u32 = 20;
 
@@ -44,7 +44,7 @@ impl Checkpoint {
         &self.path
     }
 
-    /// What was flown before; nothing if there is no such file. Whether the file can be written is known then as well.
+    /// The results so far, if the file exists. Checks that the file can be written.
     pub fn read(&self, plan: &Plan) -> Result<Results, Failure> {
         // The rules of outputs: a file that an input is, or of somebody else's making, is none.
         drop(Outputs::new(&self.inputs, self.force).file(&self.path, MARK)?);
@@ -58,7 +58,7 @@ impl Checkpoint {
         self.parse(&bytes, plan).map_err(|why| {
             Failure::of_file(
                 &self.path,
-                &format!("{why}; --name takes another place, or remove the file to begin anew"),
+                &format!("{why}; choose another --name, or remove the file to start again"),
             )
         })
     }
@@ -73,7 +73,7 @@ impl Checkpoint {
         let head = String::from_utf8_lossy(&content[..end + 2]);
         if let Some((found, expected)) = head.lines().zip(self.head.lines()).find(|(a, b)| a != b) {
             return Err(format!(
-                "the checkpoint is of another order: \"{found}\", where this one has \"{expected}\""
+                "the checkpoint is that of another command: it has \"{found}\" where this command has \"{expected}\""
             ));
         }
         let mut reader = Reader { rest: &content[end + 2..] };

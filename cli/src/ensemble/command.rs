@@ -9,7 +9,7 @@ pub const FOR_LOGS: &str = crate::budget::FOR_LOGS;
 /// Flies a scene many times, each run with its own random errors, and reports how large the errors get and how often
 ///
 /// Writes into DIR: NAME_ensemble.csv, statistics of the runs over time; NAME_ensemble_runs.csv, the errors of each run at the end;
-/// NAME_ensemble.html, their pictures. Run k has the errors that `sins fly` gives with options.run=k. The files are the same to the
+/// NAME_ensemble.html, a page with pictures of both. Run k has the errors that `sins fly` gives with options.run=k. The files are the same to the
 /// byte for any number of threads. Ctrl-C leaves NAME_ensemble.checkpoint: the same command continues from there. A log without a
 /// scene is flown with sensors of navigation grade.
 #[derive(Debug, clap::Args)]
@@ -25,7 +25,7 @@ pub struct Order {
     /// Number of threads [default: one on each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
-    /// Time between two rows of statistics [s] [default: a 200th of the flight]
+    /// Time between two rows of statistics [default: a 200th of the flight]
     #[arg(long, value_name = "SECONDS")]
     pub every: Option<f64>,
     #[command(flatten)]

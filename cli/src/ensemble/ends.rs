@@ -13,7 +13,7 @@ use crate::drawing::series::Points;
 use crate::failure::Failure;
 use crate::units::{LENGTH, fitting};
 
-/// Dots at the most: those of the first runs.
+/// Largest number of dots: those of the first runs.
 const MOST_DOTS: usize = 2000;
 
 /// Corners of an ellipse.
@@ -39,7 +39,7 @@ impl Normal {
         Self { mean, east, north_by_east, north }
     }
 
-    /// How many sigmas a place is from the middle, in its direction.
+    /// Distance of a place from the mean, in sigmas of its direction.
     fn distance(&self, place: [f64; 2]) -> f64 {
         let quotient = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { 0.0 };
         let along = quotient(place[0] - self.mean[0], self.east);
@@ -75,7 +75,7 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
         [(Pen::Computed, 0.5), (Pen::Fit, 0.95)].map(|(pen, share)| (pen, normal.ellipse(within(share))));
     let dots = &places[..places.len().min(MOST_DOTS)];
 
-    // The truth is in sight as well.
+    // The axes contain the truth.
     let all = ellipses.iter().flat_map(|(_, points)| points.iter().copied());
     let all = all.chain(dots.iter().map(|place| (place[0], place[1]))).chain([(0.0, 0.0)]);
     let (mut low, mut high) = ([0.0f64; 2], [0.0f64; 2]);

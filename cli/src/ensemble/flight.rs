@@ -166,7 +166,7 @@ fn interrupted() -> Failure {
 
 /// Why the flight ends at a sample: it is a bad one, or the truth left its range.
 fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
-    let refusal = given.refusal(index, error);
+    let refusal = given.failure_at(index, error);
     match error.kind {
         ErrorKind::InvalidArgument | ErrorKind::TimeOrder | ErrorKind::Discontinuity => refusal,
         _ => Failure::of_kind(Kind::Failed, refusal.to_string()),

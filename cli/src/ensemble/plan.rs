@@ -11,17 +11,17 @@ use crate::given::Given;
 /// Runs of a block, by which the checkpoint counts. The results are the same with any size: merging statistics is exact.
 pub const BLOCK: u64 = 64;
 
-/// Blocks that one thread flies at once, at the most. Their runs share the truth; but an interruption costs all of them.
+/// Largest number of blocks that one thread flies at once. Their runs share the truth, but an interruption loses all of them.
 const SIDE_BY_SIDE: usize = 4;
 
-/// Pieces of work for each thread at the least, so that all are busy to the end.
+/// Smallest number of pieces of work for each thread, so that all threads are busy to the end.
 const PIECES: usize = 4;
 
-/// Rows of statistics in an ordinary order, and at the most: a row of all threads is in memory.
+/// Default and largest number of rows of statistics. Each thread has a row in memory.
 const ROWS: f64 = 200.0;
 const MOST_ROWS: usize = 2000;
 
-/// Runs at the most: the error at the end of each is kept.
+/// Largest number of runs: the error at the end of each is kept.
 pub const MOST_RUNS: u64 = 10_000_000;
 
 /// Runs that are drawn one by one: the first ones.
@@ -88,7 +88,7 @@ impl Plan {
         (self.first_run + before, end.min(self.runs) - before)
     }
 
-    /// The blocks of `missing`, in order, in pieces of work for so many threads.
+    /// The blocks of `missing`, in order, in pieces of work for `threads` threads.
     pub fn pieces(missing: &[usize], threads: usize) -> Vec<Piece> {
         let most = (missing.len() / (PIECES * threads)).clamp(1, SIDE_BY_SIDE);
         let neighbours = missing.chunk_by(|one, next| one + 1 == *next);
@@ -96,7 +96,7 @@ impl Plan {
         pieces.map(|blocks| blocks[0]..blocks[0] + blocks.len()).collect()
     }
 
-    /// How many runs are drawn.
+    /// Number of runs that are drawn.
     pub fn drawn(&self) -> u64 {
         DRAWN_RUNS.min(self.runs)
     }

@@ -64,7 +64,7 @@ impl Results {
         (0..self.done.len()).filter(|block| !self.done[*block]).collect()
     }
 
-    /// How many runs are in them.
+    /// Number of runs in the statistics.
     pub fn runs(&self, plan: &Plan) -> u64 {
         let done = (0..self.done.len()).filter(|block| self.done[*block]);
         done.map(|block| plan.runs_of(&(block..block + 1)).1).sum()

@@ -48,13 +48,13 @@ impl<'a> Study<'a> {
         self.results.ends.iter().flatten()
     }
 
-    /// How many axes of a quantity say something, east first: without up where it is the truth's.
+    /// Number of axes of a quantity that are shown, east first: without up if the height follows the truth.
     pub fn axes(&self, quantity: &Quantity) -> usize {
         let follows = self.given.scene.options.vertical == sins::mechanization::VerticalMode::FollowTruth;
         if quantity.is_motion && follows { 2 } else { 3 }
     }
 
-    /// The runs and those that diverged, in words.
+    /// Number of runs, and the numbers of those that diverged.
     pub fn runs(&self) -> String {
         let Plan { first_run, runs, .. } = self.plan;
         let last = first_run + (runs - 1);
@@ -74,5 +74,5 @@ impl<'a> Study<'a> {
     }
 }
 
-/// Numbers of diverged runs that are told one by one; the file of the runs has all.
+/// Diverged runs that are listed one by one; the file of the runs lists all.
 const MOST_TOLD: usize = 20;

@@ -31,7 +31,7 @@ pub struct Order {
     scene: SceneArguments,
     #[command(flatten)]
     output: OutputArguments,
-    /// Also writes the measured increments of every sample interval into this file below DIR
+    /// Also writes what the sensors measure in each sample interval into this file in DIR
     #[arg(long, value_name = "FILE.csv")]
     imu: Option<String>,
 }

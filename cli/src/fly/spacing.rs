@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::given::Given;
 
-/// About so many, where the scene does not say.
+/// Approximate number of records, if the scene does not state their distance.
 const RECORDS: f64 = 2000.0;
 
 /// Intervals from one record to the next.

@@ -8,7 +8,7 @@ use sins::log::{FlightLog, LogError};
 use crate::failure::Failure;
 
 /// A device has no end, or waits for a keyboard.
-pub fn refuse_device(path: &Path) -> Result<(), Failure> {
+pub fn reject_device(path: &Path) -> Result<(), Failure> {
     if is_device(path) {
         return Err(Failure::of_file(path, &"is a device: a log is a file or a pipe"));
     }
@@ -32,7 +32,7 @@ fn is_device(path: &Path) -> bool {
 
 /// The log at `path`; "-": of standard input.
 pub fn read_log(path: &Path) -> Result<FlightLog, Failure> {
-    refuse_device(path)?;
+    reject_device(path)?;
     let read = if path == Path::new("-") {
         let mut bytes = Vec::new();
         std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)

@@ -15,7 +15,7 @@ use sins::scene::{FlightSource, Scene};
 use sins::truth::FlightSample;
 
 pub use arguments::SceneArguments;
-pub use log::refuse_device;
+pub use log::reject_device;
 pub use settings::Settings;
 pub use text::is_log;
 
@@ -24,20 +24,20 @@ use crate::units::rounded;
 use log::read_log;
 use text::{Text, name_of};
 
-/// Rounding of times that must not take a sample away [intervals].
+/// Largest rounding error of a time [intervals]: it must not remove a sample.
 const ROUNDING: f64 = 1e-9;
 
 /// A scene with its flight.
 #[derive(Debug)]
 pub struct Given {
     pub scene: Scene,
-    /// What it is called: its file without the ending, or the built-in scene.
+    /// Its name: that of its file without the ending, or of the built-in scene.
     pub name: String,
     /// The scene's file, or the built-in scene.
     pub origin: String,
     /// All files that were read.
     pub inputs: Vec<PathBuf>,
-    /// The scene in words.
+    /// Title of the scene.
     pub title: String,
     /// Number of samples.
     pub count: usize,
@@ -65,7 +65,8 @@ impl Given {
     ) -> Result<Self, Failure> {
         let (text, log) = match name {
             Some(name) if is_log(name) && log.is_some() => {
-                let what = format!("{}: is a log, and --log names another", Path::new(name).display());
+                let what =
+                    format!("{}: is a flight log; so --log must not be given", Path::new(name).display());
                 return Err(Failure::new(what));
             }
             Some(name) if is_log(name) => (Text::for_log(Path::new(name), for_logs), Some(Path::new(name))),
@@ -74,7 +75,7 @@ impl Given {
                 Some(path) => (Text::for_log(path, for_logs), log),
                 None => {
                     return Err(Failure::new(
-                        "no scene is given; `sins scene list` lists the built-in scenes",
+                        "no scene was given; `sins scene list` lists the built-in scenes",
                     ));
                 }
             },
@@ -153,7 +154,7 @@ impl Given {
     }
 
     /// `error` about the sample `index`.
-    pub fn refusal(&self, index: usize, error: &dyn std::fmt::Display) -> Failure {
+    pub fn failure_at(&self, index: usize, error: &dyn std::fmt::Display) -> Failure {
         Failure::new(format!("{}: {error}", self.place(index)))
     }
 }
@@ -187,7 +188,7 @@ fn extent(scene: &Scene, motion: &Motion) -> Result<(usize, f64, f64), Failure> 
     }
 }
 
-/// The scene in words: its own, or what its flight says of itself.
+/// Title of the scene: its own, or else one made from its flight.
 fn title(scene: &Scene, motion: &Motion) -> String {
     let own = scene.title.clone();
     match (motion, &scene.flight) {

@@ -1,40 +1,43 @@
-//! What the command line sets of a scene.
+//! Settings of a scene on the command line.
 
 use crate::failure::Failure;
 
-/// What is set of a scene beside its text.
+/// Settings in addition to the text of a scene.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Settings {
-    /// Errors of gyros and accelerometers to begin with: ideal, strategic, navigation, tactical, industrial, consumer, paper2
+    /// Grade of gyros and accelerometers: ideal, strategic, navigation, tactical, industrial, consumer or paper2; --set then
+    /// changes single errors
     #[arg(long, value_name = "GRADE")]
     pub preset: Option<String>,
-    /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. May be repeated
+    /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. Can be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
 
-/// What `--preset` sets.
+/// The keys that `--preset` sets.
 const PRESETS: [&str; 2] = ["gyro.preset", "accelerometer.preset"];
 
 impl Settings {
-    /// Keys and values, in the order of [`Self::words`].
+    /// Keys and values, in the order of [`Self::argument`].
     pub fn pairs(&self) -> Result<Vec<(&str, &str)>, Failure> {
         let presets = self.preset.iter().flat_map(|grade| PRESETS.map(|key| (key, grade.as_str())));
         let set = self.set.iter().map(|text| {
-            let expected =
-                || Failure::new(format!("--set {text}: expected KEY=VALUE, as gyro.bias_deg_h=0.01"));
+            let expected = || {
+                Failure::new(format!("--set {text}: expected KEY=VALUE, for example gyro.bias_deg_h=0.01"))
+            };
             text.split_once('=').map(|(key, value)| (key.trim(), value.trim())).ok_or_else(expected)
         });
         presets.map(Ok).chain(set).collect()
     }
 
-    /// The setting of a number, from 1, as it was given.
-    pub fn words(&self, number: usize) -> String {
+    /// The argument of setting `number`, counted from 1.
+    pub fn argument(&self, number: usize) -> String {
         let presets = self.preset.iter().flat_map(|grade| PRESETS.map(|_| format!("--preset {grade}")));
         let set = self.set.iter().map(|text| format!("--set {text}"));
         presets.chain(set).nth(number.saturating_sub(1)).unwrap_or_default()
     }
 
+    /// Whether the command line sets `key`.
     pub fn has(&self, key: &str) -> bool {
         self.set.iter().any(|text| text.split('=').next().is_some_and(|name| name.trim() == key))
     }

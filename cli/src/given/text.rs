@@ -58,7 +58,7 @@ impl Text {
     fn failure(&self, faults: &[Fault], settings: &Settings) -> Failure {
         let sentence = |fault: &Fault| match fault {
             Fault { line: 0, column, sentence } => {
-                format!("{}: {sentence}", settings.words(*column))
+                format!("{}: {sentence}", settings.argument(*column))
             }
             Fault { line, column, sentence } => format!("{}:{line}:{column}: {sentence}", self.origin),
         };

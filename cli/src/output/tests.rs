@@ -25,7 +25,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-fn refused(outputs: &mut Outputs, path: &Path) -> String {
+fn rejected(outputs: &mut Outputs, path: &Path) -> String {
     outputs.file(path, MARK).unwrap_err().to_string()
 }
 
@@ -57,7 +57,7 @@ fn no_output_is_an_input_whatever_its_name() {
         let mut outputs = Outputs::new(std::slice::from_ref(&log), force);
         let more = if cfg!(unix) { "soft.csv" } else { "LOG.CSV" };
         for name in ["log.csv", "./log.csv", "hard.csv", more] {
-            let words = refused(&mut outputs, &place(name));
+            let words = rejected(&mut outputs, &place(name));
             assert!(words.contains("is the input"), "{name}: {words}");
         }
     }
@@ -68,7 +68,7 @@ fn no_output_is_an_input_whatever_its_name() {
 fn files_of_others_need_force_and_own_ones_do_not() {
     let (folder, log) = folder();
     let mut outputs = Outputs::new(&[], false);
-    assert!(refused(&mut outputs, &log).contains("--force"));
+    assert!(rejected(&mut outputs, &log).contains("--force"));
     assert_eq!(read(&log), "time_s,latitude_rad\n0,0\n");
     Outputs::new(&[], true).write(&log, MARK, "time_s,own\n2\n").unwrap();
     Outputs::new(&[], false).write(&log, MARK, "time_s,own\n3\n").unwrap();
@@ -100,7 +100,7 @@ fn links_pipes_and_devices_stay_what_they_are() {
     assert!(std::process::Command::new("mkfifo").arg(place("pipe")).status().unwrap().success());
     let mut outputs = Outputs::new(&[], true);
     for name in ["link", "null", "dangling", "pipe", "/dev/null", "."] {
-        let words = refused(&mut outputs, &place(name));
+        let words = rejected(&mut outputs, &place(name));
         assert!(words.contains("only plain files") || words.contains("name of a file"), "{name}: {words}");
     }
     assert!(!place("nowhere").exists() && read(&log).starts_with("time_s"));
@@ -118,12 +118,12 @@ fn devices_of_windows_are_known_by_their_names() {
 }
 
 #[test]
-fn two_outputs_of_one_name_are_refused() {
+fn two_outputs_of_one_name_are_rejected() {
     let (folder, _) = folder();
     std::fs::create_dir(folder.path().join("sub")).unwrap();
     let mut outputs = Outputs::new(&[], false);
     let _first = outputs.file(&folder.path().join("out.csv"), MARK).unwrap();
-    assert!(refused(&mut outputs, &folder.path().join("sub/../out.csv")).contains("two outputs"));
+    assert!(rejected(&mut outputs, &folder.path().join("sub/../out.csv")).contains("two outputs"));
 }
 
 #[test]

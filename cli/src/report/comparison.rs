@@ -75,7 +75,7 @@ mod tests {
     use crate::report::run::tests::made;
 
     #[test]
-    fn what_is_the_same_is_told_once() {
+    fn what_is_the_same_is_reported_once() {
         let mut runs = [made(3, |_, _| 0.0), made(3, |_, _| 0.0)];
         runs[1].summary.rows[1].value = "2".into();
         let row = |value: &str| Row {

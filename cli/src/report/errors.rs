@@ -108,7 +108,7 @@ pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
     legend
 }
 
-/// How many axes are drawn, east first: without up where it is the truth's.
+/// Number of axes that are drawn, east first: without up if the height follows the truth.
 fn axes(run: &Run, quantity: &Quantity) -> usize {
     if quantity.is_motion && run.follows_height() { 2 } else { 3 }
 }
@@ -126,9 +126,9 @@ fn differences(run: &Run, quantity: &Quantity) -> Option<[Vec<f64>; 3]> {
     Some(std::array::from_fn(|axis| difference(&computed[axis], &model[axis])))
 }
 
-/// The largest errors and differences in words.
+/// The largest errors and differences as text.
 fn note(run: &Run, quantity: &Quantity, axes: usize) -> String {
-    let in_words = |three: &[Vec<f64>; 3]| {
+    let as_text = |three: &[Vec<f64>; 3]| {
         let sizes: Vec<f64> = three[..axes].iter().map(|values| magnitude(values)).collect();
         let largest = sizes.iter().copied().fold(0.0, f64::max);
         let text = |size: f64| match usual(largest, quantity.family) {
@@ -139,10 +139,10 @@ fn note(run: &Run, quantity: &Quantity, axes: usize) -> String {
             EAST_NORTH_UP.iter().zip(sizes).map(|(name, size)| format!("{name} {}", text(size))).collect();
         parts.join(", ")
     };
-    let mut note = format!("Largest: {}.", in_words((quantity.of)(&run.errors)));
+    let mut note = format!("Largest: {}.", as_text((quantity.of)(&run.errors)));
     let differences = differences(run, quantity);
     if let Some(differences) = &differences {
-        note += &format!(" Largest difference of data 2 and 1: {}.", in_words(differences));
+        note += &format!(" Largest difference of data 2 and 1: {}.", as_text(differences));
     }
     if run.model.is_some() && differences.is_none() {
         note += " Data 1 is zero.";

@@ -138,14 +138,14 @@ mod tests {
     }
 
     #[test]
-    fn sensor_errors_are_told_as_the_summary_has_them() {
+    fn sensor_errors_are_reported_as_the_summary_has_them() {
         let run = with(&[("gyro_text", "bias 0.01 deg/h", ""), ("accel_text", "none", "")]);
         assert_eq!(sensors(&run).as_deref(), Some("gyros: bias 0.01 deg/h; accelerometers: none"));
         assert_eq!(sensors(&with(&[])), None);
     }
 
     #[test]
-    fn rates_are_told_of_long_runs_alone() {
+    fn rates_are_reported_of_long_runs_alone() {
         let run = with(&[("r50_nmi_h", "0.25", "nmi/h")]);
         assert_eq!(radial_error_rate(&run), None);
         let html = overview(&[run]).into_string();

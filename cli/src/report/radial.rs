@@ -22,8 +22,8 @@ struct Growth {
     slope: f64,
 }
 
-/// None for flights that end before the line would begin. The slope is that of the summary, which is of every second where the
-/// records are fewer: one figure, one number.
+/// The line; none for flights that end before it would begin. The slope is that of the summary, which is computed from each second
+/// if the records are farther apart: so page and summary show the same number.
 fn growth(run: &Run, radius: &[f64]) -> Option<Growth> {
     let window = run.time_s.iter().position(|t| *t >= FIT_FROM_S)?;
     let (times, radius) = (&run.time_s[window..], &radius[window..]);
@@ -56,9 +56,9 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
         Some(Growth { from_s, level, slope }) => {
             let rate =
                 format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
-            let words = format!("least-squares line from {} on, slope {rate}", time_text(from_s));
+            let text = format!("least-squares line from {} on, slope {rate}", time_text(from_s));
             traces.push(Trace::new(Pen::Fit, straight((level, slope), from_s, end)));
-            legend.push((Pen::Fit, words));
+            legend.push((Pen::Fit, text));
             rate
         }
         None => format!("none, it counts from {} on", time_text(FIT_FROM_S)),
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_slope_is_told_in_nautical_miles_an_hour() {
+    fn the_slope_is_reported_in_nautical_miles_an_hour() {
         let run =
             made(
                 400,

@@ -55,8 +55,10 @@ impl Run {
         let summary_path = summary_path(path);
         // First: a pipe in the place of the records has no summary, and would be waited for.
         let summary = File::open(&summary_path).map_err(|error| {
-            let what =
-                format!("the summary that has to lie beside {} cannot be read: {error}", path.display());
+            let what = format!(
+                "the summary of {}, which must be in the same folder, cannot be read: {error}",
+                path.display()
+            );
             Failure::of_file(&summary_path, &what)
         })?;
         let summary = Summary::read(&summary_path, summary)?;
@@ -169,7 +171,7 @@ fn axes(records: &[Record], of: fn(&Record) -> &Vector3<f64>) -> [Vec<f64>; 3] {
     std::array::from_fn(|axis| records.iter().map(|record| of(record)[axis]).collect())
 }
 
-/// Times less the first; refuses fewer than two, and such as do not increase.
+/// Times less the first; rejects fewer than two, and times that do not increase.
 fn since_start(path: &Path, lines: &[u64], records: &[Record]) -> Result<Vec<f64>, Failure> {
     if let Some(row) = records.windows(2).position(|pair| pair[1].time_s <= pair[0].time_s) {
         let (before, found) = (records[row].time_s, records[row + 1].time_s);
@@ -246,11 +248,11 @@ pub mod tests {
     }
 
     #[test]
-    fn a_missing_summary_is_told() {
+    fn a_missing_summary_is_reported() {
         let folder = tempfile::tempdir().unwrap();
         let run = folder.path().join("lone.csv");
         std::fs::write(&run, "time_s\n").unwrap();
         let failure = Run::read(&run).err().unwrap().to_string();
-        assert!(failure.contains("lone_summary.csv: the summary that has to lie beside"));
+        assert!(failure.contains("lone_summary.csv: the summary of"));
     }
 }

@@ -48,12 +48,12 @@ pub struct Line {
     pub amplitude: f64,
 }
 
-/// Periods to look for, how they are marked and said.
+/// Periods to look for, their mark in the drawing and their text in the legend.
 struct Expected {
     pen: Pen,
     periods_s: Vec<f64>,
     mark: &'static str,
-    words: String,
+    text: String,
 }
 
 /// Amplitudes of the record (`time_s`, `values`) by falling period: straight line removed, Hann window,
@@ -97,7 +97,7 @@ fn uniform(time_s: &[f64], values: &[f64]) -> (Vec<f64>, f64) {
     ((0..count).map(at).collect(), step)
 }
 
-/// The spectrum with the periods to look for; none for short records and for such without errors.
+/// The spectrum with the periods to look for; none for short records and for records without errors.
 pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
     let duration_s = run.duration_s();
     if duration_s <= LEAST_PERIODS * SCHULER_S || run.time_s.len() < LEAST_RECORDS {
@@ -129,7 +129,7 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
         {
             panel.marks.push(Mark { at, pen: expected.pen, text: expected.mark.to_owned() });
         }
-        legend.push((expected.pen, expected.words));
+        legend.push((expected.pen, expected.text));
     }
     let note = format!(
         "Strongest line: east {} at {}, north {} at {}. Straight line removed, Hann window; lines closer than {:.3} \
@@ -157,15 +157,15 @@ fn strongest(lines: &[Line], low: f64, high: f64) -> Line {
 fn expected(duration_s: f64, latitude_rad: f64) -> Vec<Expected> {
     let schuler = "Schuler period, 84.4 min".to_owned();
     let mut all =
-        vec![Expected { pen: Pen::Schuler, periods_s: vec![SCHULER_S], mark: "84.4 min", words: schuler }];
+        vec![Expected { pen: Pen::Schuler, periods_s: vec![SCHULER_S], mark: "84.4 min", text: schuler }];
     if let Some((foucault_s, short, long)) = foucault(latitude_rad) {
         let [foucault, first, second] = [foucault_s, short, long].map(time_text);
-        let words =
+        let text =
             format!("Schuler split by Foucault ({foucault} at the mean latitude): {first} and {second}");
-        all.push(Expected { pen: Pen::Foucault, periods_s: vec![short, long], mark: "", words });
+        all.push(Expected { pen: Pen::Foucault, periods_s: vec![short, long], mark: "", text });
     }
     if duration_s >= DAY_S {
-        all.push(Expected { pen: Pen::Day, periods_s: vec![DAY_S], mark: "24 h", words: "24 h".to_owned() });
+        all.push(Expected { pen: Pen::Day, periods_s: vec![DAY_S], mark: "24 h", text: "24 h".to_owned() });
     }
     all
 }

@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_header_or_row_is_told() {
+    fn a_wrong_header_or_row_is_reported() {
         let header = "key,value,unit,label\n";
         assert!(
             read(&format!("{header}r,nan,m,\n"))

@@ -54,7 +54,7 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
     Ok(Figure { title: "Trajectory".to_owned(), legend, drawings: vec![track, height], note })
 }
 
-/// How much of both ends of the truth is drawn, in whole minutes; none where all of it is.
+/// Length of the parts at both ends of the truth that are drawn, in whole minutes; none if all of it is drawn.
 fn stretch_s(duration_s: f64, (east, north): &Track) -> Option<f64> {
     let path: f64 = (1..east.len()).map(|k| (east[k] - east[k - 1]).hypot(north[k] - north[k - 1])).sum();
     let extent = span(range(east)).max(span(range(north)));
@@ -85,7 +85,7 @@ fn lines(run: &Run, truth: &Track, navigation: &Track, stretch_s: Option<f64>) -
     parts.into_iter().map(|(pen, track, part)| (pen, drawn(track, part))).collect()
 }
 
-/// Track east and north of the start, equal axes, and what it says in words.
+/// Track east and north of the start, with equal axes, and its note.
 fn track(
     run: &Run,
     truth: &Track,

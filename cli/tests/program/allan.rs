@@ -1,21 +1,8 @@
 //! `sins allan` from the command line to the files.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("allan").join(name);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn run(log: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_sins")).arg("allan").arg(log).args(arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
+use crate::support::{done, folder, read, rejected};
 
 /// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes; what it shakes is taken off
 /// again. Q is 0.001° / √12. Row `gap` and those after it are `late` steps late.
@@ -36,51 +23,42 @@ fn log(path: &Path, rows: u32, gap: u32, late: u32) {
 #[test]
 fn a_log_becomes_a_picture_a_page_and_tables() {
     let folder = folder("good");
-    let path = folder.join("turn.csv");
-    log(&path, 20_000, u32::MAX, 0);
-    let [picture, page, points] = ["a.svg", "a.html", "p.csv"].map(|name| folder.join(name));
-    let output = run(&path, &["-o", picture.to_str().unwrap(), "--csv", points.to_str().unwrap()]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    let table = text(&output.stdout);
+    log(&folder.join("turn.csv"), 20_000, u32::MAX, 0);
+    let table = done(&folder, &["allan", "turn.csv", "-o", "a.svg", "--csv", "p.csv"]);
     assert!(table.starts_with("turn.csv: 20000 samples at 100.0 Hz, 3.3 min"), "{table}");
-    let fit = std::fs::read_to_string(folder.join("p_fit.csv")).unwrap();
+    let fit = read(folder.join("p_fit.csv"));
     let row: Vec<&str> = fit.lines().nth(1).unwrap().split(',').collect();
     assert_eq!((row[0], row[1], row[5]), ("gyro_z_deg_s", "Q", "rad"));
     let [low, high] = [row[3], row[4]].map(|field| field.parse::<f64>().unwrap());
     let q = 0.001f64.to_radians() / 12f64.sqrt();
     assert!(low < q && q < high && high < 1.1 * low, "{low:e} {q:e} {high:e}");
-    let curve = std::fs::read_to_string(&points).unwrap();
+    let curve = read(folder.join("p.csv"));
     assert!(curve.starts_with("column,averaging_time_s,deviation,low,high,degrees_of_freedom,fit\n"));
 
-    let output =
-        run(&path, &["-o", page.to_str().unwrap(), "--columns", "gyro_z_deg_s:deg_h", "--rate", "100"]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    for (file, begin) in [(picture, "<svg"), (page, "<!DOCTYPE html>")] {
-        assert!(std::fs::read_to_string(&file).unwrap().starts_with(begin), "{}", file.display());
+    let columns = ["--columns", "gyro_z_deg_s:deg_h", "--rate", "100"];
+    done(&folder, &[&["allan", "turn.csv", "-o", "a.html"], &columns[..]].concat());
+    for (file, begin) in [("a.svg", "<svg"), ("a.html", "<!DOCTYPE html>")] {
+        assert!(read(folder.join(file)).starts_with(begin), "{file}");
     }
 }
 
 #[test]
-fn bad_logs_and_orders_are_told() {
+fn bad_logs_and_orders_are_reported() {
     let folder = folder("bad");
     let path = folder.join("gap.csv");
-    let out = folder.join("out.svg");
-    let out = out.to_str().unwrap();
     // The comment is line 1, the header line 2, row k line k + 3.
     log(&path, 500, 321, 1);
-    let output = run(&path, &["-o", out]);
-    let errors = text(&output.stderr);
-    assert!(output.status.code() == Some(2) && errors.contains("gap.csv:324: column time_s"), "{errors}");
+    let errors = rejected(&folder, &["allan", "gap.csv", "-o", "out.svg"]);
+    assert!(errors.contains("gap.csv:324: column time_s"), "{errors}");
     log(&path, 500, 321, 0);
     for (arguments, expected) in [
-        (&["-o", out, "--columns", "gyro_z_deg_s,mode:deg_s"][..], ":3: column 3 (mode)"),
-        (&["-o", out, "--columns", "gyro_q_deg_s"], "\"gyro_q_deg_s\""),
-        (&["-o", out, "--rate", "200"], ":4: column time_s"),
+        (&["-o", "out.svg", "--columns", "gyro_z_deg_s,mode:deg_s"][..], ":3: column 3 (mode)"),
+        (&["-o", "out.svg", "--columns", "gyro_q_deg_s"], "\"gyro_q_deg_s\""),
+        (&["-o", "out.svg", "--rate", "200"], ":4: column time_s"),
         (&["-o", "out.png"], "out.png"),
     ] {
-        let output = run(&path, arguments);
-        let errors = text(&output.stderr);
-        assert!(output.status.code() == Some(2) && errors.contains(expected), "{arguments:?}: {errors}");
+        let errors = rejected(&folder, &[&["allan", "gap.csv"], arguments].concat());
+        assert!(errors.contains(expected), "{arguments:?}: {errors}");
     }
-    assert!(!Path::new(out).exists(), "nothing is drawn of a bad log");
+    assert!(!folder.join("out.svg").exists(), "nothing is drawn of a bad log");
 }

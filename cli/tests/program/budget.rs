@@ -1,42 +1,18 @@
 //! `sins budget`: which effects matter, from the command line to the files.
 
-use std::collections::HashMap;
-use std::path::Path;
-use std::process::Command;
-
-type Row = HashMap<String, String>;
-
-fn number(row: &Row, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
-}
+use crate::support::{Row, folder, number, project_file, read, rejected, rows, run};
 
 #[test]
 fn the_patrol_and_a_log_have_their_budgets() {
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("budget_report");
-    let _ = std::fs::remove_dir_all(&out);
-    let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("../c_examples/flights/airliner_cruise.csv");
-    let output = Command::new(env!("CARGO_BIN_EXE_sins"))
-        .args([
-            "budget",
-            "--hours",
-            "0.05",
-            "--runs",
-            "8",
-            "simulation2",
-            "--position",
-            "2",
-            "--attitude",
-            "10",
-        ])
-        .arg(&log)
-        .arg("-o")
-        .arg(&out)
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-
-    let mut reader = csv::Reader::from_path(out.join("budget.csv")).unwrap();
-    let all: Vec<Row> = reader.deserialize().map(Result::unwrap).collect();
+    let folder = folder("budgets");
+    let log = project_file("c_examples/flights/airliner_cruise.csv");
+    let limits = ["--position", "2", "--attitude", "10"];
+    let scenes =
+        ["budget", "--hours", "0.05", "--runs", "8", "simulation2", log.to_str().unwrap(), "-o", "out"];
+    let (code, said, errors) = run(&folder, &[&scenes[..], &limits].concat());
+    assert_eq!(code, 0, "{errors}");
+    let out = folder.join("out");
+    let all = rows(&out.join("budget.csv"));
     let of = |scene: &str| all.iter().filter(|row| row["scene"] == scene).collect::<Vec<&Row>>();
     let (patrol, airliner) = (of("simulation2"), of("airliner_cruise"));
     let names = |rows: &[&Row]| rows.iter().map(|row| row["effect"].clone()).collect::<Vec<String>>();
@@ -63,25 +39,16 @@ fn the_patrol_and_a_log_have_their_budgets() {
     assert!(airliner.iter().any(|row| row["can_be_left_out"] == "1"));
     assert_eq!(airliner[0]["can_be_left_out"], "0");
 
-    let table = std::fs::read_to_string(out.join("table.md")).unwrap();
-    assert!(table.ends_with(&*String::from_utf8_lossy(&output.stdout)) && table.contains("can be left out"));
+    let table = read(out.join("table.md"));
+    assert!(table.ends_with(&said) && table.contains("can be left out"));
     for name in ["simulation2.svg", "airliner_cruise.svg", "budget.html"] {
-        assert!(
-            std::fs::read_to_string(out.join(name)).unwrap().contains("gyro angle random walk"),
-            "{name}"
-        );
+        assert!(read(out.join(name)).contains("gyro angle random walk"), "{name}");
     }
 }
 
 #[test]
-fn a_bad_order_is_refused() {
-    let run = |arguments: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_sins")).arg("budget").args(arguments).output().unwrap();
-        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
-    };
-    let (code, errors) = run(&["--preset", "best", "-o", "nowhere"]);
-    assert!(code == Some(2) && errors.contains("best"), "{errors}");
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("budget_refused");
-    let (code, errors) = run(&["-o", out.to_str().unwrap(), "missing.csv"]);
-    assert!(code == Some(2) && errors.contains("missing.csv"), "{errors}");
+fn a_bad_order_is_rejected() {
+    let folder = folder("bad");
+    assert!(rejected(&folder, &["budget", "--preset", "best"]).contains("best"));
+    assert!(rejected(&folder, &["budget", "missing.csv"]).contains("missing.csv"));
 }

@@ -1,12 +1,9 @@
-//! Scenes from a file: what mounting, gravity, temperature and failures make of a flight.
-
-#[path = "support/program.rs"]
-mod program;
+//! Scenes from a file: mounting, gravity, temperature and failures act on a flight as their closed forms.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-use program::{done, folder, read, refused};
+use crate::support::{done, folder, read, rejected};
 
 const DEG_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 
@@ -29,25 +26,25 @@ fn column(table: &str, name: &str) -> Vec<f64> {
 }
 
 /// What the second flight measures more than the first, each second.
-fn more(sound: &str, other: &str, name: &str) -> Vec<f64> {
-    let pairs = column(sound, name).into_iter().zip(column(other, name));
-    pairs.map(|(sound, other)| other - sound).collect()
+fn more(undisturbed: &str, other: &str, name: &str) -> Vec<f64> {
+    let pairs = column(undisturbed, name).into_iter().zip(column(other, name));
+    pairs.map(|(undisturbed, other)| other - undisturbed).collect()
 }
 
 #[test]
-fn a_turned_block_and_disturbed_gravity_are_felt() {
+fn a_turned_block_and_disturbed_gravity_are_measured() {
     let folder = folder("world");
-    let sound = fly(&folder, REST);
+    let undisturbed = fly(&folder, REST);
     let turned = fly(&folder, &format!("{REST}[mounting]\nboresight_deg = [0, 0, 90]\n"));
     // At rest heading north: the block's x axis points south then, and feels the Earth turn the other way.
-    let north = column(&sound, "angle_increment_y_rad");
+    let north = column(&undisturbed, "angle_increment_y_rad");
     let south = column(&turned, "angle_increment_x_rad");
     for (north, south) in north.iter().zip(&south) {
         // A rotation of an angle below 1e-4, by a sine and a cosine each a rounding off.
         assert!(*north > 5e-5 && (north + south).abs() < 8.0 * f64::EPSILON * 1e-4, "{north:e} {south:e}");
     }
     let heavy = fly(&folder, &format!("{REST}[gravity]\nanomaly_mgal = 100\n"));
-    for error in more(&sound, &heavy, "velocity_increment_z_m_s") {
+    for error in more(&undisturbed, &heavy, "velocity_increment_z_m_s") {
         // 100 mGal are 1e-3 m/s2; the difference of two numbers below 10.
         assert!((error - 1e-3).abs() < 4.0 * f64::EPSILON * 10.0, "{error:e}");
     }
@@ -57,17 +54,17 @@ fn a_turned_block_and_disturbed_gravity_are_felt() {
 fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
     let folder = folder("temperature");
     let gyro = "[gyro]\nreference_temperature_c = 15\nbias_temperature_deg_h_per_k = [1, 0, 0]\n";
-    let sound = fly(&folder, REST);
+    let undisturbed = fly(&folder, REST);
     let warming = format!("{REST}temperature_c = 20\ntemperature_change_c_h = 3600\n{gyro}");
     let warm = fly(&folder, &warming);
-    let errors = more(&sound, &warm, "angle_increment_x_rad");
+    let errors = more(&undisturbed, &warm, "angle_increment_x_rad");
     assert_eq!(errors.len(), 120);
     for (second, error) in errors.iter().enumerate() {
         // 5 K at the begin and 1 K/s, in the middle of the second; the difference of two numbers below 1e-3.
         let expected = (5.0 + second as f64 + 0.5) * DEG_PER_HOUR;
         assert!((error - expected).abs() < 4.0 * f64::EPSILON * 1e-3, "{second}: {error:e} {expected:e}");
     }
-    assert!(more(&sound, &warm, "angle_increment_y_rad").iter().all(|&error| error == 0.0));
+    assert!(more(&undisturbed, &warm, "angle_increment_y_rad").iter().all(|&error| error == 0.0));
 
     let mut log =
         String::from("time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,");
@@ -105,22 +102,22 @@ fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
     ] {
         std::fs::write(folder.join("log.csv"), log).unwrap();
         std::fs::write(folder.join("scene.toml"), text).unwrap();
-        let errors = refused(&folder, &["fly", "scene.toml", "--quiet"]);
+        let errors = rejected(&folder, &["fly", "scene.toml", "--quiet"]);
         assert!(errors.starts_with(expected), "{expected}\n{errors}");
     }
 }
 
 /// The seconds, from 0, in which a column differs.
-fn seconds(sound: &str, other: &str, name: &str) -> Vec<usize> {
-    let errors = more(sound, other, name);
+fn seconds(undisturbed: &str, other: &str, name: &str) -> Vec<usize> {
+    let errors = more(undisturbed, other, name);
     (0..errors.len()).filter(|&second| errors[second] != 0.0).collect()
 }
 
 #[test]
-fn a_failed_output_errs_from_its_time_on_and_is_sound_again_behind_it() {
+fn a_failure_acts_between_its_times() {
     let folder = folder("failures");
     let failure = |output: &str, body: &str| format!("[[failure]]\nsensor = {output}\nkind = {body}\n");
-    let sound = fly(&folder, REST);
+    let undisturbed = fly(&folder, REST);
 
     // The later of the two of one output stands first; 70 s ends the one and begins the other.
     let steps = failure("'gyro'\naxis = 'x'", "'bias_step'\nsize_deg_h = -50\nfrom_s = 70\nuntil_s = 80")
@@ -130,7 +127,7 @@ fn a_failed_output_errs_from_its_time_on_and_is_sound_again_behind_it() {
         + &failure("'gyro'\naxis = 'y'", "'none'\nfrom_s = 1")
         + &failure("'gyro'\naxis = 'z'", "'bias_step'\nsize_deg_h = 1\nfrom_s = 115");
     let failed = fly(&folder, &format!("{REST}{steps}"));
-    for (second, error) in more(&sound, &failed, "angle_increment_x_rad").into_iter().enumerate() {
+    for (second, error) in more(&undisturbed, &failed, "angle_increment_x_rad").into_iter().enumerate() {
         let step = match second {
             30..70 => 100.0,
             70..80 => -50.0,
@@ -140,11 +137,11 @@ fn a_failed_output_errs_from_its_time_on_and_is_sound_again_behind_it() {
         let tolerance = if step == 0.0 { 0.0 } else { 4.0 * f64::EPSILON * 1e-3 };
         assert!((error - step * DEG_PER_HOUR).abs() <= tolerance, "{second}: {error:e}");
     }
-    assert_eq!(seconds(&sound, &failed, "angle_increment_y_rad"), []);
-    assert_eq!(seconds(&sound, &failed, "angle_increment_z_rad"), [115, 116, 117, 118, 119]);
-    assert_eq!(seconds(&sound, &failed, "velocity_increment_z_m_s"), [41, 42, 43]);
+    assert_eq!(seconds(&undisturbed, &failed, "angle_increment_y_rad"), []);
+    assert_eq!(seconds(&undisturbed, &failed, "angle_increment_z_rad"), [115, 116, 117, 118, 119]);
+    assert_eq!(seconds(&undisturbed, &failed, "velocity_increment_z_m_s"), [41, 42, 43]);
     assert_eq!(column(&failed, "velocity_increment_z_m_s")[41..44], [0.0; 3]);
-    assert_eq!(seconds(&sound, &failed, "velocity_increment_x_m_s"), []);
+    assert_eq!(seconds(&undisturbed, &failed, "velocity_increment_x_m_s"), []);
     let summary = read(folder.join("sins_out/scene_summary.csv"));
     let told = "accelerometer z dead 40.5 s to 43.2 s, gyro z bias step 115 s to the end";
     assert!(summary.contains(told), "{summary}");
@@ -152,9 +149,9 @@ fn a_failed_output_errs_from_its_time_on_and_is_sound_again_behind_it() {
     // 49 times a 49th of a second is less than a second, by a rounding: still the step that begins at 1 s.
     let fast = REST.replace("rate_hz = 1\n", "rate_hz = 49\n").replace("0.03333333333333333", "0.001");
     let step = failure("'gyro'\naxis = 'x'", "'bias_step'\nsize_deg_h = 100\nfrom_s = 1\nuntil_s = 2");
-    let (sound, failed) = (fly(&folder, &fast), fly(&folder, &format!("{fast}{step}")));
+    let (undisturbed, failed) = (fly(&folder, &fast), fly(&folder, &format!("{fast}{step}")));
     let steps: Vec<usize> = (49..98).collect();
-    assert_eq!(seconds(&sound, &failed, "angle_increment_x_rad"), steps);
+    assert_eq!(seconds(&undisturbed, &failed, "angle_increment_x_rad"), steps);
 }
 
 /// The same flight from another time stamp on: times of failures count from its begin.
@@ -173,14 +170,15 @@ fn failures_of_a_log_count_from_its_first_sample() {
     }
     std::fs::write(folder.join("log.csv"), log).unwrap();
     let height = || column(&read(folder.join("sins_out/scene.csv")), "navigation_height_m");
-    let sound = fly(&folder, flight);
-    let sound_height = height();
+    let undisturbed = fly(&folder, flight);
+    let undisturbed_height = height();
     let failed = fly(&folder, &format!("{flight}{gyro}"));
-    assert_eq!(seconds(&sound, &failed, "angle_increment_x_rad"), [30, 31, 32]);
+    assert_eq!(seconds(&undisturbed, &failed, "angle_increment_x_rad"), [30, 31, 32]);
 
     // The first record is of the start, the 61st of 60 s; the loop draws the height upwards, as the altimeter says.
-    assert!(fly(&folder, &format!("{flight}{altimeter}")) == sound);
-    let apart: Vec<f64> = height().iter().zip(&sound_height).map(|(failed, sound)| failed - sound).collect();
+    assert!(fly(&folder, &format!("{flight}{altimeter}")) == undisturbed);
+    let apart: Vec<f64> =
+        height().iter().zip(&undisturbed_height).map(|(failed, undisturbed)| failed - undisturbed).collect();
     assert!(apart.len() == 121 && apart[..=60].iter().all(|&apart| apart == 0.0), "{apart:?}");
     assert!(apart[61..].iter().all(|&apart| apart > 0.0), "{apart:?}");
 }

@@ -1,19 +1,6 @@
 //! `sins curve --quick`: what accuracy costs, from the command line to the files.
 
-use std::collections::HashMap;
-use std::path::Path;
-use std::process::Command;
-
-type Row = HashMap<String, String>;
-
-fn rows(path: &Path) -> Vec<Row> {
-    let mut reader = csv::Reader::from_path(path).unwrap();
-    reader.deserialize().map(Result::unwrap).collect()
-}
-
-fn number(row: &Row, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
-}
+use crate::support::{Row, folder, number, project_file, read, rejected, rows, run};
 
 /// The row of `scheme` with two subsamples in `frame` at `rate_hz`.
 fn find<'a>(rows: &'a [Row], scheme: &str, frame: &str, rate_hz: &str) -> &'a Row {
@@ -23,25 +10,19 @@ fn find<'a>(rows: &'a [Row], scheme: &str, frame: &str, rate_hz: &str) -> &'a Ro
 
 #[test]
 fn accuracy_and_its_cost_are_measured() {
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("curve");
-    let _ = std::fs::remove_dir_all(&out);
-    let counts = Path::new(env!("CARGO_TARGET_TMPDIR")).join("counts.csv");
+    let folder = folder("curve");
     std::fs::write(
-        &counts,
+        folder.join("counts.csv"),
         "scheme,subsamples,updates_per_sample,frame,instructions_per_step\nexact,2,1,Earth-fixed,5060\n",
     )
     .unwrap();
-    let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("../c_examples/flights/airliner_cruise.csv");
-    let output = Command::new(env!("CARGO_BIN_EXE_sins"))
-        .args(["curve", "--quick", "--flight", "aerobatics", "--flight", "pole", "--instructions"])
-        .arg(&counts)
-        .arg("-o")
-        .arg(&out)
-        .arg(&log)
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let log = project_file("c_examples/flights/airliner_cruise.csv");
+    let flights = ["curve", "--quick", "--flight", "aerobatics", "--flight", "pole"];
+    let more = ["--instructions", "counts.csv", "-o", "out", log.to_str().unwrap()];
+    let (code, said, errors) = run(&folder, &[&flights[..], &more].concat());
+    assert_eq!(code, 0, "{errors}");
 
+    let out = folder.join("out");
     let all = rows(&out.join("curve.csv"));
     let of = |scene: &str| all.iter().filter(|row| row["scene"] == scene).cloned().collect::<Vec<Row>>();
     let (aerobatics, pole, airliner) = (of("aerobatics"), of("pole"), of("airliner_cruise"));
@@ -82,24 +63,18 @@ fn accuracy_and_its_cost_are_measured() {
         // In rolls and 5 g the scatter of scale factors counts, which the source of the tactical grade does not state.
         assert!(sensors[0] > 0.01 && sensors[1] > sensors[0], "{scene:?}");
     }
-    let table = std::fs::read_to_string(out.join("table.md")).unwrap();
+    let table = read(out.join("table.md"));
     let (_, table) = table.split_once("\n\n").unwrap();
     assert_eq!(table.lines().count(), 2 + 3);
-    assert!(String::from_utf8_lossy(&output.stdout).starts_with(table) && table.contains("100 m in 2 min"));
+    assert!(said.starts_with(table) && table.contains("100 m in 2 min"));
     for name in ["aerobatics", "pole", "airliner_cruise"] {
-        assert!(std::fs::read_to_string(out.join(name).with_extension("svg")).unwrap().contains("<svg"));
+        assert!(read(out.join(name).with_extension("svg")).contains("<svg"));
     }
 }
 
 #[test]
-fn a_bad_order_is_refused() {
-    let run = |arguments: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_sins")).arg("curve").args(arguments).output().unwrap();
-        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
-    };
-    let (code, errors) = run(&["--flight", "moon", "-o", "nowhere"]);
-    assert!(code == Some(2) && errors.contains("moon"), "{errors}");
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
-    let (code, errors) = run(&["-o", out.to_str().unwrap(), "missing.csv"]);
-    assert!(code == Some(2) && errors.contains("missing.csv"), "{errors}");
+fn a_bad_order_is_rejected() {
+    let folder = folder("bad");
+    assert!(rejected(&folder, &["curve", "--flight", "moon"]).contains("moon"));
+    assert!(rejected(&folder, &["curve", "missing.csv"]).contains("missing.csv"));
 }

@@ -1,11 +1,8 @@
 //! `sins ensemble`: the same files by any number of threads and over any interruption; statistics against the runs themselves.
 
-#[path = "support/program.rs"]
-mod program;
-
 use std::path::Path;
 
-use program::{done, folder, names, numbers, read, refused, run, sins, told};
+use crate::support::{done, folder, names, numbers, read, rejected, result, run, sins};
 
 /// Three minutes of sensors of navigation grade, with both error data: three blocks of 64 runs, the last one short.
 const SCENE: [&str; 9] = [
@@ -80,7 +77,7 @@ fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
     }
     let kill = format!("kill -{signal} {}", child.id());
     assert!(std::process::Command::new("sh").args(["-c", &kill]).status().unwrap().success());
-    let (code, said, errors) = told(&child.wait_with_output().unwrap());
+    let (code, said, errors) = result(&child.wait_with_output().unwrap());
     assert_eq!(said, "");
     (code, errors)
 }
@@ -106,19 +103,19 @@ fn an_interrupted_ensemble_goes_on_to_the_same_files() {
 
 #[test]
 #[cfg(unix)]
-fn a_checkpoint_that_is_damaged_or_foreign_is_refused() {
+fn a_checkpoint_that_is_damaged_or_foreign_is_rejected() {
     let folder = folder("foreign");
     assert_eq!(interrupted(&folder, "out", "INT").0, 130);
     let path = folder.join("out/simulation2_ensemble.checkpoint");
     let good = std::fs::read(&path).unwrap();
     let again = long(&["--out", "out"]);
     for (more, words) in [
-        (&["--set", "options.seed=7"][..], "is of another order: \"scene "),
-        (&["--set", "gyro.bias_sigma_deg_h=0.02"], "is of another order: \"scene "),
-        (&["--first-run", "3"], "\"first run 0\", where this one has \"first run 3\""),
+        (&["--set", "options.seed=7"][..], "is that of another command: it has \"scene "),
+        (&["--set", "gyro.bias_sigma_deg_h=0.02"], "is that of another command: it has \"scene "),
+        (&["--first-run", "3"], "\"first run 0\" where this command has \"first run 3\""),
         (&["--every", "9"], "\"intervals between rows "),
     ] {
-        let errors = refused(&folder, &[&again[..], more].concat());
+        let errors = rejected(&folder, &[&again[..], more].concat());
         assert!(errors.contains(words), "{more:?}: {errors}");
         assert!(std::fs::read(&path).unwrap() == good, "{more:?}");
     }
@@ -127,13 +124,13 @@ fn a_checkpoint_that_is_damaged_or_foreign_is_refused() {
         let mut damaged = good.clone();
         damaged[at] ^= 0x10;
         std::fs::write(&path, &damaged).unwrap();
-        assert!(refused(&folder, &again).contains("is damaged"), "{at}");
+        assert!(rejected(&folder, &again).contains("is damaged"), "{at}");
         std::fs::write(&path, &good[..at]).unwrap();
-        assert!(refused(&folder, &again).contains("is damaged"), "cut at {at}");
+        assert!(rejected(&folder, &again).contains("is damaged"), "cut at {at}");
         assert!(std::fs::read(&path).unwrap() == good[..at]);
     }
     std::fs::write(&path, "somebody's own").unwrap();
-    assert!(refused(&folder, &again).contains("--force"));
+    assert!(rejected(&folder, &again).contains("--force"));
     assert_eq!(read(&path), "somebody's own");
 }
 
@@ -145,7 +142,7 @@ fn no_output_is_an_input() {
     for ending in [".csv", "_runs.csv", ".html", ".checkpoint"] {
         let name = format!("a_ensemble{ending}");
         std::fs::write(folder.join(&name), format!("{header}\n{rows}")).unwrap();
-        let errors = refused(&folder, &["ensemble", "--log", &name, "--name", "a", "--out", ".", "--force"]);
+        let errors = rejected(&folder, &["ensemble", "--log", &name, "--name", "a", "--out", ".", "--force"]);
         assert!(errors.contains("is the input"), "{errors}");
         assert_eq!(names(&folder), [name.as_str()]);
         std::fs::remove_file(folder.join(&name)).unwrap();
@@ -158,7 +155,7 @@ fn no_output_is_an_input() {
         (&["--name", "a/b"], "without a folder"),
         (&["--first-run", "18446744073709551615"], "--first-run"),
     ] {
-        let errors = refused(&folder, &[&["ensemble", "rest"], more].concat());
+        let errors = rejected(&folder, &[&["ensemble", "rest"], more].concat());
         assert!(errors.contains(words), "{errors}");
     }
 }
@@ -230,7 +227,7 @@ fn statistics_are_those_of_the_runs() {
 
 /// Accelerometers of 0.3 g and a free vertical channel: some runs fall out of the Earth within five minutes, others do not.
 #[test]
-fn diverged_runs_are_told_by_number_and_left_out() {
+fn diverged_runs_are_reported_by_number_and_left_out() {
     let folder = folder("diverged");
     let settings = [
         "flight.hours=0.1",

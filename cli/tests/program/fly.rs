@@ -1,9 +1,6 @@
 //! `sins fly`, `sins scene`, `sins keys`, `sins recommend`: what a newcomer does first.
 
-#[path = "support/program.rs"]
-mod program;
-
-use program::{done, folder, names, numbers, project_file, read, refused, run};
+use crate::support::{done, folder, names, numbers, project_file, read, rejected, run};
 
 /// The value of a row of a summary.
 fn figure(summary: &str, key: &str) -> String {
@@ -66,7 +63,7 @@ fn records_are_spaced_as_they_are_wanted() {
     assert!(times.len() == 73 && times.windows(2).all(|pair| (pair[1] - pair[0] - 2.5).abs() < 1e-9));
     // About 2000 of 18 000 intervals.
     assert_eq!(fly(&[]).len(), 2001);
-    let errors = refused(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);
+    let errors = rejected(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);
     assert!(
         errors.contains("output.every_s = 0.001: expected at least the sample interval, 0.01"),
         "{errors}"
@@ -116,7 +113,7 @@ fn standard_deviations_are_recorded_and_drawn() {
 }
 
 #[test]
-fn what_was_meant_is_told() {
+fn what_was_meant_is_reported() {
     let folder = folder("meant");
     for (arguments, words) in [
         (&["reprot"][..], "'report'"),
@@ -125,14 +122,14 @@ fn what_was_meant_is_told() {
         (&["fly", "patrol", "--set", "gyro.bais_deg_h=1"], "bias_deg_h?"),
         (&["fly", "patrol", "--preset", "tacticle"], "--preset tacticle: gyro.preset"),
         (&["fly", "patrol", "--set", "gyro.bias_deg_h"], "expected KEY=VALUE"),
-        (&["fly"], "no scene is given"),
+        (&["fly"], "no scene was given"),
         (&["fly", "nowhere.csv"], "nowhere.csv: cannot be read"),
         (&["fly", "nowhere.toml"], "nowhere.toml: cannot be read"),
         (&["fly", "patrol", "--name", "a/b"], "without a folder"),
         (&["fly", "aerobatics", "--set", "flight.hours=9"], "flight.hours = 9: must be at most"),
         (&["recommend", "patrol"], "requirement.position_m"),
     ] {
-        let errors = refused(&folder, arguments);
+        let errors = rejected(&folder, arguments);
         assert!(errors.contains(words), "{arguments:?}: {errors}");
     }
     assert_eq!(names(&folder), [""; 0]);
@@ -155,7 +152,7 @@ fn scenes_are_listed_checked_and_written() {
     assert_eq!(read(folder.join("sins_out/own.csv")), read(folder.join("sins_out/simulation2.csv")));
     // A scene is somebody's own as soon as it is there.
     let order = ["scene", "write", "patrol", "-o", "own.toml"];
-    assert!(refused(&folder, &order).contains("--force"));
+    assert!(rejected(&folder, &order).contains("--force"));
     done(&folder, &[&order[..], &["--force"]].concat());
     for scene in ["drone", "fighter", "patrol", "trainer"] {
         let path = project_file(&format!("c_examples/scenes/{scene}.toml"));
@@ -203,7 +200,7 @@ fn a_closed_pipe_is_no_failure() {
 }
 
 #[test]
-fn options_are_recommended_and_too_much_is_told() {
+fn options_are_recommended_and_too_much_is_reported() {
     let folder = folder("recommend");
     let scene = ["recommend", "aerobatics", "--piece", "30", "--hours", "0.01"];
     let said = done(&folder, &[&scene[..], &["--position", "1"]].concat());

@@ -1,12 +1,7 @@
 //! Progress: on a terminal how far, how fast and how long still; nothing of it in a file or a pipe.
-#![cfg(target_os = "linux")]
-
-#[path = "support/program.rs"]
-mod program;
-
 use std::process::{Command, Stdio};
 
-use program::{folder, run};
+use crate::support::{folder, run};
 
 /// What the program writes on a terminal.
 fn on_a_terminal(folder: &std::path::Path, arguments: &str) -> String {

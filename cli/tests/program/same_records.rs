@@ -1,14 +1,11 @@
 //! The program flies as a C host does through the interface: the same scenes, read and flown by a program of C, give the same records
 //! to the bit. The scene that the host reads is the one that `sins scene write` writes.
 
-#[path = "support/program.rs"]
-mod program;
-
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use program::{done, folder, numbers, project_file, read};
+use crate::support::{done, folder, numbers, project_file, read};
 
 /// A C program with the library that was built with this test: it lies beside the test's own program.
 fn link(name: &str, source: &str) -> PathBuf {
@@ -33,7 +30,7 @@ fn link(name: &str, source: &str) -> PathBuf {
 
 fn host() -> &'static Path {
     static HOST: OnceLock<PathBuf> = OnceLock::new();
-    HOST.get_or_init(|| link("fly_scene", "cli/tests/fly_scene.c"))
+    HOST.get_or_init(|| link("fly_scene", "cli/tests/program/fly_scene.c"))
 }
 
 /// A record each `every_s` [s] of the program and of the host: the same.

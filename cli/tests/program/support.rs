@@ -1,6 +1,7 @@
 //! The program, run in a folder of a test's own.
-#![allow(dead_code)] // each test uses a part of it
 
+use std::collections::HashMap;
+use std::panic::Location;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -9,9 +10,12 @@ pub fn project_file(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
 
-/// A folder of a test's own, empty.
+/// An empty folder of a test's own: its name has to differ from the others of its file.
+#[track_caller]
 pub fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(env!("CARGO_CRATE_NAME")).join(name);
+    let file = Path::new(Location::caller().file()).with_extension("");
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join("program").join(file.file_name().unwrap()).join(name);
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
     folder
@@ -26,23 +30,23 @@ pub fn sins(folder: &Path, arguments: &[&str]) -> Command {
 
 /// Exit code, standard output and standard error.
 pub fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    told(&sins(folder, arguments).output().unwrap())
+    result(&sins(folder, arguments).output().unwrap())
 }
 
-pub fn told(output: &Output) -> (i32, String, String) {
+pub fn result(output: &Output) -> (i32, String, String) {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
     (output.status.code().unwrap_or(-1), text(&output.stdout), text(&output.stderr))
 }
 
-/// Runs the program, which has to be done.
+/// Runs the program, which has to succeed, and gives its output.
 pub fn done(folder: &Path, arguments: &[&str]) -> String {
     let (code, said, errors) = run(folder, arguments);
     assert_eq!((code, errors.as_str()), (0, ""), "{arguments:?}");
     said
 }
 
-/// The program refuses: its words.
-pub fn refused(folder: &Path, arguments: &[&str]) -> String {
+/// Runs the program, which has to reject its arguments, and gives its message.
+pub fn rejected(folder: &Path, arguments: &[&str]) -> String {
     let (code, said, errors) = run(folder, arguments);
     assert_eq!((code, said.as_str()), (2, ""), "{arguments:?}: {errors}");
     errors
@@ -62,6 +66,20 @@ pub fn names(folder: &Path) -> Vec<String> {
     names
 }
 
+/// A row of a table by the names of its columns.
+pub type Row = HashMap<String, String>;
+
+/// The rows of a table.
+pub fn rows(path: &Path) -> Vec<Row> {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
+/// A number in a row.
+pub fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
+}
+
 /// Names and rows of a file of numbers.
 pub fn numbers(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     let text = read(path);
@@ -69,4 +87,22 @@ pub fn numbers(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     let names = lines.next().unwrap().split(',').map(str::to_owned).collect();
     let row = |line: &str| line.split(',').map(|field| field.parse().unwrap()).collect();
     (names, lines.map(row).collect())
+}
+
+/// The columns of a flight log.
+pub const HEADER: &str = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
+
+/// A flight log of ten seconds at rest.
+pub fn log() -> String {
+    let rows: String = (0..=10).map(|t| format!("{t},0.7,2.0,50,0,0,1\n")).collect();
+    format!("{HEADER}\n{rows}")
+}
+
+/// A folder with that log in logs/mylog.csv.
+#[track_caller]
+pub fn with_log(name: &str) -> PathBuf {
+    let folder = folder(name);
+    std::fs::create_dir(folder.join("logs")).unwrap();
+    std::fs::write(folder.join("logs/mylog.csv"), log()).unwrap();
+    folder
 }

@@ -1,13 +1,12 @@
 //! Error models of many runs side by side: what follows the truth is made once an interval, the rest in loops over the runs, as
 //! those of the [navigators](crate::mechanization).
 
-#![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
-
 use nalgebra::Vector3;
 
 use super::earth_fixed::{Coefficients, EarthFixedForm};
 use super::geographic::GeographicForm;
-use super::{ErrorModel, ErrorSums, Form, SensorErrors, is_within};
+use super::sensor_errors::ErrorSums;
+use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
 use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;
@@ -33,7 +32,7 @@ pub(crate) struct ModelInterval<'a> {
     /// Error-free increments.
     ideal: &'a [Increment],
     coefficients: Coefficients,
-    turn: TurnToEarth,
+    turn: TurnToEarth<'a>,
 }
 
 impl<'a> ModelInterval<'a> {
@@ -120,6 +119,9 @@ impl ModelBlock {
                 .advance_one_by_one(interval, aid, count, |lane| (interval.errors(measured, lane), None));
         }
         let &ModelInterval { motion, ideal, coefficients, turn, .. } = interval;
+        // By value, or the compiler fears that the rows lie over them.
+        let ends = turn.ends();
+        let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
             let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, interval.ideal.len()));
@@ -214,7 +216,7 @@ impl ModelBlock {
         height_m: impl Fn(usize) -> f64,
     ) {
         let beginning = self.vertical.begin(t);
-        let true_height_m = truth.sample.place.height_m;
+        let true_height_m = truth.height_m();
         self.shift_vertical(earth, truth, count, |vertical, lane, form| {
             let altimeter_error = height_m(lane) - true_height_m;
             vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)

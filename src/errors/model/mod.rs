@@ -9,15 +9,16 @@ mod geographic;
 mod geometry;
 mod lanes;
 mod reference_point;
+mod sensor_errors;
 
 use nalgebra::Vector3;
 
 use super::NavigationErrors;
 use crate::earth::{Earth, Vertical};
-use crate::math::{Pair, VectorPair, euler_from_attitude, rotation_quaternion, wrap_angle};
+use crate::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::mounting::Block;
-use crate::signal::{Increment, IntervalMotion, MotionNode};
+use crate::signal::{IntervalMotion, MotionNode};
 use crate::snapshot::{stored, variants};
 use crate::state::{BodyAxes, Navigation, StateErrors};
 use crate::truth::TruthPoint;
@@ -25,6 +26,7 @@ use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;
 use geometry::LocalGeometry;
 pub(crate) use lanes::{ModelBlock, ModelInterval};
+pub use sensor_errors::SensorErrors;
 
 /// Misalignment [rad] and displacement [m] beyond which the terms that the linear model drops are no longer small:
 /// 1e-3 of the solution.
@@ -36,114 +38,6 @@ const LARGEST: f64 = 1e20;
 
 /// For errors that a snapshot has: more than an interval makes of [`LARGEST`], with squares that are finite.
 const ERRORS: f64 = 1e140;
-
-/// Errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes: a straight line in
-/// u = 0..1, of the same mean and first moment as those that the mechanization receives. The moment matters: noise of the
-/// first subsample tilts the force for longer than that of the last.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SensorErrors {
-    /// Mean, gyros [rad/s].
-    pub gyro_b: Vector3<f64>,
-    /// Mean, accelerometers [m/s²].
-    pub accel_b: Vector3<f64>,
-    /// Change from the start to the end, gyros [rad/s].
-    pub gyro_change_b: Vector3<f64>,
-    /// Change from the start to the end, accelerometers [m/s²].
-    pub accel_change_b: Vector3<f64>,
-}
-
-impl SensorErrors {
-    /// No errors: all zero.
-    pub const NONE: Self = Self {
-        gyro_b: Vector3::new(0.0, 0.0, 0.0),
-        accel_b: Vector3::new(0.0, 0.0, 0.0),
-        gyro_change_b: Vector3::new(0.0, 0.0, 0.0),
-        accel_change_b: Vector3::new(0.0, 0.0, 0.0),
-    };
-
-    /// From the increments of an interval of length `t` [s], in parts of equal length.
-    #[inline(always)] // 30 instructions less in each step
-    pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
-        let errors = ideal.iter().zip(measured).map(|(ideal, measured)| measured.minus(ideal));
-        Self::of_increments(errors, t)
-    }
-
-    /// From the errors of these increments.
-    #[inline(always)]
-    pub fn of_increments(errors: impl ExactSizeIterator<Item = Increment>, t: f64) -> Self {
-        let mut sums = ErrorSums::NONE;
-        let count = errors.len();
-        for (i, error) in errors.enumerate() {
-            sums.add(&error, ErrorSums::from_middle(i, count));
-        }
-        sums.errors(t)
-    }
-
-    /// Both together.
-    pub fn plus(&self, other: &Self) -> Self {
-        Self {
-            gyro_b: self.gyro_b + other.gyro_b,
-            accel_b: self.accel_b + other.accel_b,
-            gyro_change_b: self.gyro_change_b + other.gyro_change_b,
-            accel_change_b: self.accel_change_b + other.accel_change_b,
-        }
-    }
-
-    /// The errors of a mounted block, in body axes.
-    fn in_body_axes(&self, block: &Block) -> Self {
-        Self {
-            gyro_b: block.in_body_axes(&self.gyro_b),
-            accel_b: block.in_body_axes(&self.accel_b),
-            gyro_change_b: block.in_body_axes(&self.gyro_change_b),
-            accel_change_b: block.in_body_axes(&self.accel_change_b),
-        }
-    }
-
-    /// Gyro and accelerometer errors at the start, in the middle and at the end.
-    #[inline(always)]
-    fn nodes(&self) -> [VectorPair; 3] {
-        let mean = VectorPair::new(&self.gyro_b, &self.accel_b);
-        let half_change = VectorPair::new(&self.gyro_change_b, &self.accel_change_b).times(Pair::both(0.5));
-        [mean - half_change, mean, mean + half_change]
-    }
-}
-
-/// Errors of the increments of an interval, summed up, and their first moment about the middle.
-#[derive(Debug, Clone, Copy)]
-struct ErrorSums {
-    sum: Increment,
-    moment: Increment,
-}
-
-impl ErrorSums {
-    const NONE: Self = Self { sum: Increment::ZERO, moment: Increment::ZERO };
-
-    /// Where increment `i` of `count` lies, -½ to ½.
-    #[inline(always)]
-    fn from_middle(i: usize, count: usize) -> f64 {
-        (i as f64 + 0.5) * (1.0 / count as f64) - 0.5
-    }
-
-    #[inline(always)]
-    fn add(&mut self, error: &Increment, from_middle: f64) {
-        self.sum.angle += error.angle;
-        self.sum.velocity += error.velocity;
-        self.moment.angle += error.angle * from_middle;
-        self.moment.velocity += error.velocity * from_middle;
-    }
-
-    /// Over an interval of length `t` [s]. The first moment of a line about the middle is a twelfth of its change.
-    #[inline(always)]
-    fn errors(&self, t: f64) -> SensorErrors {
-        let rate = 1.0 / t;
-        SensorErrors {
-            gyro_b: self.sum.angle * rate,
-            accel_b: self.sum.velocity * rate,
-            gyro_change_b: self.moment.angle * (12.0 * rate),
-            accel_change_b: self.moment.velocity * (12.0 * rate),
-        }
-    }
-}
 
 /// Whether a displacement is one that the model goes on with; of no number it is not.
 #[inline(always)]
@@ -281,7 +175,7 @@ impl ErrorModel {
                 t,
             ),
             VerticalAid::Barometer { height_m } => {
-                let altimeter_error = height_m - truth.sample.place.height_m;
+                let altimeter_error = height_m - truth.height_m();
                 self.vertical.correct(self.height_error(truth, block) - altimeter_error, t)
             }
         };

@@ -50,7 +50,7 @@ impl Triad {
             }
         }
         for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
-            self.feel(ideal, dt, output);
+            self.sense_input(ideal, dt, output);
             let input = Input { signal: *output, force: ideal.velocity, dt };
             for step in self.plan.of_input() {
                 *output += self.error_of_input(self.plan.effect(step), &input);
@@ -67,13 +67,13 @@ impl Triad {
         }
     }
 
-    /// Makes of the triad's part of `ideal` the input of its sensors.
+    /// Turns `input`, the triad's part of `ideal`, into the input of its sensors.
     #[inline(always)]
-    pub(super) fn feel(&mut self, ideal: &Increment, dt: f64, felt: &mut Vector3<f64>) {
+    pub(super) fn sense_input(&mut self, ideal: &Increment, dt: f64, input: &mut Vector3<f64>) {
         for step in self.plan.before_input() {
             match self.plan.effect(step) {
-                Effect::Size => self.size_effect.apply(&ideal.angle, dt, felt),
-                Effect::Bandwidth => self.bandwidth.apply(dt, felt),
+                Effect::Size => self.size_effect.apply(&ideal.angle, dt, input),
+                Effect::Bandwidth => self.bandwidth.apply(dt, input),
                 _ => {}
             }
         }

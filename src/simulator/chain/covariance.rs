@@ -20,7 +20,7 @@ impl Chain {
     ) {
         self.covariance = covariance;
         let state = self.block.as_ref().map_or(first.state, |block: &Block| block.state(first));
-        let initial = &sensors.initial;
+        let initial = &sensors.set().initial;
         for covariance in &mut *self.covariance {
             let truth = state.navigation(&self.earth, self.options.axes);
             let aligns = initial.alignment == Alignment::LevelAndGyrocompass;

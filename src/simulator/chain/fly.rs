@@ -24,13 +24,17 @@ impl Chain {
         // The increments of the last interval stay until this one is known to be good.
         let first = Signals::place_after(self.parts.start);
         let parts = first..first + count;
-        if self.is_plain { self.fly(parts, recent, sensors) } else { self.fly_beside(parts, recent, sensors) }
+        if self.is_plain {
+            self.fly(parts, recent, sensors)
+        } else {
+            self.fly_extended(parts, recent, sensors)
+        }
     }
 
     /// Flies a chain that is not plain.
     #[cold]
     #[inline(never)]
-    fn fly_beside(
+    fn fly_extended(
         &mut self,
         parts: Range<usize>,
         recent: &Recent<'_>,
@@ -125,11 +129,10 @@ impl Chain {
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let Signals { ideal, measured } = &self.signals;
-            let increments = if sensors_were_ideal { ideal } else { measured };
-            let mut errors = SensorErrors::between(&ideal[parts.clone()], &increments[parts], t);
+            let (ideal, measured) = self.signals.of(&parts, sensors_were_ideal);
+            let mut errors = SensorErrors::between(ideal, measured, t);
             if let Some(disturbance) = &self.disturbance {
-                errors = errors.plus(disturbance.felt());
+                errors = errors.plus(disturbance.apparent_errors());
             }
             model.advance(&motion, next, &errors, &aid, self.block.as_ref());
         }

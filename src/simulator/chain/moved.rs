@@ -50,8 +50,8 @@ impl Chain {
         self.go_on(&jump, mechanization, shadow, (from, to), sensors);
         self.block = block;
         self.generator = SignalGenerator::new(self.earth.rate_rad_s);
-        self.closure.turn(&self.earth, &from.sample.place, &to.sample.place);
-        sensors.go_on(to.sample.place.height_m - from.sample.place.height_m);
+        self.closure.turn(&self.earth, from.place(), to.place());
+        sensors.go_on(to.height_m() - from.height_m());
         if let Some(disturbance) = &mut self.disturbance {
             *disturbance = Disturbance::new(sensors.gravity.at(&self.earth, to));
         }
@@ -95,7 +95,7 @@ impl Chain {
         let Some(state) = errors.at(&self.earth, &jump.to.1) else {
             let error = navigator.minus(&jump.from.0).r_e.norm_squared().sqrt();
             let rule =
-                Rule::Words("cannot be kept: there is no place with this error at the sample's height");
+                Rule::Sentence("cannot be kept: there is no place with this error at the sample's height");
             return Err(Error::of(ErrorKind::Diverged, "navigated position error [m]", error, rule));
         };
         let moved = navigator.moved_to(&state);

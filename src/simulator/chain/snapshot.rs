@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Beside, Chain};
+use super::{Chain, Extension};
 use crate::earth::Earth;
 use crate::error::{Error, Rule};
 use crate::mechanization::Mechanization;
@@ -100,20 +100,20 @@ impl Chain {
             return Ok(current);
         }
         from.enter("snapshot: samples that were flown");
-        Err(from.refused(0.0, Rule::Words("must be at least 1 in flight")))
+        Err(from.refused(0.0, Rule::Sentence("must be at least 1 in flight")))
     }
 
     /// A chain at the point `current`, over which that of a snapshot can be read.
     pub fn to_load(options: &Options, earth: Earth, current: &TruthPoint, sensors: &SensorSuite) -> Self {
         let navigator = Mechanization::new(earth, options.frame, options.scheme, &current.state);
-        let beside = Beside {
+        let extension = Extension {
             block: sensors
                 .mounting()
                 .map(|mounting| block_at_start(mounting, options, &earth, current, None)),
             disturbance: sensors.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
             sensors_state: current.state,
         };
-        Self::new(options, earth, current, &Start::TRUE, navigator, true, beside)
+        Self::new(options, earth, current, &Start::TRUE, navigator, true, extension)
     }
 
     /// Looks back at the points `behind`, newest first.

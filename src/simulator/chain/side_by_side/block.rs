@@ -2,15 +2,15 @@
 
 use core::ops::Range;
 
-use super::disturbed::{Disturbed, DisturbedWorkspace};
+use super::disturbed::Disturbed;
 use super::interval::LastGood;
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{ErrorModel, ModelBlock};
-use crate::mechanization::{Mechanization, NavigatorBlock, Scratch, VerticalMode};
+use crate::mechanization::{Mechanization, NavigatorBlock, VerticalMode};
 use crate::memory::room;
 use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, StateRows, Triad};
-use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row, increment_of, put_increment};
+use crate::signal::{Increment, IncrementRows, RUNS, increment_of, put_increment};
 use crate::simulator::chain::Chain;
 use crate::simulator::{ImuFlags, ImuInterval, Options, SensorSuite};
 
@@ -50,28 +50,8 @@ pub(super) struct Block {
     pub(super) disturbed: Box<[Disturbed]>,
 }
 
-/// What a step needs beside a block, and the block as it was before.
-#[derive(Debug)]
-pub(super) struct Workspace {
-    /// Of the longest interval. By itself, or the compiler fears that it lies over the rest.
-    pub(super) measured: Box<[IncrementRows]>,
-    pub(super) scratch: Scratch,
-    pub(super) heights_m: Row,
-    pub(super) is_unaided: [bool; RUNS],
-    pub(super) saturated: [[u64; RUNS]; 2],
-    pub(super) is_good: [u64; RUNS],
-    pub(super) gyro: StateRows,
-    pub(super) accel: StateRows,
-    pub(super) navigators: NavigatorBlock,
-    pub(super) models: Box<[ModelBlock]>,
-    pub(super) failures: [Box<[FailingTriad]>; 2],
-    pub(super) reports: [Report; RUNS],
-    pub(super) sums: IncrementRows,
-    pub(super) disturbed: DisturbedWorkspace,
-}
-
 /// Room for the failures of so many runs.
-fn failures(sensors: &SensorSuite, count: usize) -> Result<[Box<[FailingTriad]>; 2], Error> {
+pub(super) fn failures(sensors: &SensorSuite, count: usize) -> Result<[Box<[FailingTriad]>; 2], Error> {
     let of = |triad: &Triad| {
         let mut failures = room(count)?;
         failures.resize(count, triad.failures().clone());
@@ -81,42 +61,10 @@ fn failures(sensors: &SensorSuite, count: usize) -> Result<[Box<[FailingTriad]>;
 }
 
 /// Room for the error models of a block, where they are on.
-fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
+pub(super) fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
     let mut models = room(1)?;
     models.extend(options.error_model.then(|| ModelBlock::new(options.frame)));
     Ok(models.into_boxed_slice())
-}
-
-impl Workspace {
-    /// For blocks with the sensors of `sensors`. On the heap, as it is much of a stack.
-    pub fn new(options: &Options, sensors: &mut SensorSuite) -> Result<Box<[Self]>, Error> {
-        let (gyro, accel) = (sensors.gyro.rows()?, sensors.accel.rows()?);
-        let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
-        measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
-        memory.push(Self {
-            measured: measured.into_boxed_slice(),
-            scratch: Scratch::NONE,
-            heights_m: [0.0; RUNS],
-            is_unaided: [false; RUNS],
-            saturated: [[0; RUNS]; 2],
-            is_good: [0; RUNS],
-            gyro,
-            accel,
-            navigators: NavigatorBlock::new(options.frame),
-            models: models(options)?,
-            failures: failures(sensors, RUNS)?,
-            reports: [Report::default(); RUNS],
-            sums: [[0.0; RUNS]; 6],
-            disturbed: DisturbedWorkspace::new(sensors)?,
-        });
-        Ok(memory.into_boxed_slice())
-    }
-
-    /// An altimeter shows `indicated_m` at the true height `height_m` [m], or nothing.
-    pub fn put_height(&mut self, lane: usize, height_m: f64, indicated_m: Option<f64>) {
-        self.heights_m[lane] = indicated_m.unwrap_or(height_m);
-        self.is_unaided[lane] = indicated_m.is_none();
-    }
 }
 
 impl Block {

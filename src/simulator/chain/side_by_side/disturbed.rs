@@ -121,7 +121,7 @@ impl Disturbed {
             sensors.begin_interval(t, || IntervalConditions::of(recent, motion, mounting));
             sensors.sense(ideal, interval.dt, measured)
         };
-        errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.felt());
+        errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.apparent_errors());
         let indicated_m = match aid {
             VerticalAid::Barometer { height_m } => sensors.altimeter.sense(height_m, t),
             _ => None,

@@ -1,11 +1,10 @@
 //! A block of runs over an interval.
 
-use core::slice::from_ref;
-
-use super::block::{Block, Report, Workspace};
+use super::block::{Block, Report};
 use super::interval::Interval;
+use super::workspace::Workspace;
 use crate::errors::SensorErrors;
-use crate::instruction_set::{InstructionSet, Work, prefetch};
+use crate::instruction_set::{InstructionSet, Work};
 use crate::mechanization::{AidOfEach, VerticalAid, check_state};
 use crate::mounting;
 use crate::sensors::FailingTriad;
@@ -36,14 +35,6 @@ impl Block {
                 self.look_closely(lane, interval, workspace);
             }
         }
-    }
-
-    /// Asks for the memory that an interval needs of it, while another block flies.
-    pub fn prefetch(&self) {
-        prefetch(from_ref(self));
-        prefetch(&self.models);
-        self.gyro.prefetch();
-        self.accel.prefetch();
     }
 
     /// The interval begins for the failures, if there are any.

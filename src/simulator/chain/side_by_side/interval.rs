@@ -1,4 +1,4 @@
-//! What an interval brings to the runs side by side.
+//! What an interval brings to all blocks of runs.
 
 use nalgebra::Vector3;
 

@@ -6,6 +6,7 @@ mod disturbed;
 mod fly;
 mod interval;
 mod start;
+mod workspace;
 
 use core::cell::RefCell;
 
@@ -25,8 +26,9 @@ use crate::simulator::suite::IntervalConditions;
 use crate::simulator::views::Views;
 use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
-use block::{Block, Workspace};
+use block::Block;
 use interval::{Interval, LastGood};
+use workspace::Workspace;
 
 /// Runs over one truth, and what they share.
 #[derive(Debug)]
@@ -118,12 +120,7 @@ impl SideBySide {
             shift_e,
             is_shared_good,
         };
-        let mut rest = &mut **blocks;
-        while let [block, to_come @ ..] = rest {
-            to_come.first().into_iter().for_each(Block::prefetch);
-            block.fly(*set, &interval, workspace);
-            rest = to_come;
-        }
+        blocks.iter_mut().for_each(|block| block.fly(*set, &interval, workspace));
 
         chain.views = Views::default();
         chain.last = LastInterval::Loaded {

@@ -1,9 +1,10 @@
-//! The runs of an ensemble from one by one to side by side, and back.
+//! The runs of an ensemble at their start, and from and to the simulators that they are.
 
 use core::cell::RefCell;
 
-use super::block::{Block, Workspace};
+use super::block::Block;
 use super::interval::LastGood;
+use super::workspace::Workspace;
 use super::{Chain, SideBySide};
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
@@ -106,7 +107,7 @@ impl SideBySide {
     #[cold]
     #[inline(never)]
     pub(super) fn start(&mut self, first: &Recent<'_>) -> Result<(), Error> {
-        let height_m = first.current.sample.place.height_m;
+        let height_m = first.current.height_m();
         let mut shared = None;
         for place in 0..self.runs() {
             let chain = self.start_of(place, first.current, Some(first));

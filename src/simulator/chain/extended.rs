@@ -9,7 +9,6 @@ use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::SensorSuite;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
 use crate::simulator::closed_loop::ClosedLoop;
-use crate::simulator::signals::Signals;
 use crate::truth::{Recent, TruthPoint};
 
 impl Chain {
@@ -67,11 +66,10 @@ impl Chain {
     /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
     #[inline(never)]
     pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
-        let (parts, t) = (self.parts.clone(), next.interval_s);
+        let t = next.interval_s;
         if let Some(block) = &mut self.block {
-            let Signals { ideal, measured } = &self.signals;
-            let increments = if sensors_were_ideal { ideal } else { measured };
-            block.observe(&Increment::sum(&ideal[parts.clone()]), &Increment::sum(&increments[parts]), t);
+            let (ideal, measured) = self.signals.of(&self.parts, sensors_were_ideal);
+            block.observe(&Increment::sum(ideal), &Increment::sum(measured), t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);

@@ -1,0 +1,111 @@
+//! What the program reads: faulty files are rejected with the line, pipes are read, nothing in a file steers the terminal.
+
+#[cfg(unix)]
+use std::{
+    io::Write,
+    process::{Command, Stdio},
+};
+
+#[cfg(unix)]
+use crate::support::sins;
+use crate::support::{HEADER, done, folder, log, project_file, read, rejected, run, with_log};
+
+#[test]
+fn rows_of_more_fields_than_columns_are_no_flight() {
+    let folder = folder("decimal_commas");
+    std::fs::write(folder.join("commas.csv"), log().replace(",0.7,", ",0,7,")).unwrap();
+    let errors = rejected(&folder, &["fly", "commas.csv"]);
+    assert!(errors.starts_with("commas.csv:2: 8 fields"), "{errors}");
+    assert!(!folder.join("sins_out/commas.csv").exists());
+}
+
+#[test]
+#[cfg(unix)]
+fn pipes_and_standard_input_are_logs_and_devices_are_not() {
+    let folder = with_log("pipes");
+    let mut child = sins(&folder, &["fly", "-", "-q"]).stdin(Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(log().as_bytes()).unwrap();
+    assert!(child.wait().unwrap().success());
+    assert!(Command::new("mkfifo").arg(folder.join("pipe.csv")).status().unwrap().success());
+    let child = sins(&folder, &["fly", "pipe.csv", "-q"]).spawn().unwrap();
+    std::fs::write(folder.join("pipe.csv"), log()).unwrap();
+    assert!(child.wait_with_output().unwrap().status.success());
+    done(&folder, &["fly", "logs/mylog.csv", "-q"]);
+    let of = |name: &str| read(folder.join("sins_out").join(name));
+    assert!(of("log.csv") == of("mylog.csv") && of("pipe.csv") == of("mylog.csv"));
+    for order in [&["fly", "--log", "/dev/zero"][..], &["allan", "/dev/zero", "-o", "a.svg"]] {
+        assert!(rejected(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
+    }
+    // A pipe is no run: its summary cannot lie beside it. It is not waited for.
+    assert!(rejected(&folder, &["report", "pipe.csv"]).contains("pipe_summary.csv"));
+}
+
+#[test]
+fn a_mark_before_a_comment_is_passed_over() {
+    let folder = folder("mark");
+    std::fs::write(folder.join("log.csv"), format!("\u{feff}# A rest\n{}", log())).unwrap();
+    done(&folder, &["fly", "log.csv", "-q"]);
+    let rows: String = (0..200).map(|k| format!("{}\n", k % 7)).collect();
+    std::fs::write(folder.join("imu.csv"), format!("\u{feff}# A sensor\ngyro_x_deg_h\n{rows}")).unwrap();
+    assert!(done(&folder, &["allan", "imu.csv", "-o", "a.svg", "--rate", "10"]).contains("gyro_x_deg_h"));
+}
+
+#[test]
+fn a_file_does_not_steer_the_terminal() {
+    let folder = folder("escapes");
+    let escape = "\u{1b}]0;owned\u{7}\u{9b}2J";
+    std::fs::write(folder.join("title.csv"), format!("# {escape}\n{}", log())).unwrap();
+    std::fs::write(folder.join("word.csv"), log().replace("0.7", escape)).unwrap();
+    let column = format!("{HEADER}x{escape}");
+    std::fs::write(folder.join("column.csv"), log().replace(HEADER, &column)).unwrap();
+    let title = "\\u001b]0;owned\\u0007";
+    let scene = format!("[flight]\nbuiltin = \"rest\"\nhours = 0.01\ntitle = \"{title}\"\n");
+    std::fs::write(folder.join("title.toml"), scene).unwrap();
+    std::fs::write(folder.join("key.toml"), format!("[flight]\n\"{title}\" = 1\n")).unwrap();
+    std::fs::write(folder.join("imu.csv"), format!("gyro{escape}_deg_h\nx{escape}\n")).unwrap();
+    for (arguments, code) in [
+        (&["fly", "title.csv"][..], 0),
+        (&["fly", "word.csv"], 2),
+        (&["fly", "column.csv"], 2),
+        (&["fly", "title.toml"], 0),
+        (&["scene", "check", "title.toml"], 0),
+        (&["fly", "key.toml"], 2),
+        (&["allan", "imu.csv", "-o", "a.svg", "--rate", "1"], 2),
+        (&["fly", escape], 2),
+        (&["report", escape], 2),
+        (&[escape], 2),
+    ] {
+        let (found, said, errors) = run(&folder, arguments);
+        assert_eq!(found, code, "{arguments:?}: {errors}");
+        let is_steering = |letter: char| letter.is_control() && letter != '\n' && letter != '\t';
+        assert!(!(said + &errors).contains(is_steering), "{arguments:?}");
+    }
+}
+
+#[test]
+fn every_fault_of_a_scene_has_its_line() {
+    let folder = with_log("faults");
+    let scene = "[flight]\nfile = \"nowhere.csv\"\n[gyro]\nbais_deg_h = 1\nbias_deg_h = \"x\"\n[options]\nsubsamples = 9\n";
+    std::fs::write(folder.join("bad.toml"), scene).unwrap();
+    std::fs::write(folder.join("lost.toml"), "# no log\n[flight]\nfile = \"nowhere.csv\"\n").unwrap();
+    std::fs::write(folder.join("good.toml"), "[flight]\nfile = \"logs/mylog.csv\"\n").unwrap();
+    let order = ["scene", "check", "bad.toml", "good.toml", "lost.toml", "logs/mylog.csv"];
+    let (code, said, errors) = run(&folder, &order);
+    assert_eq!((code, said.lines().count()), (2, 2), "{said}{errors}");
+    let lines: Vec<&str> = errors.lines().collect();
+    for (line, begin) in lines.iter().zip([
+        "bad.toml:4:1: no such key: bais_deg_h; bias_deg_h?",
+        "bad.toml:5:14: gyro.bias_deg_h = \"x\"",
+        "bad.toml:7:1: options.subsamples = 9",
+        "lost.toml:3: nowhere.csv: cannot be read",
+    ]) {
+        assert!(line.starts_with(begin), "{line}");
+    }
+    assert_eq!(lines.len(), 4, "{errors}");
+    // A bad sample has the line of the log.
+    let spoiled = log().replace("\n5,0.7,", "\n5,0.8,");
+    std::fs::write(folder.join("jump.csv"), spoiled).unwrap();
+    let errors = rejected(&folder, &["fly", "jump.csv"]);
+    assert!(errors.starts_with("jump.csv:7: "), "{errors}");
+    assert!(project_file("README.md").exists());
+}

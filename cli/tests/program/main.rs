@@ -1,0 +1,18 @@
+//! The program `sins` from its command line to its output and its files.
+
+mod allan;
+mod budget;
+#[cfg(unix)]
+mod complete_files;
+mod conditions;
+mod curve;
+mod ensemble;
+mod fly;
+mod inputs;
+mod numbers;
+mod outputs;
+#[cfg(target_os = "linux")]
+mod progress;
+#[cfg(target_os = "linux")]
+mod same_records;
+mod support;

@@ -1,0 +1,72 @@
+//! Runs that are flown together: as many as a core's cache keeps.
+
+use crate::error::Error;
+use crate::instruction_set::InstructionSet;
+use crate::sensors::{Failure, SensorOutput};
+use crate::simulator::{Options, SideBySide, Simulator, Step};
+use crate::truth::{FlightSample, Intake, Pushed};
+
+/// Runs in a part at the most: 0.3 MB that a step needs.
+pub(super) const PART_RUNS: usize = 512;
+
+/// Runs and their truth, which goes on whatever becomes of them and is the same in all parts of an ensemble.
+#[derive(Debug)]
+pub(super) struct Part {
+    pub intake: Intake,
+    pub intervals: u64,
+    pub runs: SideBySide,
+}
+
+impl Part {
+    pub fn new(
+        template: &Simulator,
+        options: &Options,
+        first_run: u64,
+        runs: usize,
+        set: InstructionSet,
+    ) -> Result<Self, Error> {
+        let runs = SideBySide::new(template, first_run, runs, set)?;
+        let intake = Intake::new(options.earth(), options.axes, options.intake)?;
+        Ok(Self { intake, intervals: 0, runs })
+    }
+
+    pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
+        self.runs.check_temperature(sample)?;
+        let pushed = self.intake.push(sample)?;
+        if let (Pushed::FirstVelocity, Some(current)) = (pushed, self.intake.current()) {
+            self.runs.take_first_velocity(current);
+        }
+        Ok(pushed)
+    }
+
+    pub fn step(&mut self) -> Result<Step, Error> {
+        let is_first = self.intervals == 0;
+        let recent = if is_first { self.intake.first_interval() } else { self.intake.recent() };
+        let Some(recent) = recent else { return Ok(Step::NeedSample) };
+        self.runs.step(&recent)?;
+        if is_first {
+            self.intake.take();
+        }
+        self.intake.take();
+        self.intervals += 1;
+        Ok(Step::Done)
+    }
+
+    pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        self.runs.check_temperature(sample)?;
+        self.intake.restart(sample)?;
+        self.intervals = 0;
+        self.runs.reposition();
+        Ok(())
+    }
+
+    pub fn reset(&mut self) {
+        self.intake.clear();
+        self.intervals = 0;
+        self.runs.reset();
+    }
+
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
+        self.runs.set_failure(output, failure);
+    }
+}

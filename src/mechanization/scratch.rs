@@ -1,0 +1,71 @@
+//! The body parts of an update of many runs, between the loops over a block.
+
+use nalgebra::Vector3;
+
+use super::branches::Usual;
+use super::{BodyMotion, MAX_SUBSAMPLES, Scheme};
+use crate::math::RotationSeries;
+use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
+
+/// What is needed between the loops over a block.
+#[derive(Debug)]
+#[repr(align(64))]
+pub(crate) struct Scratch {
+    body: [[f64; RUNS]; 12],
+    pub(super) is_left: [u64; RUNS],
+}
+
+impl Scratch {
+    pub const NONE: Self = Self { body: [[0.0; RUNS]; 12], is_left: [0; RUNS] };
+
+    #[inline(always)]
+    fn put_body(&mut self, lane: usize, body: &BodyMotion) {
+        let BodyMotion { rotation, s1, s2, s3 } = body;
+        for i in 0..3 {
+            self.body[i][lane] = rotation[i];
+            self.body[3 + i][lane] = s1[i];
+            self.body[6 + i][lane] = s2[i];
+            self.body[9 + i][lane] = s3[i];
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn body(&self, lane: usize) -> BodyMotion {
+        let vector = |first: usize| Vector3::from_fn(|i, _| self.body[first + i][lane]);
+        BodyMotion { rotation: vector(0), s1: vector(3), s2: vector(6), s3: vector(9) }
+    }
+
+    /// Body parts of an update of `K` subsamples; whether all are usual, else they are not to be used.
+    #[inline(always)]
+    pub(super) fn bodies<const K: usize>(&mut self, update: &[IncrementRows], count: usize) -> bool {
+        let Some(update) = update.first_chunk::<K>() else { return false };
+        let mut unusual = 0;
+        for lane in 0..count.min(RUNS) {
+            let increments: [Increment; K] = core::array::from_fn(|k| increment_of(&update[k], lane));
+            let (body, [angle2, quarter2]) = BodyMotion::exact_by(&increments, Usual);
+            self.put_body(lane, &body);
+            let is_usual = RotationSeries::is_short(angle2) & RotationSeries::is_short(quarter2);
+            unusual |= u64::from(!is_usual);
+        }
+        unusual == 0
+    }
+
+    /// Body parts of any scheme.
+    #[inline(never)]
+    pub(super) fn bodies_one_by_one(&mut self, scheme: Scheme, update: &[IncrementRows], count: usize) {
+        let mut increments = [Increment::ZERO; MAX_SUBSAMPLES];
+        let increments = &mut increments[..update.len()];
+        for lane in 0..count.min(RUNS) {
+            for (increment, rows) in increments.iter_mut().zip(update) {
+                *increment = increment_of(rows, lane);
+            }
+            self.put_body(lane, &BodyMotion::of(scheme, increments));
+        }
+    }
+
+    /// Whether an update by each of the body parts is usual.
+    pub(super) fn are_usual(&self, count: usize) -> bool {
+        (0..count.min(RUNS))
+            .all(|lane| RotationSeries::is_short(crate::math::quarter_square(&self.body(lane).rotation)))
+    }
+}

@@ -1,0 +1,63 @@
+//! What blocks of runs need for an interval.
+
+use super::block::{Report, failures, models};
+use super::disturbed::DisturbedWorkspace;
+use crate::error::Error;
+use crate::errors::ModelBlock;
+use crate::mechanization::{NavigatorBlock, Scratch};
+use crate::memory::room;
+use crate::sensors::{FailingTriad, StateRows};
+use crate::signal::{IncrementRows, MAX_INCREMENTS, RUNS, Row};
+use crate::simulator::{Options, SensorSuite};
+
+/// What a step needs beside a block, and the block as it was before.
+#[derive(Debug)]
+pub(super) struct Workspace {
+    /// Of the longest interval. By itself, or the compiler fears that it lies over the rest.
+    pub measured: Box<[IncrementRows]>,
+    pub scratch: Scratch,
+    pub heights_m: Row,
+    pub is_unaided: [bool; RUNS],
+    pub saturated: [[u64; RUNS]; 2],
+    pub is_good: [u64; RUNS],
+    pub gyro: StateRows,
+    pub accel: StateRows,
+    pub navigators: NavigatorBlock,
+    pub models: Box<[ModelBlock]>,
+    pub failures: [Box<[FailingTriad]>; 2],
+    pub reports: [Report; RUNS],
+    pub sums: IncrementRows,
+    pub disturbed: DisturbedWorkspace,
+}
+
+impl Workspace {
+    /// For blocks with the sensors of `sensors`. On the heap, as it is much of a stack.
+    pub fn new(options: &Options, sensors: &mut SensorSuite) -> Result<Box<[Self]>, Error> {
+        let (gyro, accel) = (sensors.gyro.rows()?, sensors.accel.rows()?);
+        let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
+        measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
+        memory.push(Self {
+            measured: measured.into_boxed_slice(),
+            scratch: Scratch::NONE,
+            heights_m: [0.0; RUNS],
+            is_unaided: [false; RUNS],
+            saturated: [[0; RUNS]; 2],
+            is_good: [0; RUNS],
+            gyro,
+            accel,
+            navigators: NavigatorBlock::new(options.frame),
+            models: models(options)?,
+            failures: failures(sensors, RUNS)?,
+            reports: [Report::default(); RUNS],
+            sums: [[0.0; RUNS]; 6],
+            disturbed: DisturbedWorkspace::new(sensors)?,
+        });
+        Ok(memory.into_boxed_slice())
+    }
+
+    /// An altimeter shows `indicated_m` at the true height `height_m` [m], or nothing.
+    pub fn put_height(&mut self, lane: usize, height_m: f64, indicated_m: Option<f64>) {
+        self.heights_m[lane] = indicated_m.unwrap_or(height_m);
+        self.is_unaided[lane] = indicated_m.is_none();
+    }
+}

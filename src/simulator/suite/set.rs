@@ -1,0 +1,136 @@
+//! What a host sets, and reads back.
+
+use super::SensorSuite;
+use crate::covariance::Parameters;
+use crate::mounting::MountingParameters;
+use crate::sensors::{
+    AltimeterParameters, FailingTriad, Failure, GravityDisturbanceParameters, InitialErrorParameters,
+    SensorOutput, TriadParameters,
+};
+use crate::signal::Increment;
+use crate::simulator::{ErrorParameters, Options};
+
+impl SensorSuite {
+    /// The same parameters, all processes and streams back at their start, no failures.
+    pub fn restarted(&self, options: &Options) -> Self {
+        let mut fresh = Self::new(options);
+        fresh.set_as(self);
+        fresh
+    }
+
+    /// Becomes the sensors of another run than `other`: what the host set of those, failures too, and all processes and streams at
+    /// their start.
+    #[inline(never)]
+    pub fn become_run(&mut self, other: &Self, options: &Options) {
+        *self = Self::new(options);
+        self.set_as(other);
+        for output in SensorOutput::ALL {
+            if let Some(failure) = other.failure(output) {
+                self.set_failure(output, Some(failure), None);
+            }
+        }
+    }
+
+    /// Takes what the host set of `other`, but for failures.
+    fn set_as(&mut self, other: &Self) {
+        self.set = other.set;
+        self.gravity.set(&self.set.gravity);
+        self.gyro.set(&self.set.gyro);
+        self.accel.set(&self.set.accel);
+        self.altimeter.set(&self.set.altimeter);
+        self.update_summary();
+    }
+
+    /// Whether the host set the same of `other`, failures too.
+    pub fn is_set_as(&self, other: &Self) -> bool {
+        self.set == other.set
+            && SensorOutput::ALL.into_iter().all(|output| self.failure(output) == other.failure(output))
+    }
+
+    /// What the host set.
+    pub fn set(&self) -> &ErrorParameters {
+        &self.set
+    }
+
+    pub fn set_gyro(&mut self, parameters: &TriadParameters) {
+        self.set.gyro = *parameters;
+        self.gyro.set(parameters);
+        self.update_summary();
+    }
+
+    pub fn set_accel(&mut self, parameters: &TriadParameters) {
+        self.set.accel = *parameters;
+        self.accel.set(parameters);
+        self.update_summary();
+    }
+
+    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
+        self.set.altimeter = *parameters;
+        self.altimeter.set(parameters);
+        self.update_summary();
+    }
+
+    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) {
+        self.set.initial = *parameters;
+    }
+
+    pub fn set_mounting(&mut self, parameters: &MountingParameters) {
+        let none = MountingParameters::default();
+        // An arm of -0 is none: a snapshot keeps no mounting then.
+        self.set.mounting = if *parameters == none { none } else { *parameters };
+        self.update_summary();
+    }
+
+    pub fn set_gravity_disturbance(&mut self, parameters: &GravityDisturbanceParameters) {
+        self.set.gravity = *parameters;
+        self.gravity.set(parameters);
+        self.update_summary();
+    }
+
+    /// Where gyros and accelerometers sit, if not at the reference point.
+    pub fn mounting(&self) -> Option<&MountingParameters> {
+        Some(&self.set.mounting).filter(|mounting| **mounting != MountingParameters::default())
+    }
+
+    /// Takes a failure of an output, or clears it; `last` are the mean signals of the interval before, if there was one.
+    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
+        match output {
+            SensorOutput::Gyro(axis) => {
+                let last = last.map(|mean| mean.angle[axis as usize]);
+                self.gyro.set_failure(axis, failure, last, &self.set.gyro);
+            }
+            SensorOutput::Accelerometer(axis) => {
+                let last = last.map(|mean| mean.velocity[axis as usize]);
+                self.accel.set_failure(axis, failure, last, &self.set.accel);
+            }
+            SensorOutput::Altimeter => self.altimeter.set_failure(failure),
+        }
+        self.update_summary();
+    }
+
+    /// The failures of gyros and accelerometers are those of another run, which has the same.
+    pub fn take_failures(&mut self, gyro: &FailingTriad, accel: &FailingTriad) {
+        self.gyro.take_failures(gyro);
+        self.accel.take_failures(accel);
+        self.update_summary();
+    }
+
+    /// What the host set of all that can be random.
+    pub fn parameters(&self) -> Parameters<'_> {
+        Parameters {
+            gyro: &self.set.gyro,
+            accel: &self.set.accel,
+            altimeter: &self.set.altimeter,
+            gravity: &self.set.gravity,
+        }
+    }
+
+    /// The failure that is set of an output.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        match output {
+            SensorOutput::Gyro(axis) => self.gyro.failure(axis),
+            SensorOutput::Accelerometer(axis) => self.accel.failure(axis),
+            SensorOutput::Altimeter => self.altimeter.failure(),
+        }
+    }
+}

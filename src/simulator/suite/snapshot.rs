@@ -1,0 +1,71 @@
+//! What a snapshot keeps of the sensors.
+
+use super::SensorSuite;
+use crate::error::Error;
+use crate::mounting::MountingParameters;
+use crate::sensors::Sensor;
+use crate::simulator::ErrorParameters;
+use crate::snapshot::{Reader, Stored, Writer};
+
+/// The parameters first: they are set again, and the state of what they call for is laid over that.
+impl Stored for SensorSuite {
+    fn save(&self, to: &mut Writer<'_>) {
+        let Self {
+            gyro,
+            accel,
+            altimeter,
+            gravity,
+            set,
+            triads_are_ideal: _,
+            all_are_ideal: _,
+            depend_on_temperature: _,
+            follow_intervals: _,
+            gyro_is_silent: _,
+            accel_is_silent: _,
+        } = self;
+        gyro.failures().save(to);
+        set.gyro.save(to);
+        accel.failures().save(to);
+        set.accel.save(to);
+        set.altimeter.save(to);
+        set.initial.save(to);
+        self.mounting().copied().save(to);
+        set.gravity.save(to);
+        gyro.save(to);
+        accel.save(to);
+        altimeter.save(to);
+        gravity.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        let mut set = ErrorParameters::default();
+        self.gyro.load_failures(from)?;
+        set.gyro.load(from)?;
+        set.gyro.validate(Sensor::Gyro)?;
+        self.set_gyro(&set.gyro);
+        self.accel.load_failures(from)?;
+        set.accel.load(from)?;
+        set.accel.validate(Sensor::Accelerometer)?;
+        self.set_accel(&set.accel);
+        set.altimeter.load(from)?;
+        set.altimeter.validate()?;
+        self.set_altimeter(&set.altimeter);
+        set.initial.load(from)?;
+        set.initial.validate()?;
+        self.set_initial_errors(&set.initial);
+        let mut mounting: Option<MountingParameters> = None;
+        mounting.load(from)?;
+        let mounting = mounting.unwrap_or_default();
+        mounting.validate()?;
+        self.set_mounting(&mounting);
+        set.gravity.load(from)?;
+        set.gravity.validate()?;
+        self.set_gravity_disturbance(&set.gravity);
+        self.gyro.load(from)?;
+        self.accel.load(from)?;
+        self.altimeter.load(from)?;
+        self.gravity.load(from)?;
+        self.update_summary();
+        Ok(())
+    }
+}
