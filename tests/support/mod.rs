@@ -1,5 +1,5 @@
-//! What several tests share: reference signals, flights, samples.
-#![allow(dead_code)] // each test uses a part of it
+//! What several tests share: reference signals, flights, samples. Each program of tests includes all of it.
+#![allow(dead_code)] // each program uses a part of it
 
 use std::path::{Path, PathBuf};
 
@@ -10,6 +10,11 @@ use sins::sensors::{PARAMETERS, ParameterShape, Sensor, TriadParameters};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
 
+pub mod any_use;
+pub mod budget;
+pub mod c_programs;
+pub mod closed_form;
+pub mod moments;
 pub mod orbits;
 pub mod patrol;
 

@@ -1,5 +1,4 @@
 //! Runs as lists of what a host does, to be cut anywhere: for the tests of snapshots.
-#![allow(dead_code)] // each test uses a part of it
 
 use nalgebra::{Matrix3, Vector3};
 use sins::earth::{Ellipsoid, GravityModel};
@@ -15,7 +14,7 @@ use sins::state::{BodyAxes, Navigation};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator};
 
-use crate::support::{Table, one_unit_of_each, options_at, patrol, resting_sample};
+use super::{Table, one_unit_of_each, options_at, patrol, resting_sample};
 
 /// One call of a host.
 #[derive(Clone)]

@@ -1,0 +1,12 @@
+//! What the library says of a flight without single runs: recommendations, budgets, covariances, statistics.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+#[cfg(feature = "scenes")]
+mod covariance;
+mod covariance_runs;
+mod error_budget;
+mod recommend;
+mod statistics;
+mod truth_summary;
