@@ -1,13 +1,14 @@
 //! The covariance of the navigation errors: at rest against a matrix exponential of the textbook's equations, and against single
 //! runs where one draw is all that is random.
 
-use crate::support::{self, DEG, DEG_PER_HOUR, G, resting_sample};
 use nalgebra::{SMatrix, Vector3};
 use sins::earth::Earth;
 use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{self, DEG, DEG_PER_HOUR, G, resting_sample};
 
 const MICRO_G: f64 = 1e-6 * G;
 const LATITUDE: f64 = 39.9 * DEG;

@@ -3,7 +3,6 @@
 //!
 //! The ordinary test flies 200 runs, and an hour of the patrol; `--features long-tests` 2000 runs, and all 48 hours.
 
-use crate::support::{self, DEG, DEG_PER_HOUR, G};
 use nalgebra::{SMatrix, SVector, Vector3};
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::sensors::{
@@ -12,6 +11,8 @@ use sins::sensors::{
 };
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{self, DEG, DEG_PER_HOUR, G};
 
 const MICRO_G: f64 = 1e-6 * G;
 const INSTANTS: usize = 20;

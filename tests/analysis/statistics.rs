@@ -1,8 +1,6 @@
 //! Statistics of many runs: the same bits for any split, right where means are large and scatter small, and at the ends of their
 //! ranges; what is damaged is refused.
 
-use crate::support::any_use::Draws;
-use crate::support::resting_sample;
 use nalgebra::{SMatrix, SVector, Vector3};
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
@@ -10,6 +8,9 @@ use sins::mechanization::VerticalMode;
 use sins::sensors::{InitialErrorParameters, TriadParameters, paper_simulation2};
 use sins::statistics::{MAX_RUNS, RADIAL_ERROR, Statistics};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::any_use::Draws;
+use crate::support::resting_sample;
 
 type States = SVector<f64, 9>;
 type Covariance = SMatrix<f64, 9, 9>;

@@ -1,12 +1,13 @@
 //! The motion of the truth in figures: what it shows of a good host, and that a host's wrong units stand out in it.
 
-use crate::support::{patrol, resting_sample};
 use nalgebra::Vector3;
 use sins::earth::Earth;
 use sins::sensors::paper_simulation2;
 use sins::state::BodyAxes;
 use sins::truth::{FlightSample, IntakeLimits, TruthSummary};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::{patrol, resting_sample};
 
 const RATE_HZ: f64 = 50.0;
 

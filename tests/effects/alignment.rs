@@ -3,7 +3,6 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{DEG, DEG_PER_HOUR, G, options_at, resting_sample};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, rotation_quaternion, wrap_angle};
@@ -15,6 +14,8 @@ use sins::sensors::{
 };
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator, Solution};
+
+use crate::support::{DEG, DEG_PER_HOUR, G, options_at, resting_sample};
 
 const ALIGNED: InitialErrorParameters = InitialErrorParameters {
     position_n: Vector3::new(0.0, 0.0, 0.0),

@@ -1,6 +1,5 @@
 //! Gravity beyond the normal field: perfect accelerometers feel it, the INS does not know of it, both error data tell.
 
-use crate::support::{DEG, options_at, patrol, resting_sample};
 use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
 use sins::flight::{Flight, FlightStart, Manoeuvre};
@@ -12,6 +11,8 @@ use sins::sensors::{
 };
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::{DEG, options_at, patrol, resting_sample};
 
 const ARCSEC: f64 = DEG / 3600.0;
 const MILLIGAL: f64 = 1e-5;

@@ -1,13 +1,14 @@
 //! The effects of gyros and accelerometers in a simulator: both error data, alignment, saturation, reset, reposition, and
 //! sensors that throw the solution away.
 
-use crate::support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample, sensed};
 use nalgebra::{Matrix3, Vector3};
 use sins::math::Euler;
 use sins::sensors::{Alignment, InitialErrorParameters, TriadParameters};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, ImuInterval, Options, Simulator};
+
+use crate::support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample, sensed};
 
 /// Every effect that is not a limit of the output, of the size of good instruments.
 fn every_effect() -> (TriadParameters, TriadParameters) {

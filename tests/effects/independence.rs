@@ -5,7 +5,6 @@
 //! one effect each: those of the signal act on it first, each additive one is heard alone at no signal, and the output's act
 //! on the sum. Those with one effect never hear of the others.
 
-use crate::support::{one_unit_of_each, options_at, patrol};
 use nalgebra::{Matrix3, Vector3};
 use sins::mechanization::VerticalMode;
 use sins::sensors::{
@@ -14,6 +13,8 @@ use sins::sensors::{
 };
 use sins::signal::Increment;
 use sins::{Options, Simulator};
+
+use crate::support::{one_unit_of_each, options_at, patrol};
 
 const KEY: StreamKey = StreamKey { seed: 20140601, run: 3 };
 

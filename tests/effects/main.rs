@@ -10,7 +10,6 @@ mod in_flight;
 mod independence;
 mod mounting;
 mod noise_statistics;
-mod sensor_effects;
 mod sensor_table;
 mod temperature;
 mod triad;

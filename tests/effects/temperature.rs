@@ -1,6 +1,5 @@
 //! Errors that follow the temperature: closed forms, alignment, both error data, and samples that lack one.
 
-use crate::support::{DEG, bits, options_at, resting_sample, sensed};
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::math::Euler;
@@ -9,6 +8,8 @@ use sins::signal::Increment;
 use sins::state::{BodyAxes, Navigation};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
+
+use crate::support::{DEG, bits, options_at, resting_sample, sensed};
 
 const EPS: f64 = f64::EPSILON;
 

@@ -1,11 +1,12 @@
 //! The C side, built and run: layout and call patterns.
 
+use sins::abi::{sins_accel_params, sins_gyro_params};
+use sins::sensors::{PARAMETERS, Sensor};
+
 use crate::support::c_programs::{
     STRICT, c_compiler, compiler_of, cpp_compiler, library_folder, run_test_program, succeed,
 };
 use crate::support::project_file;
-use sins::abi::{sins_accel_params, sins_gyro_params};
-use sins::sensors::{PARAMETERS, Sensor};
 
 /// Size and offsets of the structs of sensor parameters, for `layout.c`: numbers one behind the other, from the eighth byte on.
 fn sensor_layout() -> String {

@@ -2,7 +2,6 @@
 //!
 //! The references' exact integrals are added up to longer subsamples, so every step sees exact increments.
 
-use crate::support::Reference;
 use nalgebra::{Quaternion, Vector3};
 use sins::earth::{Earth, Ellipsoid, GravityModel};
 use sins::math::{rotate, rotation_quaternion, rotation_vector};
@@ -10,6 +9,8 @@ use sins::mechanization::{BodyMotion, Frame, Mechanization, Scheme};
 use sins::signal::Increment;
 use sins::state::{BodyAxes, EarthFixedState};
 use sins::truth::{FlightSample, Intake, IntakeLimits};
+
+use crate::support::Reference;
 
 /// Errors at the end: position [m], velocity [m/s], attitude [rad].
 struct Errors {

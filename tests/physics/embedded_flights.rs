@@ -1,10 +1,11 @@
 //! Embedded flights: the geometry that was asked for, and samples that belong together.
 
-use crate::support::{DEG, G, patrol};
 use nalgebra::Vector3;
 use sins::earth::Earth;
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::truth::FlightSample;
+
+use crate::support::{DEG, G, patrol};
 
 fn start() -> FlightStart {
     FlightStart {

@@ -1,6 +1,5 @@
 //! The error equations, term by term, against a finite-difference linearisation of the mechanization.
 
-use crate::support::{DEG, options_at};
 use nalgebra::{SVector, Vector3};
 use sins::earth::GravityModel;
 use sins::errors::NavigationErrors;
@@ -8,6 +7,8 @@ use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{DEG, options_at};
 
 /// φ [rad], δv [m/s], δr [m].
 type States = SVector<f64, 9>;

@@ -1,8 +1,9 @@
 //! Two flights from a flight dynamics simulator: ideal sensors navigate back to the truth.
 
-use crate::support::Table;
 use sins::mechanization::{Frame, VerticalMode};
 use sins::{ClosureFigures, Options, Simulator};
+
+use crate::support::Table;
 
 /// Closure, and the largest level velocity error on the way [m/s], of each `every`th sample.
 fn fly(path: &str, options: &Options, every: usize) -> (ClosureFigures, f64) {

@@ -2,7 +2,6 @@
 //!
 //! The references are analytic trajectories, differentiated and integrated in 50-digit arithmetic; see tests/data.
 
-use crate::support::{self, DEG_PER_HOUR, Reference, Table};
 use nalgebra::Vector3;
 use sins::earth::{Earth, Ellipsoid, GravityModel};
 use sins::math::rotation_vector;
@@ -11,6 +10,8 @@ use sins::signal::Increment;
 use sins::state::{BodyAxes, EarthFixedState};
 use sins::truth::{FlightSample, IntakeLimits, TruthPoint};
 use sins::{Options, Simulator};
+
+use crate::support::{self, DEG_PER_HOUR, Reference, Table};
 
 fn earth() -> Earth {
     Earth::new(Ellipsoid::Wgs84, GravityModel::Somigliana)
@@ -168,7 +169,7 @@ fn assert_order(name: &str, frame: Frame, scheme: Scheme, n: usize, merge_and_or
 }
 
 /// Coning of half angle a about a level axis drifts by a² (wh)⁵/(30 · 2h) with two subsamples of length h (see
-/// `tests/convergence.rs`), the platform tilts, and so does gravity: g ε t²/2, g ε t³/6.
+/// `convergence.rs`), the platform tilts, and so does gravity: g ε t²/2, g ε t³/6.
 fn assert_coning_of_two_subsamples(frame: Frame, scheme: Scheme) {
     let (a, w, h, t_s) = (support::DEG, std::f64::consts::TAU * 2.0, 0.005, 30.0_f64);
     let drift = a * a * (w * h).powi(5) / (30.0 * 2.0 * h);

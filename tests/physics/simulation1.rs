@@ -1,12 +1,13 @@
 //! The paper's simulation 1: no sensor errors. The paper reached 0.05 m/s in 48 h.
 //!
-//! 4 h here; 48 h with `cargo test --release --features long-tests --test simulation1 -- --nocapture`, which shows the figures.
+//! 4 h here; 48 h with `cargo test --release --features long-tests --test physics simulation1:: -- --nocapture`, which shows the figures.
 
-use crate::support::{DEG, Worst, fly, options_at, patrol, resting_sample, rounding_at_rest};
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::truth::FlightSample;
 use sins::{Options, Simulator};
+
+use crate::support::{DEG, Worst, fly, options_at, patrol, resting_sample, rounding_at_rest};
 
 const HOURS: f64 = if cfg!(feature = "long-tests") { 48.0 } else { 4.0 };
 const RATE_HZ: f64 = 100.0;

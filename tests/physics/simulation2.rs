@@ -1,7 +1,5 @@
 //! The paper's simulation 2: gyros of 0.01 °/h and 0.005 °/√h, accelerometers of 1e-5 g and 5e-6 g/√Hz, 48 h.
 
-use crate::support::closed_form::{AtRest, W};
-use crate::support::{self, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
 use nalgebra::{Complex, ComplexField, SMatrix, SVector, Vector3};
 use sins::earth::Earth;
 use sins::errors::NavigationErrors;
@@ -9,6 +7,9 @@ use sins::mechanization::Frame;
 use sins::sensors::{TriadParameters, paper_simulation2};
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::closed_form::{AtRest, W};
+use crate::support::{self, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
 
 const LATITUDE: f64 = 39.9 * support::DEG;
 const EPS: f64 = 0.01 * DEG_PER_HOUR;

@@ -1,7 +1,8 @@
 //! A flight that begins in motion, mounted off the reference point or with accelerometers off each other: what its first
 //! intervals know of the angular acceleration, and that the navigation does not suffer from what they cannot know.
 
-use crate::support::{self, DEG, options_at, resting_sample};
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::math::{euler_from_attitude, rotate_inverse};
@@ -10,7 +11,8 @@ use sins::mounting::MountingParameters;
 use sins::sensors::TriadParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, ImuInterval, Options, Simulator};
-use std::f64::consts::TAU;
+
+use crate::support::{self, DEG, options_at, resting_sample};
 
 const ARM_M: f64 = 3.4;
 const EARTH_RATE: f64 = 7.292_115e-5;

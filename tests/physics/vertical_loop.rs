@@ -1,6 +1,5 @@
 //! The damped vertical channel against the closed form of its three poles, in steps of any length.
 
-use crate::support::{options_at, resting_sample};
 use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
 use sins::math::Euler;
@@ -8,6 +7,8 @@ use sins::mechanization::{VerticalLoop, VerticalMode};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{options_at, resting_sample};
 
 const TAU_S: f64 = VerticalLoop::TIME_CONSTANT_S;
 

@@ -1,10 +1,7 @@
 //! What holds whatever a host does that keeps the rules: random hosts, and what each of their calls leaves.
 //!
-//! 300 hosts of 120 calls here; 5000 with `cargo test --release --features long-tests --test any_use -- --nocapture`.
+//! 300 hosts of 120 calls here; 5000 with `cargo test --release --features long-tests --test robustness any_use:: -- --nocapture`.
 
-use crate::support;
-use crate::support::any_use::{Draws, Host};
-use crate::support::moments::{Call, reads, snapshot};
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::math::{Euler, mix};
@@ -12,6 +9,10 @@ use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::TriadParameters;
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
+
+use crate::support;
+use crate::support::any_use::{Draws, Host};
+use crate::support::moments::{Call, reads, snapshot};
 
 const HOSTS: u64 = if cfg!(feature = "long-tests") { 5000 } else { 300 };
 const CALLS: usize = 120;

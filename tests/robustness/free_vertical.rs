@@ -1,6 +1,5 @@
 //! The free vertical channel: its time constant, its end, and the way back.
 
-use crate::support::{self, options_at, resting_sample};
 use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
 use sins::math::Euler;
@@ -8,6 +7,8 @@ use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::{self, options_at, resting_sample};
 
 fn free(frame: Frame, rate_hz: f64) -> Options {
     Options { frame, vertical: VerticalMode::Free, ..options_at(rate_hz) }

@@ -3,12 +3,13 @@
 
 use core::f64::consts::TAU;
 
-use crate::support::{Worst, fly, options_at, patrol, resting_sample};
 use nalgebra::Vector3;
 use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::sensors::{TriadParameters, paper_simulation2};
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::{Worst, fly, options_at, patrol, resting_sample};
 
 /// The recommended options with the vertical channel on the truth, and the stamps' own times.
 fn own_stamps() -> Options {

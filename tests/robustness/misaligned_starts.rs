@@ -1,7 +1,5 @@
 //! Starts that are far off: headings by 10° to 180°, levels by 30°.
 
-use crate::support::orbits::{Apart, navigated};
-use crate::support::{DEG, options_at, resting_sample};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sins::earth::Earth;
 use sins::math::rotation_quaternion;
@@ -9,6 +7,9 @@ use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::InitialErrorParameters;
 use sins::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::orbits::{Apart, navigated};
+use crate::support::{DEG, options_at, resting_sample};
 
 /// The exact solution of an INS at rest that starts with another attitude. What its sensors feel is constant, so the attitude is
 /// exp(-W t) q0 exp(w t) in closed form; r'' = C f + g(r) - 2 W×r' by classical Runge-Kutta in steps of 0.1 s, which leave (1e-3

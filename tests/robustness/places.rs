@@ -2,13 +2,14 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, sample_of};
-use crate::support::{DEG, options_at};
 use nalgebra::{UnitQuaternion, Vector3};
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::Frame;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, sample_of};
+use crate::support::{DEG, options_at};
 
 /// Two minutes at 50 Hz through the point at which `circle` is at the time 0.
 fn flown(circle: &Circle, frame: Frame) -> Apart {

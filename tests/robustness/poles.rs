@@ -2,8 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, navigated, sample_at, sample_of};
-use crate::support::{self, options_at};
 use nalgebra::{UnitQuaternion, Vector3};
 use sins::earth::Earth;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
@@ -12,6 +10,9 @@ use sins::sensors::InitialErrorParameters;
 use sins::state::EarthFixedState;
 use sins::truth::IntakeLimits;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, navigated, sample_at, sample_of};
+use crate::support::{self, options_at};
 
 fn poles() -> [(&'static str, UnitQuaternion<f64>); 2] {
     [("north pole", UnitQuaternion::identity()), ("south pole", about(Vector3::x(), PI))]

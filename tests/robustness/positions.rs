@@ -1,11 +1,12 @@
 //! Positions as old hosts send them: against their own velocities, rounded, and alone.
 
-use crate::support::{DEG, options_at, patrol, resting_sample};
 use nalgebra::{Vector2, Vector3};
 use sins::earth::Geodetic;
 use sins::mechanization::VerticalMode;
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::{DEG, options_at, patrol, resting_sample};
 
 /// Velocities of a standing host that moves, and the other way round: flown, flagged in each sample, and the closure is told to
 /// be the host's.

@@ -1,13 +1,14 @@
 //! At rest for hours and weeks: closure, norm of the quaternion, time base.
 //!
 //! 6 h at 100 Hz and 30 days at 1 Hz here; 48 h at 100 Hz and 30 days at 10 Hz with
-//! `cargo test --release --features long-tests --test hard_rest -- --nocapture`.
+//! `cargo test --release --features long-tests --test robustness rest:: -- --nocapture`.
 
-use crate::support::{self, options_at, resting_sample};
 use sins::math::Euler;
 use sins::mechanization::Frame;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{self, options_at, resting_sample};
 
 const LONG: bool = cfg!(feature = "long-tests");
 

@@ -1,9 +1,10 @@
 //! What is accepted of a host and what is refused: each refusal names field, value and limit, and changes nothing.
 
-use crate::support::{DEG, options_at, resting_sample};
 use nalgebra::Vector3;
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorKind, Options, Simulator};
+
+use crate::support::{DEG, options_at, resting_sample};
 
 fn moving(time_s: f64) -> FlightSample {
     FlightSample { v_n: Some(Vector3::new(0.0, 100.0, 0.0)), ..resting_sample(time_s) }

@@ -1,15 +1,16 @@
 //! Damaged snapshots are refused and change nothing; forged ones, with the right checksum, are refused too, or are a simulator
 //! that works.
 
-use crate::support::moments;
-use crate::support::moments::{Run, reads, runs, snapshot};
 use sins::math::mix;
 use sins::snapshot::{SnapshotOf, seal};
 use sins::{ErrorKind, Options, Simulator};
 
+use crate::support::moments::{reads, snapshot};
+use crate::support::runs::{Run, everything_at_once, largest, runs};
+
 /// A simulator in flight with every effect on.
 fn in_flight() -> Simulator {
-    let Run { options, calls, .. } = moments::largest();
+    let Run { options, calls, .. } = largest();
     let mut simulator = Simulator::new(&options).unwrap();
     for call in &calls {
         call.make(&mut simulator);
@@ -213,7 +214,7 @@ fn each_word_forged_is_refused_or_a_simulator_of_numbers() {
         numbers.map(f64::to_bits).into_iter().chain(words)
     };
     let (mut accepted, mut all) = (0, 0);
-    for run in runs().into_iter().chain([moments::everything_at_once()]) {
+    for run in runs().into_iter().chain([everything_at_once()]) {
         let mut straight = Simulator::new(&run.options).unwrap();
         let cut = run.calls.len().min(1000) * 2 / 3;
         for call in &run.calls[..cut] {

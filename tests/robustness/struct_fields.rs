@@ -1,11 +1,12 @@
 //! Each field of each struct that comes in from C, as a number that is none: refused, and the outputs are the same to the bit.
 
-use crate::support;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
 
 use sins::abi::*;
+
+use crate::support;
 
 /// A struct as the 8-byte words that it is made of: the size and flags, then numbers or pairs of integers.
 struct Words(Vec<u64>);

@@ -1,6 +1,5 @@
 //! Same inputs, same bits: on every platform (pinned digests), by any call pattern, again after a reset, from a snapshot.
 
-use crate::support::{options_at, patrol, project_file};
 use nalgebra::Vector3;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{
@@ -8,6 +7,8 @@ use sins::sensors::{
 };
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator, Step};
+
+use crate::support::{options_at, patrol, project_file};
 
 /// Fowler, Noll and Vo's 64-bit hash of the bits of numbers.
 #[derive(Clone, Copy)]
@@ -115,7 +116,7 @@ fn digests_are_the_pinned_ones() {
 const PINNED_REPLAY: &str = "a303c90c1d2613f1";
 
 /// A snapshot that was saved in mid-flight, on whatever machine, with samples waiting: here it has the same bytes, and the rest of
-/// the run the same digest as if there had been none. `SINS_WRITE_SNAPSHOT=1 cargo test --test determinism` writes it anew.
+/// the run the same digest as if there had been none. `SINS_WRITE_SNAPSHOT=1 cargo test --test state determinism::` writes it anew.
 #[test]
 fn a_snapshot_of_another_machine_replays_to_the_pinned_digest() {
     let samples = samples();

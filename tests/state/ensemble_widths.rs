@@ -2,15 +2,16 @@
 //! subsamples, 30 random choices of all effects, irregular intervals, rotations beyond the short series, a start without velocity,
 //! a run that diverges among good ones, and numbers of runs that are no multiple of a block.
 
-use crate::support;
-use crate::support::any_use::Draws;
-use crate::support::moments::{altimeter, every_effect, initial};
 use nalgebra::Vector3;
 use sins::ensemble::Ensemble;
 use sins::mechanization::{Scheme, VerticalMode};
 use sins::sensors::{StreamKey, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support;
+use crate::support::any_use::Draws;
+use crate::support::moments::{altimeter, every_effect, initial};
 
 const FIRST_RUN: u64 = 40;
 /// More than one block, and not all of the second.

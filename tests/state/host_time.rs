@@ -1,9 +1,10 @@
 //! What the host's own time does: pauses, stamps that ran on meanwhile, samples ten times as far apart. The time of a run is that
 //! of its stamps.
 
-use crate::support::{options_at, patrol, resting_sample};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
+
+use crate::support::{options_at, patrol, resting_sample};
 
 fn fly(simulator: &mut Simulator, samples: &[FlightSample]) {
     for sample in samples {

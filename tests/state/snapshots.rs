@@ -1,7 +1,9 @@
 //! A run that is saved at any moment and loaded anywhere goes on to the same bits.
 
-use crate::support::moments::{Call, Run, everything_at_once, largest, reads, runs, snapshot};
 use sins::{Options, Simulator};
+
+use crate::support::moments::{Call, reads, snapshot};
+use crate::support::runs::{Run, everything_at_once, largest, runs};
 
 /// What a host hears after each call.
 fn play(simulator: &mut Simulator, calls: &[Call]) -> Vec<String> {

@@ -17,6 +17,7 @@ pub mod closed_form;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;
+pub mod runs;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;

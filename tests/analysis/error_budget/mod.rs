@@ -2,9 +2,6 @@
 
 mod interface;
 
-use crate::support::budget::{HOUR_S, LATITUDE, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
-use crate::support::closed_form::{AtRest, W};
-use crate::support::{DEG_PER_HOUR, G, options_at};
 use nalgebra::{Complex, Vector3};
 use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
 use sins::errors::NavigationErrors;
@@ -14,6 +11,10 @@ use sins::recommend::SolutionError;
 use sins::sensors::{Alignment, Grade, StreamKey, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::budget::{HOUR_S, LATITUDE, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
+use crate::support::closed_form::{AtRest, W};
+use crate::support::{DEG_PER_HOUR, G, options_at};
 
 /// A minute and a half of turns and climbs at 50 Hz.
 fn turning() -> Vec<FlightSample> {

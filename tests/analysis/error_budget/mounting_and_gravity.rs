@@ -1,6 +1,5 @@
 //! What the INS believes wrongly of its mounting and of gravity contributes its closed forms.
 
-use crate::support::budget::{HOUR_S, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
 use nalgebra::Vector3;
 use sins::budget::{BudgetRequest, ErrorParameters};
 use sins::flight::{Flight, FlightStart, Manoeuvre};
@@ -10,6 +9,8 @@ use sins::mounting::MountingParameters;
 use sins::sensors::{GravityDisturbanceParameters, GravityField};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options};
+
+use crate::support::budget::{HOUR_S, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
 use crate::support::{DEG, options_at};
 
 const ARCSEC: f64 = DEG / 3600.0;

@@ -3,7 +3,6 @@
 mod closed_loop;
 mod refusals;
 
-use crate::support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::math::Euler;
@@ -12,6 +11,8 @@ use sins::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, Tria
 use sins::state::BodyAxes;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
+
+use crate::support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
 
 fn errors(simulator: &Simulator) -> sins::errors::NavigationErrors {
     simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1

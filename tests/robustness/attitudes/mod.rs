@@ -4,14 +4,15 @@ mod rocket;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::support::orbits::about;
-use crate::support::{self, DEG, options_at, resting_sample};
 use nalgebra::Vector3;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::{Euler, attitude_from_euler, rotation_vector};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
+
+use crate::support::orbits::about;
+use crate::support::{self, DEG, options_at, resting_sample};
 
 /// At rest in the attitude `euler`.
 fn posed(time_s: f64, euler: Euler) -> FlightSample {

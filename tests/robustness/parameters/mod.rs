@@ -1,12 +1,10 @@
 //! Parameters at and beyond the ends of their ranges: zero, subnormal, huge, not a number; correlation times from 1e-6 of a
 //! step to 1e12 s.
 //!
-//! 400 random simulators here; 20 000 with `cargo test --release --features long-tests --test hard_parameters -- --nocapture`.
+//! 400 random simulators here; 20 000 with `cargo test --release --features long-tests --test robustness parameters:: -- --nocapture`.
 
 mod fields;
 
-use crate::support::moments::{reads, snapshot};
-use crate::support::{options_at, resting_sample};
 use nalgebra::{Matrix3, Vector3};
 use sins::earth::Geodetic;
 use sins::math::Euler;
@@ -14,6 +12,9 @@ use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, Sensor, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::moments::{reads, snapshot};
+use crate::support::{options_at, resting_sample};
 
 const RUNS: u32 = if cfg!(feature = "long-tests") { 20_000 } else { 400 };
 
