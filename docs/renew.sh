@@ -13,10 +13,10 @@ long() {
 }
 
 # accuracy.md
-simulations() { long --test simulation1; }
-hard_poles() { cargo test --test hard_poles -- --nocapture; }
-earth() { cargo test --test earth -- --nocapture; }
-mounting() { cargo test --test mounting -- --nocapture; }
+simulations() { long --test physics simulation1::; }
+poles() { cargo test --test robustness poles:: -- --nocapture; }
+earth() { cargo test --test physics earth:: -- --nocapture; }
+mounting() { cargo test --test effects mounting:: -- --nocapture; }
 flights() {
     c_examples/fly.sh
     cp target/flights/simulation2.svg c_examples/simulation2.svg
@@ -26,7 +26,7 @@ steps() {
     benches/instructions.sh
 }
 frames() { cargo run --release --manifest-path benches/Cargo.toml --bin frames; }
-recommend() { cargo test --release --test recommend -- --nocapture; }
+recommend() { cargo test --release --test analysis recommend:: -- --nocapture; }
 curve() {
     "$sins" curve --force --flight all c_examples/flights/fighter_aerobatics.csv --out "$figures/curve.out"
     cp "$figures"/curve.out/{aerobatics,cruise}.svg benches/curves/
@@ -59,15 +59,15 @@ library_sizes() {
     done
     cargo rustc --release --lib --crate-type cdylib
 }
-gaps() { cargo test --test hard_samples -- --nocapture; }
-snapshots() { cargo test --test snapshots -- --nocapture; }
+gaps() { cargo test --test robustness irregular_samples:: -- --nocapture; }
+snapshots() { cargo test --test state snapshots:: -- --nocapture; }
 jsbsim() { tests/jsbsim.sh; }
 packages() {
     release/package.sh
     ls -l target/dist
 }
 
-all="simulations hard_poles earth mounting flights steps frames recommend curve effects budget allan allan_estimator library_sizes gaps
+all="simulations poles earth mounting flights steps frames recommend curve effects budget allan allan_estimator library_sizes gaps
     snapshots jsbsim packages"
 for name in "$@"; do
     if [[ " "${all//$'\n'/ }" " != *" $name "* ]]; then

@@ -5,6 +5,7 @@ mod support;
 
 #[cfg(feature = "scenes")]
 mod covariance;
+#[cfg(feature = "scenes")]
 mod covariance_runs;
 mod error_budget;
 mod recommend;

@@ -12,10 +12,7 @@ use sins::sensors::{
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
-use crate::support::{DEG, options_at, patrol, resting_sample};
-
-const ARCSEC: f64 = DEG / 3600.0;
-const MILLIGAL: f64 = 1e-5;
+use crate::support::{ARCSEC, DEG, MILLIGAL, options_at, patrol, resting_sample, step};
 
 fn constant(xi: f64, eta: f64, anomaly: f64) -> GravityDisturbanceParameters {
     let field = |mean| GravityField { mean, ..Default::default() };
@@ -40,11 +37,6 @@ fn disturbed(options: &Options, parameters: &GravityDisturbanceParameters) -> Si
     let mut simulator = Simulator::new(options).unwrap();
     simulator.set_gravity_disturbance(parameters).unwrap();
     simulator
-}
-
-fn step(simulator: &mut Simulator, sample: &FlightSample) {
-    simulator.push_sample(sample).unwrap();
-    simulator.step().unwrap();
 }
 
 /// Straight and level to the north along the meridian at height 0.

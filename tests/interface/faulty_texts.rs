@@ -7,18 +7,10 @@ use std::time::{Duration, Instant};
 use sins::abi::*;
 use sins::scene::{MAX_FAULTS, MAX_TEXT};
 
+use crate::support::init;
+
 /// Any text is answered within this, on a slow machine too: 100 MB are read once.
 const LONGEST: Duration = Duration::from_secs(30);
-
-/// A struct of zeros that states its size.
-fn init<T: Copy>() -> T {
-    // SAFETY: the structs of the interface are numbers, and the size comes first.
-    unsafe {
-        let mut value: T = core::mem::zeroed();
-        core::ptr::from_mut(&mut value).cast::<u32>().write(size_of::<T>() as u32);
-        value
-    }
-}
 
 fn sentence(fault: &sins_fault) -> String {
     // SAFETY: terminated, as the header says.

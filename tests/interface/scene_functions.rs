@@ -7,18 +7,10 @@ use std::ptr::{null_mut, with_exposed_provenance_mut};
 
 use sins::abi::*;
 
+use crate::support::init;
+
 fn file(name: &str) -> Vec<u8> {
     fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples").join(name)).unwrap()
-}
-
-/// A struct of zeros that states its size.
-fn init<T: Copy>() -> T {
-    // SAFETY: the structs of the interface are numbers, and the size comes first.
-    unsafe {
-        let mut value: T = core::mem::zeroed();
-        core::ptr::from_mut(&mut value).cast::<u32>().write(size_of::<T>() as u32);
-        value
-    }
 }
 
 fn parsed(text: &[u8]) -> (sins_status, *mut sins_scene) {

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use sins::math::{SPLIT_MIX_STEP, mix};
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_FAULTS, MAX_TEXT, Scene, keys};
 
 /// The scenes of the examples.
@@ -45,11 +46,9 @@ struct Draws(u64);
 
 impl Draws {
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        let next = mix(self.0);
+        self.0 = self.0.wrapping_add(SPLIT_MIX_STEP);
+        next
     }
 
     /// Any size from 1e-12 to 1e3, with all digits.

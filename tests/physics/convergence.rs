@@ -7,10 +7,9 @@ use sins::earth::{Earth, Ellipsoid, GravityModel};
 use sins::math::{rotate, rotation_quaternion, rotation_vector};
 use sins::mechanization::{BodyMotion, Frame, Mechanization, Scheme};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState};
-use sins::truth::{FlightSample, Intake, IntakeLimits};
+use sins::state::BodyAxes;
 
-use crate::support::Reference;
+use crate::support::{Reference, state_of};
 
 /// Errors at the end: position [m], velocity [m/s], attitude [rad].
 struct Errors {
@@ -19,17 +18,11 @@ struct Errors {
     attitude: f64,
 }
 
-fn state(earth: &Earth, sample: &FlightSample) -> EarthFixedState {
-    let mut intake = Intake::new(*earth, BodyAxes::default(), IntakeLimits::default()).unwrap();
-    intake.push(sample).unwrap();
-    intake.front().unwrap().navigation(earth, BodyAxes::default()).earth_fixed(earth)
-}
-
 /// Navigates with `n` subsamples an update, each of `merge` half intervals of the reference.
 fn navigate(reference: &Reference, frame: Frame, scheme: Scheme, n: usize, merge: usize) -> Errors {
     let earth = Earth::new(Ellipsoid::Wgs84, GravityModel::Somigliana);
     let samples = reference.truth.samples(false);
-    let mut mechanization = Mechanization::new(earth, frame, scheme, &state(&earth, &samples[0]));
+    let mut mechanization = Mechanization::new(earth, frame, scheme, &state_of(&earth, &samples[0]));
     let update = n * merge;
     // Whole updates of every length that the tests use.
     let total = reference.increments.len() / 240 * 240;
@@ -38,7 +31,7 @@ fn navigate(reference: &Reference, frame: Frame, scheme: Scheme, n: usize, merge
         mechanization.update(&subsamples, update as f64 * 0.5 * reference.period_s);
     }
     let computed = mechanization.navigation(BodyAxes::default()).earth_fixed(&earth);
-    let exact = state(&earth, &samples[total / 2]);
+    let exact = state_of(&earth, &samples[total / 2]);
     Errors {
         position: (computed.r_e - exact.r_e).norm(),
         velocity: (computed.v_e - exact.v_e).norm(),

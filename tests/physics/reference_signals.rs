@@ -8,10 +8,10 @@ use sins::math::rotation_vector;
 use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid, VerticalMode};
 use sins::signal::Increment;
 use sins::state::{BodyAxes, EarthFixedState};
-use sins::truth::{FlightSample, IntakeLimits, TruthPoint};
+use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 
-use crate::support::{self, DEG_PER_HOUR, Reference, Table};
+use crate::support::{self, DEG_PER_HOUR, Reference, Table, state_of};
 
 fn earth() -> Earth {
     Earth::new(Ellipsoid::Wgs84, GravityModel::Somigliana)
@@ -20,13 +20,6 @@ fn earth() -> Earth {
 fn options(period_s: f64) -> Options {
     let intake = IntakeLimits { period_s: Some(period_s), ..Default::default() };
     Options { gravity: GravityModel::Somigliana, vertical: VerticalMode::Free, intake, ..Default::default() }
-}
-
-fn state(sample: &FlightSample) -> EarthFixedState {
-    let mut intake = sins::truth::Intake::new(earth(), BodyAxes::default(), IntakeLimits::default()).unwrap();
-    intake.push(sample).unwrap();
-    let point: TruthPoint = *intake.front().unwrap();
-    point.navigation(&earth(), BodyAxes::default()).earth_fixed(&earth())
 }
 
 /// Mean angular rate error [°/h] and rms of the specific force error [m/s²] of the generator over half intervals, after
@@ -102,7 +95,7 @@ fn differences(
     computed: &EarthFixedState,
     truth: &FlightSample,
 ) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-    let exact = state(truth);
+    let exact = state_of(&earth(), truth);
     let (east, north, up) = earth().east_north_up(&truth.place);
     let local = |v: Vector3<f64>| Vector3::new(v.dot(&east), v.dot(&north), v.dot(&up));
     // Earth-fixed attitude error ψ with computed C = (I - [ψ×]) C.
@@ -241,7 +234,7 @@ fn biased_sensors_give_the_errors_of_the_exact_equations() {
             velocity: Vector3::new(accel, accel, -accel) * (0.5 * t),
         };
         let mut mechanization =
-            Mechanization::new(earth(), Frame::EarthFixed, Scheme::Exact, &state(&samples[0]));
+            Mechanization::new(earth(), Frame::EarthFixed, Scheme::Exact, &state_of(&earth(), &samples[0]));
         let mut row = 1;
         for (k, pair) in reference.increments.chunks_exact(2).enumerate() {
             let biased = [pair[0], pair[1]]
@@ -297,7 +290,7 @@ fn paper_scheme_shows_its_own_error() {
     let reference = Reference::load("fig8");
     let samples = reference.truth.samples(false);
     let mut mechanization =
-        Mechanization::new(earth(), Frame::Geographic, Scheme::Paper, &state(&samples[0]));
+        Mechanization::new(earth(), Frame::Geographic, Scheme::Paper, &state_of(&earth(), &samples[0]));
     for (k, pair) in reference.increments.chunks_exact(2).enumerate() {
         mechanization.update(pair, reference.period_s);
         let sample = &samples[k + 1];

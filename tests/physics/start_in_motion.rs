@@ -12,11 +12,9 @@ use sins::sensors::TriadParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, ImuInterval, Options, Simulator};
 
-use crate::support::{self, DEG, options_at, resting_sample};
+use crate::support::{self, DEG, EARTH_RATE, options_at, resting_sample};
 
 const ARM_M: f64 = 3.4;
-const EARTH_RATE: f64 = 7.292_115e-5;
-
 /// A motion in closed form, at rest in place, and its angular rate against the Earth in body axes [rad/s].
 struct Scene {
     name: &'static str,

@@ -4,14 +4,7 @@
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 
-use crate::support::{options_at, patrol, resting_sample};
-
-fn fly(simulator: &mut Simulator, samples: &[FlightSample]) {
-    for sample in samples {
-        simulator.push_sample(sample).unwrap();
-        simulator.step().unwrap();
-    }
-}
+use crate::support::{fly_through, options_at, patrol, resting_sample};
 
 /// Whatever a host does while it is paused: steps without samples, the last sample again, a stamp of an hour later. Then the
 /// flight goes on as if there had been no pause.
@@ -28,8 +21,8 @@ fn an_hour_of_pause_is_nothing() {
         simulator
     };
     let (mut straight, mut paused) = (start(), start());
-    fly(&mut straight, &samples);
-    fly(&mut paused, before);
+    fly_through(&mut straight, &samples);
+    fly_through(&mut paused, before);
     for _ in 0..1000 {
         assert_eq!(paused.step(), Ok(Step::NeedSample));
         let again = paused.push_sample(&before[199]).unwrap_err();
@@ -38,7 +31,7 @@ fn an_hour_of_pause_is_nothing() {
     let later = FlightSample { time_s: after[0].time_s + 3600.0, ..after[0] };
     let error = paused.push_sample(&later).unwrap_err();
     assert_eq!((error.kind, error.field), (ErrorKind::Discontinuity, "sample.time_s"));
-    fly(&mut paused, after);
+    fly_through(&mut paused, after);
     assert_eq!(paused.navigation(), straight.navigation());
     assert_eq!(paused.imu(), straight.imu());
 }
@@ -48,15 +41,15 @@ fn an_hour_of_pause_is_nothing() {
 fn stamps_that_ran_on_are_a_reposition() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();
     let at = |k: i32, time_s: f64| resting_sample(f64::from(k) * 0.02 + time_s);
-    fly(&mut simulator, &[at(0, 0.0), at(1, 0.0), at(2, 0.0)]);
+    fly_through(&mut simulator, [at(0, 0.0), at(1, 0.0), at(2, 0.0)]);
     simulator.reposition(&at(3, 3600.0)).unwrap();
-    fly(&mut simulator, &[at(4, 3600.0), at(5, 3600.0)]);
+    fly_through(&mut simulator, [at(4, 3600.0), at(5, 3600.0)]);
     let navigation = simulator.navigation().unwrap().unwrap();
     assert_eq!(navigation.time_s, at(5, 3600.0).time_s);
     assert_eq!(simulator.intervals(), 2);
     // And back: a flight that is loaded again begins at an earlier time.
     simulator.reposition(&at(1, 0.0)).unwrap();
-    fly(&mut simulator, &[at(2, 0.0)]);
+    fly_through(&mut simulator, [at(2, 0.0)]);
     assert_eq!(simulator.navigation().unwrap().unwrap().time_s, at(2, 0.0).time_s);
 }
 

@@ -11,10 +11,8 @@ use sins::truth::FlightSample;
 use sins::{ErrorKind, Options};
 
 use crate::support::budget::{HOUR_S, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
-use crate::support::{DEG, options_at};
+use crate::support::{DEG, options_at, ARCSEC, MILLIGAL};
 
-const ARCSEC: f64 = DEG / 3600.0;
-const MILLIGAL: f64 = 1e-5;
 const LATITUDE_RAD: f64 = 0.7;
 const HEADING_RAD: f64 = 1.0;
 const SPEED_M_S: f64 = 180.0;

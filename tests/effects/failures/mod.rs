@@ -9,12 +9,10 @@ use sins::sensors::{Axis, Failure, SensorOutput, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorSource, ImuFlags, ImuInterval, Options, Simulator};
 
-use crate::support::{DEG, G, options_at, patrol, resting_sample, sensed};
+use crate::support::{DEG, EARTH_RATE, G, options_at, patrol, resting_sample, sensed};
 
 const EPS: f64 = f64::EPSILON;
 const DT: f64 = 0.01;
-const EARTH_RATE: f64 = 7.292_115e-5;
-
 fn simulator() -> Simulator {
     Simulator::new(&Options { error_model: true, ..options_at(1.0 / DT) }).unwrap()
 }

@@ -8,8 +8,8 @@ use sins::mounting::MountingParameters;
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::{ErrorSource, Options};
 
-use super::{aerobatics, errors, flight, mounted, samples, step, wrongly_believed};
-use crate::support::{DEG_PER_HOUR, G, options_at};
+use super::{aerobatics, flight, mounted, samples, wrongly_believed};
+use crate::support::{DEG_PER_HOUR, G, errors, options_at, step};
 
 /// In straight flight a block that is believed to be turned right by b more than it is makes the vehicle's heading
 /// come out b to the left, and nothing else: the block itself is navigated without error. The arm swings by b times its length.

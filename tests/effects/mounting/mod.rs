@@ -4,14 +4,13 @@ mod errors;
 mod truth;
 
 use nalgebra::Vector3;
-use sins::errors::NavigationErrors;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::Euler;
 use sins::mounting::MountingParameters;
 use sins::truth::FlightSample;
-use sins::{ErrorKind, ErrorSource, Options, Simulator};
+use sins::{ErrorKind, Options, Simulator};
 
-use crate::support::{DEG, resting_sample};
+use crate::support::{DEG, resting_sample, step};
 
 fn flight(manoeuvres: &[Manoeuvre]) -> Flight {
     let start = FlightStart {
@@ -63,15 +62,6 @@ fn mounted(options: &Options, mounting: &MountingParameters) -> Simulator {
     let mut simulator = Simulator::new(options).unwrap();
     simulator.set_mounting(mounting).unwrap();
     simulator
-}
-
-fn step(simulator: &mut Simulator, sample: &FlightSample) {
-    simulator.push_sample(sample).unwrap();
-    simulator.step().unwrap();
-}
-
-fn errors(simulator: &Simulator, source: ErrorSource) -> NavigationErrors {
-    simulator.errors(source).unwrap().unwrap().1
 }
 
 /// No mounting is no mounting: to the bit. A reset and a reposition keep it.

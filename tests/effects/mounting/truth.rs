@@ -10,10 +10,8 @@ use sins::state::BodyAxes;
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator, Step};
 
-use super::{aerobatics, errors, flight, mounted, off_centre, samples, step, wrongly_believed};
-use crate::support::{DEG, Worst, fly, options_at, resting_sample};
-
-const EARTH_RATE: f64 = 7.292_115e-5;
+use super::{aerobatics, flight, mounted, off_centre, samples, wrongly_believed};
+use crate::support::{DEG, EARTH_RATE, Worst, errors, fly, options_at, resting_sample, step};
 
 fn worst(options: &Options, rate_hz: f64, mounting: &MountingParameters) -> Worst {
     fly(&mut mounted(options, mounting), samples(&aerobatics(), rate_hz).into_iter(), 1)

@@ -12,18 +12,10 @@ use sins::state::BodyAxes;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
 
-use crate::support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample};
+use crate::support::{DEG, DEG_PER_HOUR, G, fly_through, options_at, patrol, resting_sample};
 
 fn errors(simulator: &Simulator) -> sins::errors::NavigationErrors {
     simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1
-}
-
-/// Flies all of `samples`.
-fn fly(simulator: &mut Simulator, samples: impl IntoIterator<Item = FlightSample>) {
-    for sample in samples {
-        simulator.push_sample(&sample).unwrap();
-        simulator.step().unwrap();
-    }
 }
 
 fn resting(rate_hz: f64, seconds: f64) -> impl Iterator<Item = FlightSample> {
@@ -60,7 +52,7 @@ fn a_velocity_error_swings_with_schulers_period() {
 fn the_attitude_quaternion_keeps_its_norm() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
     let flight = patrol(3600.0);
-    fly(&mut simulator, (0..360_000).map(|k| flight.sample_at(f64::from(k) / 100.0).unwrap()));
+    fly_through(&mut simulator, (0..360_000).map(|k| flight.sample_at(f64::from(k) / 100.0).unwrap()));
     let q = simulator.navigation().unwrap().unwrap().navigation.q_nb;
     assert!((q.norm() - 1.0).abs() < 1e-15, "{:e}", q.norm() - 1.0);
 }
@@ -100,7 +92,10 @@ fn small_errors_superpose() {
         simulator.set_gyro(&parameters(gyro)).unwrap();
         simulator.set_accel(&parameters(accel)).unwrap();
         let flight = patrol(1200.0);
-        fly(&mut simulator, (0..60_000).map(|k| flight.sample_at(300.0 + f64::from(k) / 100.0).unwrap()));
+        fly_through(
+            &mut simulator,
+            (0..60_000).map(|k| flight.sample_at(300.0 + f64::from(k) / 100.0).unwrap()),
+        );
         errors(&simulator)
     };
     let (gyro, accel) = (0.1 * DEG_PER_HOUR, 1e-4 * G);
@@ -119,7 +114,7 @@ fn both_conventions_of_sensor_axes_navigate_alike() {
     let flight = patrol(1200.0);
     let run = |axes| {
         let mut simulator = Simulator::new(&Options { axes, ..options_at(100.0) }).unwrap();
-        fly(&mut simulator, (0..3000).map(|k| flight.sample_at(f64::from(k) / 100.0).unwrap()));
+        fly_through(&mut simulator, (0..3000).map(|k| flight.sample_at(f64::from(k) / 100.0).unwrap()));
         (simulator.imu().unwrap().ideal, simulator.navigation().unwrap().unwrap().navigation)
     };
     let (rfu, first) = run(BodyAxes::RightForwardUp);
@@ -137,7 +132,7 @@ fn both_conventions_of_sensor_axes_navigate_alike() {
 fn perfect_sensors_at_rest_sense_the_earth() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
     let place = Geodetic { latitude_rad: 30.0 * DEG, longitude_rad: 1.0, height_m: 0.0 };
-    fly(
+    fly_through(
         &mut simulator,
         (0..10).map(|k| FlightSample::at_rest(f64::from(k) / 100.0, place, Euler::default())),
     );
@@ -180,7 +175,7 @@ fn an_alignment_with_the_sensors_leaves_them_balanced() {
     assert!(off < 1e-8 + level * level, "{} {azimuth}", error.misalignment_n.z);
     // In balance: after a minute the velocity is that of the north gyro's drift alone, g·eps·t²/2 = 0.9 mm/s; out of
     // balance 1e-4 g would make 60 mm/s of it.
-    fly(&mut simulator, resting(10.0, 60.0).skip(1));
+    fly_through(&mut simulator, resting(10.0, 60.0).skip(1));
     assert!(errors(&simulator).velocity_n.xy().norm() < 1.5e-3, "{}", errors(&simulator).velocity_n);
 }
 
@@ -195,7 +190,7 @@ fn turns_beyond_half_a_turn_an_update_keep_the_norm() {
         let mut simulator = Simulator::new(&Options { scheme, frame, ..Default::default() }).unwrap();
         let bias = Vector3::new(50.0, 0.0, 0.0);
         simulator.set_gyro(&TriadParameters { bias, ..Default::default() }).unwrap();
-        fly(&mut simulator, resting(10.0, 60.0));
+        fly_through(&mut simulator, resting(10.0, 60.0));
         let q = simulator.navigation().unwrap().unwrap().navigation.q_nb;
         assert!((q.norm() - 1.0).abs() < 1e-15, "{scheme:?} {frame:?}: {}", q.norm());
     }

@@ -7,8 +7,8 @@ use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 
-use super::{fly, resting};
-use crate::support::{options_at, resting_sample};
+use super::resting;
+use crate::support::{fly_through, options_at, resting_sample};
 
 #[test]
 fn navigation_alone_and_flight_do_not_mix() {
@@ -51,11 +51,11 @@ fn a_step_out_of_range_is_not_made() {
     // The refused steps drew nothing: another simulator that never tried has the same noise from here on.
     let mut other = Simulator::new(simulator.options()).unwrap();
     other.set_accel(&wild).unwrap();
-    fly(&mut other, resting(1.0, simulator.intervals() as f64));
+    fly_through(&mut other, resting(1.0, simulator.intervals() as f64));
     assert_eq!(other.intervals(), simulator.intervals());
     for simulator in [&mut simulator, &mut other] {
         simulator.reposition(&resting(1.0, 1.0).next().unwrap()).unwrap();
-        fly(simulator, resting(1.0, 3.0).skip(1));
+        fly_through(simulator, resting(1.0, 3.0).skip(1));
     }
     assert_eq!(simulator.imu(), other.imu());
 }

@@ -12,7 +12,7 @@ use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 
 use crate::support::orbits::about;
-use crate::support::{self, DEG, options_at, resting_sample};
+use crate::support::{self, DEG, EARTH_RATE, options_at, resting_sample};
 
 /// At rest in the attitude `euler`.
 fn posed(time_s: f64, euler: Euler) -> FlightSample {
@@ -36,8 +36,6 @@ fn pose(rate_hz: f64, count: u32, euler: impl Fn(f64) -> Euler) -> (f64, f64, f6
     }
     (misalignment, position, rate)
 }
-
-const EARTH_RATE: f64 = 7.292_115e-5;
 
 /// Through the zenith and the nadir at 0.01 °/s, and at rest there, where roll and heading are one angle and a host splits it as
 /// it likes: what is sensed is the slow turn and the Earth's, and the attitude stays right.

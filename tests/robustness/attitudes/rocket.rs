@@ -8,9 +8,8 @@ use sins::mechanization::{Scheme, VerticalMode};
 use sins::state::EarthFixedState;
 use sins::{Options, Simulator};
 
-use super::EARTH_RATE;
-use crate::support::options_at;
 use crate::support::orbits::{Apart, about, navigated, sample_of};
+use crate::support::{EARTH_RATE, options_at};
 
 /// A rocket from rest: straight up its own axis `up` in Earth-fixed axes at 50 g, spinning at 20 rev/s about an axis in the
 /// body that is 0.1 rad off the thrust.

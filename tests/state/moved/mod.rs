@@ -6,23 +6,15 @@ mod slew;
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
-use sins::errors::NavigationErrors;
 use sins::math::Euler;
 use sins::mechanization::Frame;
 use sins::sensors::InitialErrorParameters;
 use sins::state::Navigation;
 use sins::truth::FlightSample;
-use sins::{ErrorKind, ErrorSource, Options, Simulator};
+use sins::{ErrorKind, Options, Simulator};
 
 use crate::support::moments::{altimeter, every_effect, initial, reads, snapshot};
-use crate::support::resting_sample;
-
-fn fly(simulator: &mut Simulator, samples: &[FlightSample]) {
-    for sample in samples {
-        simulator.push_sample(sample).unwrap();
-        simulator.step().unwrap();
-    }
-}
+use crate::support::{fly_through, resting_sample};
 
 /// With every error that there is, but initial ones that need no alignment.
 fn troubled(options: &Options) -> Simulator {
@@ -35,10 +27,6 @@ fn troubled(options: &Options) -> Simulator {
         .set_initial_errors(&InitialErrorParameters { alignment: Default::default(), ..initial() })
         .unwrap();
     simulator
-}
-
-fn errors(simulator: &Simulator, source: ErrorSource) -> NavigationErrors {
-    simulator.errors(source).unwrap().unwrap().1
 }
 
 /// A sample elsewhere.
@@ -62,7 +50,7 @@ fn a_move_that_makes_no_sense_is_refused() {
     };
     let mut simulator = troubled(&Options { frame: Frame::Geographic, ..Options::default() });
     refused(&mut simulator, ErrorKind::BadState, &|simulator| simulator.move_time(5.0));
-    fly(&mut simulator, &[resting_sample(0.0), resting_sample(0.02)]);
+    fly_through(&mut simulator, [resting_sample(0.0), resting_sample(0.02)]);
     for time_s in [f64::NAN, f64::INFINITY, 9.99999e9, 1e10, -1e10] {
         refused(&mut simulator, ErrorKind::InvalidArgument, &|simulator| simulator.move_time(time_s));
     }

@@ -4,9 +4,9 @@ use sins::mechanization::{Frame, VerticalMode};
 use sins::truth::{FlightSample, IntakeLimits, Pushed};
 use sins::{ErrorSource, Options, Simulator, Step};
 
-use super::{errors, fly, troubled};
+use super::troubled;
 use crate::support::moments::{reads, snapshot};
-use crate::support::{patrol, resting_sample};
+use crate::support::{errors, fly_through, patrol, resting_sample};
 
 /// What is read but times.
 fn without_times(simulator: &Simulator) -> String {
@@ -80,7 +80,7 @@ fn a_pause_that_is_moved_leaves_no_bit_behind() {
 fn a_paused_trainer_keeps_its_drift() {
     let mut trainer = troubled(&Options::default());
     let samples: Vec<_> = (0..3000).map(|k| resting_sample(f64::from(k) * 0.02)).collect();
-    fly(&mut trainer, &samples);
+    fly_through(&mut trainer, &samples);
     let drift = errors(&trainer, ErrorSource::Navigation).position_n;
     let later = samples[2999].time_s + 3600.0;
     trainer.move_time(later).unwrap();
@@ -133,7 +133,7 @@ fn a_gap_is_told_by_its_push() {
     assert_eq!(gaps, [1.57]);
     // A second that the clock ran on, at 100 Hz.
     let mut simulator = Simulator::new(&Options::default()).unwrap();
-    fly(&mut simulator, &(0..10).map(|k| resting_sample(f64::from(k) * 0.01)).collect::<Vec<_>>());
+    fly_through(&mut simulator, (0..10).map(|k| resting_sample(f64::from(k) * 0.01)));
     assert_eq!(simulator.push_sample(&resting_sample(1.1)), Ok(Pushed::BehindGap));
 }
 

@@ -9,9 +9,9 @@ use sins::sensors::InitialErrorParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
 
-use super::{elsewhere, errors, fly, troubled};
+use super::{elsewhere, troubled};
 use crate::support::moments::initial;
-use crate::support::{options_at, patrol, resting_sample};
+use crate::support::{errors, fly_through, options_at, patrol, resting_sample};
 
 /// How the errors of both sources have changed: positions [m], velocities [m/s], misalignments [rad].
 fn change(a: &NavigationErrors, b: &NavigationErrors) -> [f64; 3] {
@@ -43,7 +43,7 @@ fn a_slew_keeps_the_errors() {
                 start.position_n += Vector3::new(far_m, -0.5 * far_m, 0.0);
                 simulator.set_initial_errors(&start).unwrap();
                 let samples: Vec<_> = (0..200).map(|k| resting_sample(f64::from(k) * 0.02)).collect();
-                fly(&mut simulator, &samples);
+                fly_through(&mut simulator, &samples);
                 let places = [
                     (-40.0, 0.0, 250.0),
                     (75.0, 12e3, 0.0),
@@ -78,7 +78,7 @@ fn a_slew_keeps_the_errors() {
 fn a_slew_by_way_of_the_pole_keeps_the_errors() {
     let options = Options { error_model: true, ..Options::default() };
     let mut simulator = troubled(&options);
-    fly(&mut simulator, &(0..200).map(|k| resting_sample(f64::from(k) * 0.02)).collect::<Vec<_>>());
+    fly_through(&mut simulator, (0..200).map(|k| resting_sample(f64::from(k) * 0.02)));
     let before = [ErrorSource::Navigation, ErrorSource::Model].map(|source| errors(&simulator, source));
     for latitude_deg in [90.0, -90.0, 89.9999, -89.99, 89.9] {
         let sample = elsewhere(1e3, latitude_deg, 1e3, 200.0);
@@ -122,13 +122,13 @@ fn after_a_slew_the_errors_go_their_way() {
             };
             simulator.set_initial_errors(&initial).unwrap();
         }
-        fly(&mut simulator, &(0..3000).map(|k| resting_sample(f64::from(k) * 0.01)).collect::<Vec<_>>());
+        fly_through(&mut simulator, (0..3000).map(|k| resting_sample(f64::from(k) * 0.01)));
         let flown: Vec<_> = (0..6000)
             .map(|k| flight.sample_at(300.0 + f64::from(k) / 100.0).unwrap())
             .map(|sample| FlightSample { v_n: sample.v_n.filter(|_| with_velocity), ..sample })
             .collect();
         simulator.move_truth(&flown[0]).unwrap();
-        fly(&mut simulator, &flown[1..]);
+        fly_through(&mut simulator, &flown[1..]);
         let (navigated, model) =
             (errors(&simulator, ErrorSource::Navigation), errors(&simulator, ErrorSource::Model));
         let (apart, size) = ((navigated.position_n - model.position_n).norm(), navigated.position_n.norm());
@@ -155,7 +155,7 @@ fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
                 ..Default::default()
             })
             .unwrap();
-        fly(&mut simulator, &(0..300).map(|k| resting_sample(f64::from(k) * 0.01)).collect::<Vec<_>>());
+        fly_through(&mut simulator, (0..300).map(|k| resting_sample(f64::from(k) * 0.01)));
         simulator
     };
     let (mut slewed, mut stayed) = (start(), start());
@@ -170,8 +170,8 @@ fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
     let change = change(&errors(&slewed, ErrorSource::Navigation), &before);
     assert!(is_rounding(change.map(|change| change / 4.0)), "{change:?}");
     for k in 301..2000 {
-        fly(&mut slewed, &[turned(f64::from(k) * 0.01)]);
-        fly(&mut stayed, &[resting_sample(f64::from(k - 1) * 0.01)]);
+        fly_through(&mut slewed, [turned(f64::from(k) * 0.01)]);
+        fly_through(&mut stayed, [resting_sample(f64::from(k - 1) * 0.01)]);
         let noise = |simulator: &Simulator| {
             let imu = simulator.imu().unwrap();
             imu.measured.angle - imu.ideal.angle

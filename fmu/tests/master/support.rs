@@ -1,5 +1,4 @@
 //! A master for the tests: instances with a logger that keeps what is said, and the functions in the types of Rust.
-#![allow(dead_code, reason = "each test uses some of it")]
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::ptr;

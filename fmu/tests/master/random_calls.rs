@@ -1,29 +1,27 @@
 //! Calls in random order with random values, states cut and forged. Nothing crashes; a refused call says one sentence and changes
 //! nothing; what can be saved loads to the same bytes; behind a good step every output is finite.
 //!
-//! `FMU_SEQUENCES=100000 FMU_FIRST=0 cargo test --release -p sins-fmu --test random_calls` for hours, with other seeds.
-
-mod support;
+//! `FMU_SEQUENCES=100000 FMU_FIRST=0 cargo test --release -p sins-fmu --test master random_calls::` for hours, with other seeds.
 
 use std::ffi::{CString, c_int};
 use std::ptr;
 
+use sins::math::{SPLIT_MIX_STEP, mix};
 use sins_fmu::get_set::*;
 use sins_fmu::interface::*;
 use sins_fmu::states::*;
 use sins_fmu::steps::*;
-use support::{AT_REST, Described, Unit, inputs, variables};
+
+use crate::support::{AT_REST, Described, Unit, inputs, variables};
 
 /// SplitMix64.
 struct Random(u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        let next = mix(self.0);
+        self.0 = self.0.wrapping_add(SPLIT_MIX_STEP);
+        next
     }
 
     fn below(&mut self, count: usize) -> usize {

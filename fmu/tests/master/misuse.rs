@@ -1,7 +1,5 @@
 //! Calls that no master should make, each refused by a status and one sentence.
 
-mod support;
-
 use std::ffi::{CString, c_char, c_int};
 use std::ptr;
 
@@ -9,7 +7,8 @@ use sins_fmu::get_set::*;
 use sins_fmu::interface::*;
 use sins_fmu::states::*;
 use sins_fmu::steps::*;
-use support::{AT_REST, Unit, guid, inputs, reference, variables};
+
+use crate::support::{AT_REST, Unit, guid, inputs, reference, variables};
 
 fn step(unit: &Unit, time_s: f64) -> c_int {
     unsafe { fmi2DoStep(unit.component, time_s, 0.01, 1) }
