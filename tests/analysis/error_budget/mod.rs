@@ -1,6 +1,7 @@
 //! Contributions of effects are their closed forms, the remainder is of second order, and what may be left out is left out.
 
 mod interface;
+mod mounting_and_gravity;
 
 use nalgebra::{Complex, Vector3};
 use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
