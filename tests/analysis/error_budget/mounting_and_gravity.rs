@@ -11,7 +11,7 @@ use sins::truth::FlightSample;
 use sins::{ErrorKind, Options};
 
 use crate::support::budget::{HOUR_S, assert_like, at_rest, budget_of, row, sizes, sphere, worst};
-use crate::support::{ARCSEC, DEG, MILLIGAL, options_at};
+use crate::support::{ARCSEC, MILLIGAL, options_at};
 
 const LATITUDE_RAD: f64 = 0.7;
 const HEADING_RAD: f64 = 1.0;
