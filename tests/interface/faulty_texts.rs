@@ -16,8 +16,8 @@ const LONGEST: Duration = Duration::from_secs(30);
 fn time_of_thread() -> Duration {
     let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     match statistics.split(' ').next().and_then(|ran_ns| ran_ns.parse().ok()) {
-        Some(ran_ns) if ran_ns > 0 => Duration::from_nanos(ran_ns),
-        _ => SystemTime::now().duration_since(UNIX_EPOCH).unwrap(),
+        Some(ran_ns) => Duration::from_nanos(ran_ns),
+        None => SystemTime::now().duration_since(UNIX_EPOCH).unwrap(),
     }
 }
 
@@ -244,4 +244,5 @@ fn a_log_of_any_bytes_has_an_answer() {
     assert_eq!(log_fault("a mark and CRLF", &crlf), None);
     let rows = (0..1_000_000).map(|k| format!("{k},1,2,3,4,5,6\n")).collect::<String>();
     assert_eq!(log_fault("a million rows", [HEADER, &rows].concat().as_bytes()), None);
+    assert!(time_of_thread() > Duration::ZERO, "the time of a thread stands still: nothing was limited");
 }
