@@ -13,10 +13,10 @@ long() {
 }
 
 # accuracy.md
-simulations() { long --test simulation1; }
-hard_poles() { cargo test --test hard_poles -- --nocapture; }
-earth() { cargo test --test earth -- --nocapture; }
-mounting() { cargo test --test mounting -- --nocapture; }
+simulations() { long --test physics simulation1::; }
+poles() { cargo test --test robustness poles:: -- --nocapture; }
+earth() { cargo test --test physics earth:: -- --nocapture; }
+mounting() { cargo test --test effects mounting:: -- --nocapture; }
 flights() {
     c_examples/fly.sh
     cp target/flights/simulation2.svg c_examples/simulation2.svg
@@ -27,7 +27,7 @@ steps() {
 }
 frames() { cargo run --release --manifest-path benches/Cargo.toml --bin frames; }
 stages() { cargo run --release --manifest-path benches/Cargo.toml --bin stages; }
-recommend() { cargo test --release --test recommend -- --nocapture; }
+recommend() { cargo test --release --test analysis recommend:: -- --nocapture; }
 curve() {
     "$sins" curve --force --flight all c_examples/flights/fighter_aerobatics.csv --out "$figures/curve.out"
     cp "$figures"/curve.out/{aerobatics,cruise}.svg benches/curves/
@@ -48,12 +48,12 @@ allan() {
         --imu rest_imu.csv --force --out "$figures/allan.out"
     "$sins" allan "$figures/allan.out/rest_imu.csv" --force -o "$figures/allan.out/allan.svg"
 }
-allan_estimator() { long --test allan; }
+allan_estimator() { long --test analysis allan::; }
 
 # ensembles.md
 ensemble() { cargo run --release --manifest-path benches/Cargo.toml --bin ensemble; }
 scale() { benches/scale.sh; }
-covariance() { cargo test --test covariance --test covariance_runs -- --nocapture; }
+covariance() { cargo test --test analysis covariance -- --nocapture; }
 
 # scenes.md, host_time.md, hosts.md, packages.md
 library_sizes() {
@@ -65,8 +65,8 @@ library_sizes() {
     done
     cargo rustc --release --lib --crate-type cdylib
 }
-gaps() { cargo test --test hard_samples -- --nocapture; }
-snapshots() { cargo test --test snapshots -- --nocapture; }
+gaps() { cargo test --test robustness irregular_samples:: -- --nocapture; }
+snapshots() { cargo test --test state snapshots:: -- --nocapture; }
 jsbsim() {
     tests/jsbsim.sh
     target/jsbsim/host target/jsbsim/source c_examples/jsbsim/flight.xml "$figures/twin" ins/slews=0 ins/gyro-failure=0
@@ -79,7 +79,7 @@ packages() {
     ls -l target/dist
 }
 
-all="simulations hard_poles earth mounting flights steps frames stages recommend curve effects budget allan allan_estimator ensemble
+all="simulations poles earth mounting flights steps frames stages recommend curve effects budget allan allan_estimator ensemble
     scale covariance library_sizes gaps snapshots jsbsim packages"
 for name in "$@"; do
     if [[ " "${all//$'\n'/ }" " != *" $name "* ]]; then

@@ -73,40 +73,40 @@
 //!
 //! | claim | test |
 //! |---|---|
-//! | increments are the integrals of rate and force | `tests/reference_signals.rs` |
-//! | the damped vertical channel has the response of its three poles, to second order in the interval | `tests/vertical_loop.rs` |
-//! | perfect sensors navigate back to the truth | `tests/simulation1.rs`, `tests/logged_flights.rs` |
-//! | error data 1 and error data 2 agree to second order, and both agree with the closed form | `tests/simulation2.rs` |
-//! | every term of the error equations is the derivative of the mechanization | `tests/error_equations.rs` |
-//! | each scheme has its theoretical order of convergence | `tests/convergence.rs` |
-//! | every run obeys the invariants of physics and of the conventions | `tests/invariants.rs` |
-//! | poles, the date line, vertical flight and irregular samples cost no accuracy | `tests/hard_poles.rs`, `tests/hard_places.rs`, `tests/hard_attitude.rs`, `tests/hard_samples.rs` |
-//! | a bad sample is rejected with a message that names field, value and limit, and changes nothing | `tests/samples.rs`, `tests/hard_samples.rs` |
-//! | each sensor effect equals its closed form, and acts on both error data | `tests/sensor_effects.rs`, `tests/sensor_scenes.rs` |
-//! | temperature and failures equal their closed forms; a failure that is cleared has changed no random number | `tests/temperature.rs`, `tests/failures.rs` |
-//! | a sensor block away from the reference point navigates as accurately as one at it | `tests/mounting.rs` |
-//! | a start in motion causes no spike of force, and does not disturb the navigation | `tests/start_in_motion.rs` |
-//! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/alignment.rs` |
-//! | a gravity disturbance acts as its closed form | `tests/gravity_disturbance.rs` |
-//! | noise has the statistics of its parameters | `tests/noise_statistics.rs` |
+//! | increments are the integrals of rate and force | `tests/physics/reference_signals.rs` |
+//! | the damped vertical channel has the response of its three poles, to second order in the interval | `tests/physics/vertical_loop.rs` |
+//! | perfect sensors navigate back to the truth | `tests/physics/simulation1.rs`, `tests/physics/logged_flights.rs` |
+//! | error data 1 and error data 2 agree to second order, and both agree with the closed form | `tests/physics/simulation2.rs` |
+//! | every term of the error equations is the derivative of the mechanization | `tests/physics/error_equations.rs` |
+//! | each scheme has its theoretical order of convergence | `tests/physics/convergence.rs` |
+//! | every run obeys the invariants of physics and of the conventions | `tests/physics/invariants` |
+//! | poles, the date line, vertical flight and irregular samples cost no accuracy | `tests/robustness/poles.rs`, `tests/robustness/places.rs`, `tests/robustness/attitudes`, `tests/robustness/irregular_samples.rs` |
+//! | a bad sample is rejected with a message that names field, value and limit, and changes nothing | `tests/robustness/sample_limits.rs`, `tests/robustness/irregular_samples.rs` |
+//! | each sensor effect equals its closed form, and acts on both error data | `tests/effects/triad`, `tests/effects/in_flight.rs` |
+//! | temperature and failures equal their closed forms; a failure that is cleared has changed no random number | `tests/effects/temperature.rs`, `tests/effects/failures` |
+//! | a sensor block away from the reference point navigates as accurately as one at it | `tests/effects/mounting` |
+//! | a start in motion causes no spike of force, and does not disturb the navigation | `tests/physics/start_in_motion.rs` |
+//! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/effects/alignment.rs` |
+//! | a gravity disturbance acts as its closed form | `tests/effects/gravity_disturbance.rs` |
+//! | noise has the statistics of its parameters | `tests/effects/noise_statistics.rs` |
 //! | the Allan deviation of noise gives its parameters back | `tests/allan/closure.rs`, the estimator `tests/allan/estimator.rs` |
-//! | the same bits on every platform and for any sequence of calls | `tests/determinism.rs`, `tests/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
-//! | no host can damage the library, and the library does not damage its host | `tests/host_machine.rs` and the table of `tests/README.md` |
-//! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/snapshots.rs`, `tests/snapshot_damage.rs` |
-//! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/any_use.rs` |
-//! | pauses and a changed pace of the host's time change no result | `tests/host_time.rs` |
-//! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/moved.rs` |
-//! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/ensemble.rs`, `tests/c_side.rs` |
-//! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/statistics.rs` |
-//! | a host's wrong units stand out in the summary of the truth | `tests/truth_summary.rs` |
-//! | recommended options meet the requirement, and cheaper ones do not | `tests/recommend.rs` |
-//! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/covariance.rs`, `tests/covariance_runs.rs` |
-//! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/error_budget.rs`, `tests/error_budget_surroundings.rs` |
-//! | geodetic conversions are accurate to a nanometre | `tests/earth.rs` |
-//! | every getter returns what its setter was given | `tests/read_back.rs` |
-//! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/scene_text.rs`, `tests/scene_settings.rs`, `tests/scene_door.rs`, logs `tests/flight_log.rs` |
+//! | the same bits on every platform and for any sequence of calls | `tests/state/determinism.rs`, `tests/interface/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
+//! | no host can damage the library, and the library does not damage its host | `tests/interface/host_machine.rs` and the table of `tests/README.md` |
+//! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
+//! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/robustness/any_use.rs` |
+//! | pauses and a changed pace of the host's time change no result | `tests/state/host_time.rs` |
+//! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/state/moved` |
+//! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
+//! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/analysis/statistics.rs` |
+//! | a host's wrong units stand out in the summary of the truth | `tests/analysis/truth_summary.rs` |
+//! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
+//! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance.rs`, `tests/analysis/covariance_runs.rs` |
+//! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |
+//! | geodetic conversions are accurate to a nanometre | `tests/physics/earth.rs` |
+//! | every getter returns what its setter was given | `tests/state/read_back.rs` |
+//! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/interface/scene_text.rs`, `tests/interface/scene_settings.rs`, `tests/interface/scene_functions.rs`, logs `tests/interface/flight_log.rs` |
 //! | hard cases are correct, or reported as beyond a limit | `tests/hard_*.rs`, with their figures in `tests/README.md` |
-//! | the header agrees with the code, and no other function is exported | `tests/header.rs` |
+//! | the header agrees with the code, and no other function is exported | `tests/interface/header.rs` |
 //!
 //! # Example
 //!

@@ -31,7 +31,7 @@ other() {
     echo "== $processor"
     rustup target add "$target"
     variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
-    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test determinism
+    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test state determinism::
     fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
     tests/loading.sh "$compiler -std=c99" "target/$target/debug/deps/libsins.so" "$@"
 }

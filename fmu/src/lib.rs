@@ -35,6 +35,6 @@ mod parameters;
 mod saved;
 pub mod states;
 pub mod steps;
-mod uri;
+pub mod uri;
 mod values;
 mod variables;

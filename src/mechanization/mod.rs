@@ -118,7 +118,7 @@ impl Mechanization {
     pub const MIN_COS_LATITUDE: f64 = 1e-3;
 
     /// Turn of the geographic axes about the vertical that an update may make [rad]: up to here it costs less than
-    /// 2e-6 of the distance at which a pole is passed (tests/hard_poles.rs), beyond it grows with the fourth power.
+    /// 2e-6 of the distance at which a pole is passed (tests/robustness/poles.rs), beyond it grows with the fourth power.
     pub const MAX_TURN_RAD: f64 = 0.01;
 
     /// Starts from `state`.

@@ -85,7 +85,7 @@ impl VerticalAid {
 ///     | 0    0  |                | (x - x²/2)/τ²     x²/(2 τ)    |          d S in velocity
 /// ```
 /// x = t/τ, C = cosh(√κ t), S = sinh(√κ t)/√κ. What else bends e within the interval, an acceleration a that is not yet in d, is
-/// missed by (a - d) t²/12: of second order (`tests/vertical_loop.rs`). Where there was no residual before, e0 is e1.
+/// missed by (a - d) t²/12: of second order (`tests/physics/vertical_loop.rs`). Where there was no residual before, e0 is e1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalLoop {
     /// d, the estimate of the vertical channel's constant error [m/s²].

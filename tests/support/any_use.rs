@@ -1,6 +1,5 @@
 //! Random hosts that keep the rules: options, sensors of the laboratory and absurd ones, gaps, waiting samples, failures, jumps,
 //! increments, all to the ends of their ranges. The same seed gives the same host.
-#![allow(dead_code)] // each test uses a part of it
 
 use nalgebra::{Matrix3, Vector3};
 use sins::Options;
@@ -16,7 +15,7 @@ use sins::signal::Increment;
 use sins::state::{BodyAxes, Navigation};
 use sins::truth::{FlightSample, IntakeLimits};
 
-use crate::moments::Call;
+use super::moments::Call;
 
 /// Uniform numbers.
 pub struct Draws(u64);

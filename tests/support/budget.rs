@@ -8,7 +8,7 @@ use sins::recommend::SolutionError;
 use sins::truth::FlightSample;
 
 use super::closed_form::AtRest;
-use super::support::{DEG, resting_sample};
+use super::{DEG, resting_sample};
 
 pub const HOUR_S: u64 = 3600;
 /// Of a resting sample.

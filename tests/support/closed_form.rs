@@ -3,7 +3,7 @@
 use nalgebra::{Complex, Vector3};
 
 /// Earth rate [rad/s].
-pub const W: f64 = 7.292_115e-5;
+pub const W: f64 = super::EARTH_RATE;
 
 /// Constant sensor errors, east-north-up, on a sphere of radius `r` [m] with gravity `g` [m/s²] at a latitude.
 pub struct AtRest {

@@ -1,21 +1,35 @@
-//! What several tests share: reference signals, flights, samples.
-#![allow(dead_code)] // each test uses a part of it
+//! What several tests share: reference signals, flights, samples. Each program of tests includes all of it.
+#![allow(dead_code)] // each program uses a part of it
 
+use std::borrow::Borrow;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use sins::earth::Geodetic;
+use sins::earth::{Earth, Geodetic};
+use sins::errors::NavigationErrors;
 use sins::math::Euler;
 use sins::sensors::{PARAMETERS, ParameterShape, Sensor, TriadParameters};
 use sins::signal::Increment;
-use sins::truth::FlightSample;
+use sins::state::{BodyAxes, EarthFixedState};
+use sins::truth::{FlightSample, Intake, IntakeLimits};
 
+pub mod any_use;
+pub mod budget;
+pub mod c_programs;
+pub mod closed_form;
+pub mod moments;
 pub mod orbits;
 pub mod patrol;
+pub mod runs;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
 pub const G: f64 = 9.80665;
+pub const ARCSEC: f64 = DEG / 3600.0;
+/// [m/s²].
+pub const MILLIGAL: f64 = 1e-5;
+/// [rad/s].
+pub const EARTH_RATE: f64 = 7.292_115e-5;
 
 /// One data-sheet unit times `scale`, and 1, -0.7 and 0.4 along x, y and z, of each sensor parameter but those of temperature: what a test sets
 /// of a parameter that it does not name.
@@ -232,6 +246,42 @@ pub fn rounding_at_rest(duration_s: f64) -> Worst {
     }
 }
 
+/// Flies one sample.
+pub fn step(simulator: &mut sins::Simulator, sample: &FlightSample) {
+    simulator.push_sample(sample).unwrap();
+    simulator.step().unwrap();
+}
+
+/// Flies all of `samples`.
+pub fn fly_through(
+    simulator: &mut sins::Simulator,
+    samples: impl IntoIterator<Item = impl Borrow<FlightSample>>,
+) {
+    samples.into_iter().for_each(|sample| step(simulator, sample.borrow()));
+}
+
+/// The errors of a simulator that has flown.
+pub fn errors(simulator: &sins::Simulator, source: sins::ErrorSource) -> NavigationErrors {
+    simulator.errors(source).unwrap().unwrap().1
+}
+
+/// The exact state that a sample states.
+pub fn state_of(earth: &Earth, sample: &FlightSample) -> EarthFixedState {
+    let mut intake = Intake::new(*earth, BodyAxes::default(), IntakeLimits::default()).unwrap();
+    intake.push(sample).unwrap();
+    intake.front().unwrap().navigation(earth, BodyAxes::default()).earth_fixed(earth)
+}
+
+/// A struct of the C interface: zeros, and its size.
+pub fn init<T: Copy>() -> T {
+    // SAFETY: the structs of the interface are numbers, and the size comes first.
+    unsafe {
+        let mut value: T = core::mem::zeroed();
+        core::ptr::from_mut(&mut value).cast::<u32>().write(size_of::<T>() as u32);
+        value
+    }
+}
+
 /// Flies `samples`, looking at the errors every `every` intervals.
 pub fn fly(
     simulator: &mut sins::Simulator,
@@ -240,8 +290,7 @@ pub fn fly(
 ) -> Worst {
     let mut worst = Worst::default();
     for (k, sample) in samples.enumerate() {
-        simulator.push_sample(&sample).unwrap();
-        simulator.step().unwrap();
+        step(simulator, &sample);
         if k % every == 0 {
             let (_, errors) = simulator.errors(sins::ErrorSource::Navigation).unwrap().unwrap();
             worst.position_m = worst.position_m.max(errors.position_n.norm());

@@ -17,6 +17,7 @@ mod host;
 mod input;
 pub mod minimal;
 mod motion;
+mod scene_calls;
 mod scenes;
 mod settings;
 mod snapshots;

@@ -1,0 +1,6 @@
+//! What a master calls: wrong calls, calls in random order, the URI of the resources.
+
+mod misuse;
+mod random_calls;
+mod support;
+mod uri;

@@ -1,0 +1,189 @@
+//! Calls that no master should make, each refused by a status and one sentence.
+
+use std::ffi::{CString, c_char, c_int};
+use std::ptr;
+
+use sins_fmu::get_set::*;
+use sins_fmu::interface::*;
+use sins_fmu::states::*;
+use sins_fmu::steps::*;
+
+use crate::support::{AT_REST, Unit, guid, inputs, reference, variables};
+
+fn step(unit: &Unit, time_s: f64) -> c_int {
+    unsafe { fmi2DoStep(unit.component, time_s, 0.01, 1) }
+}
+
+/// The one sentence that was said.
+fn sentence(unit: &Unit) -> String {
+    let mut messages = unit.messages();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    messages.remove(0).2
+}
+
+#[test]
+fn null_pointers() {
+    let unit = Unit::flying(|_| ());
+    let (component, references) = (unit.component, inputs());
+    let (references, count) = (references.as_ptr(), references.len());
+    let before = unit.state();
+    type Call = Box<dyn Fn() -> c_int>;
+    let calls: [(&str, Call); 14] = unsafe {
+        [
+            ("SetReal", Box::new(move || fmi2SetReal(component, references, count, ptr::null()))),
+            ("SetReal", Box::new(move || fmi2SetReal(component, ptr::null(), count, AT_REST.as_ptr()))),
+            ("GetReal", Box::new(move || fmi2GetReal(component, references, count, ptr::null_mut()))),
+            ("GetInteger", Box::new(move || fmi2GetInteger(component, ptr::null(), 1, &mut 0))),
+            ("SetInteger", Box::new(move || fmi2SetInteger(component, references, 1, ptr::null()))),
+            ("GetBoolean", Box::new(move || fmi2GetBoolean(component, references, 1, ptr::null_mut()))),
+            ("SetString", Box::new(move || fmi2SetString(component, references, 1, &ptr::null()))),
+            ("GetString", Box::new(move || fmi2GetString(component, references, 1, ptr::null_mut()))),
+            ("GetFMUstate", Box::new(move || fmi2GetFMUstate(component, ptr::null_mut()))),
+            ("SetFMUstate", Box::new(move || fmi2SetFMUstate(component, ptr::null_mut()))),
+            ("SerializedFMUstateSize", {
+                Box::new(move || fmi2SerializedFMUstateSize(component, ptr::null_mut(), &mut 0))
+            }),
+            ("SerializeFMUstate", {
+                Box::new(move || fmi2SerializeFMUstate(component, ptr::null_mut(), &mut 0, 1))
+            }),
+            ("DeSerializeFMUstate", {
+                Box::new(move || fmi2DeSerializeFMUstate(component, ptr::null(), 9, &mut ptr::null_mut()))
+            }),
+            ("SetDebugLogging", Box::new(move || fmi2SetDebugLogging(component, 1, 1, &ptr::null()))),
+        ]
+    };
+    for (name, call) in calls {
+        assert_eq!(call(), fmi2Error, "{name}");
+        let text = sentence(&unit);
+        assert!(text.starts_with(&format!("fmi2{name}: ")) && text.contains("null pointer"), "{text}");
+    }
+    assert_eq!(unit.state(), before);
+    unsafe {
+        assert_eq!(fmi2SetReal(component, ptr::null(), 0, ptr::null()), fmi2OK);
+        assert_eq!(fmi2FreeFMUstate(component, ptr::null_mut()), fmi2OK);
+        assert_eq!(fmi2DoStep(ptr::null_mut(), 0.0, 0.0, 0), fmi2Error);
+        assert_eq!(fmi2SetReal(ptr::null_mut(), ptr::null(), 0, ptr::null()), fmi2Error);
+        fmi2FreeInstance(ptr::null_mut());
+    }
+}
+
+#[test]
+fn instances_that_are_not_made() {
+    let functions = fmi2CallbackFunctions {
+        logger: None,
+        allocateMemory: None,
+        freeMemory: None,
+        stepFinished: None,
+        componentEnvironment: ptr::null_mut(),
+    };
+    let own = CString::new(guid()).unwrap();
+    let other = c"{00000000-0000-0000-0000-000000000000}";
+    let make = |name: *const c_char, kind, guid: *const c_char, functions| unsafe {
+        fmi2Instantiate(name, kind, guid, ptr::null(), functions, 0, 1)
+    };
+    assert!(make(c"a".as_ptr(), 1, other.as_ptr(), &functions).is_null(), "another guid");
+    assert!(make(c"a".as_ptr(), 1, ptr::null(), &functions).is_null(), "no guid");
+    assert!(make(c"a".as_ptr(), 0, own.as_ptr(), &functions).is_null(), "model exchange");
+    assert!(make(c"a".as_ptr(), 1, own.as_ptr(), ptr::null()).is_null(), "no functions");
+    let nameless = make(ptr::null(), 1, own.as_ptr(), &functions);
+    assert!(!nameless.is_null());
+    unsafe {
+        assert_eq!(fmi2DoStep(nameless, 0.0, 0.0, 0), fmi2Error, "without a logger too");
+        fmi2FreeInstance(nameless);
+    }
+}
+
+#[test]
+fn a_group_of_inputs_is_complete_or_off() {
+    let unit = Unit::flying(|_| ());
+    let needed =
+        [0, 1, 2, reference("truth.roll_rad"), reference("truth.pitch_rad"), reference("truth.heading_rad")];
+    for missing in 0..needed.len() {
+        let unit = Unit::flying(|_| ());
+        let others: Vec<u32> = (0..needed.len()).filter(|&at| at != missing).map(|at| needed[at]).collect();
+        assert_eq!(unit.set_reals(&others, &[0.1; 5]), fmi2OK);
+        assert_eq!(step(&unit, 0.0), fmi2Discard);
+        let name = &variables()[needed[missing] as usize].name;
+        assert!(sentence(&unit).contains(&format!("{name} is not connected")), "{name}");
+    }
+    assert_eq!(unit.set_reals(&needed, &[0.1; 6]), fmi2OK);
+    assert_eq!(step(&unit, 0.0), fmi2OK, "without velocity");
+    assert_eq!(unit.set_reals(&[reference("truth.velocity_up_m_s")], &[0.0]), fmi2OK);
+    assert_eq!(step(&unit, 0.01), fmi2Discard);
+    assert!(sentence(&unit).contains("truth.velocity_east_m_s is not connected: the velocity is incomplete"));
+}
+
+#[test]
+fn categories_of_messages() {
+    let unit = Unit::flying(|_| ());
+    let error = c"logStatusError".as_ptr();
+    let switch = |on, names: &[*const c_char]| unsafe {
+        fmi2SetDebugLogging(unit.component, on, names.len(), names.as_ptr())
+    };
+    assert_eq!(switch(0, &[error]), fmi2OK);
+    assert_eq!(step(&unit, 0.0), fmi2Discard);
+    assert!(unit.messages().is_empty(), "switched off");
+    assert_eq!(switch(1, &[error]), fmi2OK);
+    assert_eq!(step(&unit, 0.0), fmi2Discard);
+    assert_eq!(unit.messages()[0].1, "logStatusError");
+    assert_eq!(switch(1, &[c"logEvents".as_ptr()]), fmi2Error);
+    assert!(sentence(&unit).contains("logEvents"));
+
+    // A gap is a warning.
+    assert_eq!(unit.set_reals(&inputs(), &AT_REST), fmi2OK);
+    assert_eq!(step(&unit, 0.0), fmi2OK);
+    assert_eq!(step(&unit, 0.01), fmi2OK);
+    assert_eq!(step(&unit, 0.6), fmi2OK);
+    let (status, category, text) = unit.messages().remove(0);
+    assert_eq!((status, category.as_str()), (fmi2OK, "logStatusWarning"), "{text}");
+    assert_eq!(switch(0, &[]), fmi2OK);
+    assert_eq!(step(&unit, 1.2), fmi2OK);
+    assert!(unit.messages().is_empty(), "all off");
+}
+
+#[test]
+fn calls_out_of_place() {
+    let unit = Unit::new(None, true);
+    unsafe {
+        assert_eq!(fmi2DoStep(unit.component, 0.0, 0.01, 1), fmi2Error);
+        assert_eq!(fmi2ExitInitializationMode(unit.component), fmi2Error);
+        assert_eq!(fmi2Terminate(unit.component), fmi2Error);
+        assert_eq!(fmi2CancelStep(unit.component), fmi2Error);
+        assert_eq!(unit.messages().len(), 4);
+        assert_eq!(fmi2EnterInitializationMode(unit.component), fmi2OK);
+        assert_eq!(fmi2SetupExperiment(unit.component, 0, 0.0, 0.0, 0, 0.0), fmi2Error);
+        assert_eq!(fmi2ExitInitializationMode(unit.component), fmi2OK);
+        assert_eq!(fmi2Terminate(unit.component), fmi2OK);
+        assert_eq!(fmi2DoStep(unit.component, 0.0, 0.01, 1), fmi2Error);
+        assert_eq!(fmi2Reset(unit.component), fmi2OK);
+        assert_eq!(fmi2EnterInitializationMode(unit.component), fmi2OK);
+    }
+}
+
+/// The description's limits are those of the library: what is at them is accepted, what is beyond is refused.
+#[test]
+fn limits_of_sensor_parameters() {
+    let described = variables();
+    let of_gyro = described.iter().filter(|variable| {
+        ["gyro.", "accelerometer."].iter().any(|section| variable.name.starts_with(section))
+            && variable.element == "Real"
+    });
+    let mut tried = 0;
+    for variable in of_gyro {
+        let (low, high) = variable.limits.unwrap_or_else(|| panic!("{} has limits", variable.name));
+        // A process needs a correlation time and the other way round, and a diagonal is 0.
+        if variable.name.contains("markov") || variable.name.contains("misalignment") {
+            continue;
+        }
+        let unit = Unit::flying(|_| ());
+        for value in [high, low] {
+            assert_eq!(unit.set_reals(&[variable.reference], &[value]), fmi2OK, "{}: {value}", variable.name);
+        }
+        for value in [high + high.abs() * 1e-9, low - low.abs().max(1.0)] {
+            let status = unit.set_reals(&[variable.reference], &[value]);
+            assert_eq!(status, fmi2Discard, "{}: {value}", variable.name);
+        }
+        tried += 1;
+    }
+    assert!(tried > 100, "{tried}");
+}

@@ -1,7 +1,0 @@
-//! The Allan estimator: on records of known noises, and on what a simulator at rest measures.
-//!
-//! `cargo test --release --features long-tests --test allan -- --nocapture` prints the figures of the documentation.
-
-mod closure;
-mod estimator;
-mod noises;

@@ -1,0 +1,7 @@
+//! The Allan estimator: on records of known noises, and on what a simulator at rest measures.
+//!
+//! `cargo test --release --features long-tests --test analysis allan:: -- --nocapture` prints the figures of the documentation.
+
+mod closure;
+mod estimator;
+mod noises;

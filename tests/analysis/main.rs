@@ -1,0 +1,14 @@
+//! What the library says of a flight without single runs: recommendations, budgets, covariances, statistics.
+
+mod allan;
+#[path = "../support/mod.rs"]
+mod support;
+
+#[cfg(feature = "scenes")]
+mod covariance;
+#[cfg(feature = "scenes")]
+mod covariance_runs;
+mod error_budget;
+mod recommend;
+mod statistics;
+mod truth_summary;

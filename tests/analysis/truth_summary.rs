@@ -1,0 +1,164 @@
+//! The motion of the truth in figures: what it shows of a good host, and that a host's wrong units stand out in it.
+
+use nalgebra::Vector3;
+use sins::earth::Earth;
+use sins::sensors::paper_simulation2;
+use sins::state::BodyAxes;
+use sins::truth::{FlightSample, IntakeLimits, TruthSummary};
+use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::{patrol, resting_sample};
+
+const RATE_HZ: f64 = 50.0;
+
+/// Six minutes of the patrol with a turn, at 50 Hz.
+fn samples() -> Vec<FlightSample> {
+    let flight = patrol(1200.0);
+    (0..18_000).map(|k| flight.sample_at(200.0 + f64::from(k) / RATE_HZ).unwrap()).collect()
+}
+
+/// What a host makes of its samples, as far as the simulator takes it.
+fn summary(samples: &[FlightSample], change: impl Fn(&mut FlightSample)) -> TruthSummary {
+    let mut simulator = Simulator::new(&Options { truth_summary: true, ..Options::default() }).unwrap();
+    for sample in samples {
+        let mut sample = *sample;
+        change(&mut sample);
+        simulator.push_sample(&sample).unwrap();
+        simulator.step().unwrap();
+    }
+    simulator.truth_summary().unwrap().unwrap()
+}
+
+/// Of a coordinated turn all is known: rate by course, force by bank, neither sideslip nor angle of attack.
+#[test]
+fn a_good_flight_shows_its_own_figures() {
+    let samples = samples();
+    let good = summary(&samples, |_| ());
+    println!("{good:#?}");
+    assert_eq!((good.intervals, good.gaps, good.fast_samples), (17_999, 0, 18_000));
+    assert!((good.flown_s - 17_999.0 / RATE_HZ).abs() < 1e-6);
+    assert_eq!((good.first_s, good.last_s), (samples[0].time_s, samples[17_999].time_s));
+    let speed = |sample: &FlightSample| sample.v_n.unwrap().norm();
+    let fastest = samples.iter().map(speed).fold(0.0, f64::max);
+    // Turned to Earth-fixed axes: rounding.
+    assert!((good.speed_max.value - fastest).abs() < 1e-12 * fastest);
+    let heights =
+        |pick: fn(f64, f64) -> f64, start| samples.iter().map(|s| s.place.height_m).fold(start, pick);
+    assert_eq!(good.height_max.value, heights(f64::max, f64::MIN));
+    assert_eq!(good.height_min.value, heights(f64::min, f64::MAX));
+    // g / cos(bank) in the turn; the rest is curvature, Coriolis and the ramps of the bank.
+    let bank = samples.iter().map(|s| s.euler.roll.abs()).fold(0.0, f64::max);
+    assert!((good.force_max.value - 9.8 / bank.cos()).abs() < 0.2, "{}", good.force_max.value);
+    // The patrol's nose is on its path, but for 0.15° of the waves in course and climb that its angles leave out.
+    assert!(good.sideslip_max.value.abs() < 3e-3 && good.attack_max.value.abs() < 3e-3);
+    assert!(good.inconsistency_max.value < 1e-3 && good.rate_max.value < 0.5);
+    assert!((good.rate_max.value - good.turn_max.value * RATE_HZ).abs() < 1e-9);
+
+    // A log, without a simulator: the same. Half a flight in other axes and a reposition in between: the same again.
+    let limits = IntakeLimits::default();
+    let of_log =
+        TruthSummary::of_samples(&Earth::default(), BodyAxes::default(), limits, samples.iter().copied());
+    assert_eq!(of_log, Ok(good));
+    let axes = BodyAxes::ForwardRightDown;
+    let other = TruthSummary::of_samples(&Earth::default(), axes, limits, samples.iter().copied()).unwrap();
+    assert!((other.force_max.value - good.force_max.value).abs() < 1e-9);
+    let apart = (other.sideslip_max.value - good.sideslip_max.value)
+        .abs()
+        .max((other.attack_max.value - good.attack_max.value).abs());
+    assert!(apart < 1e-12, "{apart}");
+    let mut bad = samples[3];
+    bad.place.height_m = f64::NAN;
+    let refused = TruthSummary::of_samples(&Earth::default(), axes, limits, [samples[0], samples[1], bad]);
+    assert_eq!(refused.unwrap_err().0, 2);
+}
+
+/// What the wrong units of a host make of its own flight, each in the figure that tells it.
+#[test]
+fn wrong_units_stand_out() {
+    let samples = samples();
+    let good = summary(&samples, |_| ());
+
+    // Attitudes in degrees: each turns 57 times as fast, and the nose is anywhere.
+    let degrees = |sample: &mut FlightSample| {
+        let euler = &mut sample.euler;
+        (euler.roll, euler.pitch, euler.heading) =
+            (euler.roll.to_degrees(), euler.pitch.to_degrees(), euler.heading.to_degrees());
+    };
+    let of_degrees = summary(&samples, degrees);
+    assert!(of_degrees.rate_max.value > 20.0 * good.rate_max.value, "{of_degrees:#?}");
+    let nose = of_degrees.sideslip_max.value.abs().max(of_degrees.attack_max.value.abs());
+    assert!(nose > 1.0, "{of_degrees:#?}");
+
+    // Feet for metres: 3.28 times the height, and climbs that the velocity contradicts.
+    let of_feet = summary(&samples, |sample| sample.place.height_m /= 0.3048);
+    assert!((of_feet.height_max.value / good.height_max.value - 1.0 / 0.3048).abs() < 1e-12);
+
+    // Knots for m/s: 1.94 times the speed, and each interval's displacement is half of what it ought to be.
+    let knot = 1852.0 / 3600.0;
+    let of_knots = summary(&samples, |sample| sample.v_n = sample.v_n.map(|v_n| v_n / knot));
+    assert!((of_knots.speed_max.value / good.speed_max.value - 1.0 / knot).abs() < 1e-12);
+    let lost = good.speed_max.value * (1.0 / knot - 1.0) / RATE_HZ;
+    assert!((of_knots.inconsistency_max.value - lost).abs() < 0.02 * lost);
+
+    // East and north exchanged: the nose points elsewhere, and the way leads elsewhere.
+    let exchanged = |sample: &mut FlightSample| {
+        sample.v_n = sample.v_n.map(|v_n| Vector3::new(v_n.y, v_n.x, v_n.z));
+    };
+    let of_exchanged = summary(&samples, exchanged);
+    let nose = of_exchanged.sideslip_max.value.abs().max(of_exchanged.attack_max.value.abs());
+    assert!(nose > 1.0 && of_exchanged.inconsistency_max.value > 1.0, "{of_exchanged:#?}");
+}
+
+/// An option, off as it comes; repositions, moves and snapshots leave the figures, a reset clears them, and the rest of the
+/// simulator does not know of them.
+#[test]
+fn the_summary_goes_along_and_changes_nothing() {
+    let samples = samples();
+    let noise = paper_simulation2();
+    let new = |truth_summary: bool| {
+        let mut simulator =
+            Simulator::new(&Options { truth_summary, error_model: true, ..Options::default() }).unwrap();
+        simulator.set_gyro(&noise.0).unwrap();
+        simulator.set_accel(&noise.1).unwrap();
+        simulator
+    };
+    let (mut with, mut without) = (new(true), new(false));
+    assert_eq!(without.truth_summary().unwrap_err().kind, ErrorKind::BadState);
+    assert_eq!(with.truth_summary(), Ok(None));
+    for sample in &samples[..500] {
+        for simulator in [&mut with, &mut without] {
+            simulator.push_sample(sample).unwrap();
+            simulator.step().unwrap();
+        }
+        let read = |simulator: &Simulator| {
+            let errors = |source| simulator.errors(source).unwrap();
+            (
+                simulator.navigation(),
+                simulator.imu(),
+                errors(ErrorSource::Navigation),
+                errors(ErrorSource::Model),
+            )
+        };
+        assert_eq!(read(&with), read(&without));
+    }
+    let before = with.truth_summary().unwrap().unwrap();
+    assert_eq!(before.intervals, 499);
+    with.move_truth(&resting_sample(1e4)).unwrap();
+    with.move_time(5.0).unwrap();
+    with.reposition(&resting_sample(1e6)).unwrap();
+    assert_eq!(with.truth_summary(), Ok(Some(before)));
+    let mut bytes = vec![0; with.snapshot_size()];
+    with.save_snapshot(&mut bytes).unwrap();
+    let mut loaded = Simulator::new(&Options::default()).unwrap();
+    loaded.load_snapshot(&bytes).unwrap();
+    assert_eq!(loaded.truth_summary(), Ok(Some(before)));
+    for time_s in [1e6 + 1.0, 1e6 + 2.0] {
+        loaded.push_sample(&resting_sample(time_s)).unwrap();
+        loaded.step().unwrap();
+    }
+    let after = loaded.truth_summary().unwrap().unwrap();
+    assert_eq!((after.intervals, after.speed_max, after.interval_max.value), (501, before.speed_max, 1.0));
+    assert_eq!((after.first_s, after.last_s), (before.first_s, 1e6 + 2.0));
+    loaded.reset();
+    assert_eq!(loaded.truth_summary(), Ok(None));
+}

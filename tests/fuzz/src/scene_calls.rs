@@ -1,0 +1,260 @@
+//! Calls of the fuzzed host that make, change and fly a scene.
+
+use std::ptr::{null, null_mut, without_provenance_mut};
+
+use sins::abi::*;
+use sins::scene::BUILTIN_SCENES;
+
+use crate::call;
+use crate::host::{Host, init};
+use crate::input::Argument;
+use crate::settings::*;
+use crate::texts::{check_log, parse_scene, some_log, some_scene, text_of, written};
+
+/// A flight of more takes long to lay out: a host knows that by its duration.
+const LONG_S: f64 = 1e4;
+
+impl Host {
+    /// Another scene: of a text, built in, or the default.
+    pub fn make_scene(&mut self) {
+        let mut scene = null_mut();
+        match self.input.below(8) {
+            0 => assert_eq!(call!(sins_scene_create(&mut scene)), SINS_OK),
+            1 => {
+                let (name, _) = self.input.pick(BUILTIN_SCENES);
+                let name = std::ffi::CString::new(name).unwrap_or_default();
+                assert_eq!(call!(sins_scene_create_builtin(name.as_ptr(), &mut scene)), SINS_OK);
+                let status = call!(sins_scene_create_builtin(c"none".as_ptr(), &mut scene));
+                assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
+            }
+            _ => scene = parse_scene(&some_scene(&mut self.input)),
+        }
+        let old = std::mem::replace(&mut self.scene, scene);
+        let expected = if old.is_null() { SINS_ERROR_BAD_HANDLE } else { SINS_OK };
+        assert_eq!(call!(sins_scene_destroy(old)), expected);
+    }
+
+    pub fn log(&mut self) {
+        check_log(&some_log(&mut self.input));
+    }
+
+    /// A change that fails changes nothing; any scene that can be written can be read.
+    fn changing_scene(&mut self, change: impl FnOnce(*mut sins_scene) -> sins_status) {
+        let scene = self.scene;
+        let before = text_of(scene);
+        let status = change(scene);
+        let after = text_of(scene);
+        assert!(status == SINS_OK || before == after, "a call that failed changed a scene");
+        if let Some(after) = after {
+            let again = parse_scene(&after);
+            let is_same = text_of(again).as_ref() == Some(&after);
+            assert!(
+                is_same,
+                "a scene that was set reads back as another [{}]",
+                String::from_utf8_lossy(&after)
+            );
+            assert_eq!(call!(sins_scene_destroy(again)), SINS_OK);
+        }
+    }
+
+    fn setting_scene<T: Copy + std::fmt::Debug>(
+        &mut self,
+        value: T,
+        set: impl FnOnce(*mut sins_scene, *const T) -> sins_status,
+        get: impl FnOnce(*const sins_scene, *mut T) -> sins_status,
+    ) {
+        let mut argument = self.input.argument(value);
+        let pointer = argument.pointer::<T>().cast_const();
+        self.changing_scene(|scene| set(scene, pointer));
+        let mut output = Argument::of(&init::<T>());
+        get(self.scene, output.pointer());
+    }
+
+    pub fn change_scene(&mut self) {
+        let input = &mut self.input;
+        match input.below(13) {
+            12 => self.change_manoeuvres(),
+            0 => {
+                let options = some_options(input);
+                self.setting_scene(
+                    options,
+                    |scene, options| call!(sins_scene_set_options(scene, options)),
+                    |scene, options| call!(sins_scene_get_options(scene, options)),
+                );
+            }
+            1 => {
+                let gyro = some_gyro(input);
+                self.setting_scene(
+                    gyro,
+                    |scene, gyro| call!(sins_scene_set_gyro(scene, gyro)),
+                    |scene, gyro| call!(sins_scene_get_gyro(scene, gyro)),
+                );
+            }
+            2 => {
+                let accel = some_accel(input);
+                self.setting_scene(
+                    accel,
+                    |scene, accel| call!(sins_scene_set_accel(scene, accel)),
+                    |scene, accel| call!(sins_scene_get_accel(scene, accel)),
+                );
+            }
+            3 => {
+                let altimeter = some_altimeter(input);
+                self.setting_scene(
+                    altimeter,
+                    |scene, altimeter| call!(sins_scene_set_altimeter(scene, altimeter)),
+                    |scene, altimeter| call!(sins_scene_get_altimeter(scene, altimeter)),
+                );
+            }
+            4 => {
+                let errors = some_initial_errors(input);
+                self.setting_scene(
+                    errors,
+                    |scene, errors| call!(sins_scene_set_initial_errors(scene, errors)),
+                    |scene, errors| call!(sins_scene_get_initial_errors(scene, errors)),
+                );
+            }
+            5 => {
+                let mounting = some_mounting(input);
+                self.setting_scene(
+                    mounting,
+                    |scene, mounting| call!(sins_scene_set_mounting(scene, mounting)),
+                    |scene, mounting| call!(sins_scene_get_mounting(scene, mounting)),
+                );
+            }
+            6 => {
+                let gravity = some_gravity(input);
+                self.setting_scene(
+                    gravity,
+                    |scene, gravity| call!(sins_scene_set_gravity_disturbance(scene, gravity)),
+                    |scene, gravity| call!(sins_scene_get_gravity_disturbance(scene, gravity)),
+                );
+            }
+            7 => {
+                let setup = sins_scene_setup {
+                    has_temperature: i32::from(input.one_in(2)),
+                    quiet: i32::from(input.one_in(2)),
+                    duration_s: input.pick(&[0.0, 60.0, 1e-2, 3.6e8]),
+                    rate_hz: input.pick(&[100.0, 1e-3, 2e4, 50.0]),
+                    temperature_c: input.within((-273.15, 1000.0)),
+                    temperature_change_c_s: input.within((-1.0, 1.0)),
+                    every_s: input.pick(&[0.0, 1.0, 5e-5, 1e7]),
+                    ..init()
+                };
+                self.setting_scene(
+                    setup,
+                    |scene, setup| call!(sins_scene_set_setup(scene, setup)),
+                    |scene, setup| call!(sins_scene_get_setup(scene, setup)),
+                );
+            }
+            8 => self.change_text(),
+            9 => self.changing_scene(|scene| call!(sins_scene_clear_failures(scene))),
+            _ => self.plan_failure(),
+        }
+    }
+
+    fn change_manoeuvres(&mut self) {
+        let start = sins_flight_start {
+            latitude_rad: self.input.pick(&[0.7, 1.57, -1.2]),
+            speed_m_s: self.input.pick(&[200.0, 0.0, 8000.0]),
+            ..init()
+        };
+        let (start, manoeuvre) = (self.input.argument(start), some_manoeuvre(&mut self.input));
+        let (mut start, mut manoeuvre) = (start, self.input.argument(manoeuvre));
+        let repeat = self.input.pick(&[1, 1, 2, 4096, 4097, 0]);
+        let (from, list) = (start.pointer(), manoeuvre.pointer());
+        self.changing_scene(|scene| call!(sins_scene_set_manoeuvres(scene, from, list, 1, repeat)));
+        let (scene, mut count, mut again) = (self.scene, 0, 0);
+        let status =
+            call!(sins_scene_get_manoeuvres(scene, null_mut(), null_mut(), 0, &mut count, &mut again));
+        if status != SINS_OK || count == 0 {
+            return;
+        }
+        let mut start = init::<sins_flight_start>();
+        let mut list = vec![init::<sins_manoeuvre>(); count];
+        let places = list.as_mut_ptr();
+        let status =
+            call!(sins_scene_get_manoeuvres(scene, &mut start, places, count, &mut count, &mut again));
+        assert_eq!(status, SINS_OK);
+        // What is read is taken, and the same flight.
+        let before = text_of(scene);
+        let status = call!(sins_scene_set_manoeuvres(scene, &start, places, count, again));
+        assert_eq!(status, SINS_OK, "manoeuvres that were read are refused");
+        let is_builtin = before.as_ref().is_some_and(|text| text.windows(7).any(|part| part == b"builtin"));
+        assert!(is_builtin || text_of(scene) == before, "manoeuvres that were read are others");
+    }
+
+    fn change_text(&mut self) {
+        let which = self.input.below(8) as i32;
+        let text = self.input.pick(&[c"", c"patrol", c"a \"b\" \\ c", c"../x.csv", c"\xff", c"a\nb"]);
+        self.changing_scene(|scene| call!(sins_scene_set_text(scene, which, text.as_ptr())));
+        let scene = self.scene;
+        written(|buffer, capacity, needed| {
+            call!(sins_scene_get_text(scene, which, buffer, capacity, needed))
+        });
+    }
+
+    fn plan_failure(&mut self) {
+        let sensor = self.input.below(3) as i32;
+        let sins_failure { fields, .. } = some_failure(&mut self.input, sensor);
+        let failure = sins_planned_failure {
+            sensor,
+            axis: if sensor == SINS_SENSOR_ALTIMETER { 0 } else { self.input.below(3) as i32 },
+            from_s: self.input.within((0.0, 1e9)),
+            until_s: self.input.within((0.0, 1e9)),
+            fields,
+            ..init()
+        };
+        let mut argument = self.input.argument(failure);
+        let pointer = argument.pointer::<sins_planned_failure>().cast_const();
+        self.changing_scene(|scene| call!(sins_scene_add_failure(scene, pointer)));
+        let mut count = 0;
+        if call!(sins_scene_get_failure_count(self.scene, &mut count)) == SINS_OK {
+            for index in 0..=count {
+                let status = call!(sins_scene_get_failure(self.scene, index, &mut init()));
+                assert_eq!(status == SINS_OK, index < count);
+            }
+        }
+    }
+
+    /// Flies the scene for some samples.
+    pub fn fly_scene(&mut self) {
+        let (mut sim, mut flight, mut setup) = (null_mut(), null_mut(), init::<sins_scene_setup>());
+        if call!(sins_scene_get_setup(self.scene, &mut setup)) != SINS_OK
+            || call!(sins_scene_create_simulator(self.scene, &mut sim)) != SINS_OK
+        {
+            return;
+        }
+        if setup.flown_s <= LONG_S && call!(sins_scene_create_flight(self.scene, &mut flight)) == SINS_OK {
+            for k in 0..self.input.below(16) {
+                let mut sample = init();
+                let time_s = k as f64 / setup.rate_hz;
+                if call!(sins_flight_sample_at(flight, time_s, &mut sample)) != SINS_OK {
+                    break;
+                }
+                let status = call!(sins_scene_prepare(self.scene, sim, 0.0, &mut sample));
+                if status != SINS_OK || call!(sins_push_sample(sim, &sample)) < 0 {
+                    break;
+                }
+                call!(sins_step(sim));
+            }
+            assert_eq!(call!(sins_flight_destroy(flight)), SINS_OK);
+        }
+        assert_eq!(call!(sins_destroy(sim)), SINS_OK);
+    }
+
+    /// Handles that are none, and what needs none.
+    pub fn misuse_scene(&mut self) {
+        let scene = without_provenance_mut(self.input.word() as usize);
+        assert_eq!(call!(sins_scene_clear_failures(scene)), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_scene_destroy(self.sims[0].handle.cast())), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_log_destroy(self.scene.cast())), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_scene_parse(null(), 1, &mut null_mut())), SINS_ERROR_NULL_POINTER);
+        let index = self.input.below(16);
+        let name = written(|buffer, capacity, needed| {
+            call!(sins_scene_builtin_name(index, buffer, capacity, needed))
+        });
+        assert_eq!(name.is_some(), index < BUILTIN_SCENES.len());
+        written(|buffer, capacity, needed| call!(sins_scene_write_keys(buffer, capacity, needed)));
+    }
+}

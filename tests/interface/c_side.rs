@@ -1,0 +1,100 @@
+//! The C side, built and run: layout and call patterns.
+
+use sins::abi::{sins_accel_params, sins_gyro_params};
+use sins::sensors::{PARAMETERS, Sensor};
+
+use crate::support::c_programs::{
+    STRICT, c_compiler, compiler_of, cpp_compiler, library_folder, run_test_program, succeed,
+};
+use crate::support::project_file;
+
+/// Size and offsets of the structs of sensor parameters, for `layout.c`: numbers one behind the other, from the eighth byte on.
+fn sensor_layout() -> String {
+    let of = |name: &str, sensor: Sensor, size: usize| {
+        let stated = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();
+        let (mut offset, mut text) = (8, format!("SIZE({name}, {stated}, {size});\n"));
+        for (parameter, field) in PARAMETERS.iter().filter_map(|row| Some((row, row.of(sensor)?))) {
+            text += &format!("AT({name}, {}, {offset});\n", field.name());
+            offset += 8 * parameter.shape.count();
+        }
+        assert_eq!(offset, size, "{name}");
+        text
+    };
+    of("sins_gyro_params", Sensor::Gyro, size_of::<sins_gyro_params>())
+        + &of("sins_accel_params", Sensor::Accelerometer, size_of::<sins_accel_params>())
+}
+
+#[test]
+fn structs_are_laid_out_alike_under_every_packing_and_language() {
+    let folder = library_folder("layout");
+    std::fs::write(folder.join("sensor_layout.h"), sensor_layout()).unwrap();
+    for packing in ["-DNO_PACKING", "-fpack-struct=4", "-fpack-struct=1"] {
+        for (mut compiler, standard) in
+            [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
+        {
+            compiler.args(standard).arg(packing).args(STRICT).arg("-fsyntax-only").arg("-I").arg(&folder);
+            compiler.arg("-I").arg(project_file("include")).arg(project_file("tests/c/layout.c"));
+            succeed(&mut compiler);
+        }
+    }
+}
+
+#[test]
+fn the_header_alone_is_c90_and_cpp98() {
+    let header = project_file("include/sins.h");
+    succeed(c_compiler().args(["-x", "c", "-std=c90", "-fsyntax-only"]).args(STRICT).arg(&header));
+    succeed(cpp_compiler().args(["-x", "c++", "-std=c++98", "-fsyntax-only"]).args(STRICT).arg(&header));
+}
+
+#[test]
+fn the_table_of_functions_fits_their_declarations() {
+    for (mut compiler, standard) in
+        [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
+    {
+        compiler.args(standard).args(STRICT).arg("-fsyntax-only").arg("-I").arg(project_file("include"));
+        succeed(compiler.arg(project_file("tests/c/functions.c")));
+    }
+}
+
+/// What a host includes is free of warnings that a host may have made errors.
+#[test]
+fn the_headers_are_clean_under_the_warnings_of_strict_projects() {
+    let of_both =
+        ["-Wconversion", "-Wsign-conversion", "-Wundef", "-Wshadow", "-Wcast-qual", "-Wdouble-promotion"];
+    for standard in ["c99", "c11", "c++98", "c++11", "c++20"] {
+        let (mut compiler, language) = compiler_of(standard);
+        compiler
+            .args(["-x", language, &format!("-std={standard}"), "-fsyntax-only"])
+            .args(STRICT)
+            .args(of_both);
+        if language == "c++" {
+            compiler.arg("-Wold-style-cast");
+        }
+        succeed(compiler.arg("-I").arg(project_file("include")).arg(project_file("tests/c/strict.c")));
+    }
+}
+
+#[test]
+fn any_call_pattern_gives_the_same_bits() {
+    run_test_program("run");
+}
+
+#[test]
+fn a_snapshot_goes_on_to_the_same_bits_in_any_handle() {
+    run_test_program("snapshot");
+}
+
+#[test]
+fn runs_of_an_ensemble_are_the_simulators_of_their_numbers() {
+    run_test_program("ensemble");
+}
+
+#[test]
+fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
+    run_test_program("recommend");
+}
+
+#[test]
+fn a_budget_has_its_rows_and_a_refused_one_writes_nothing() {
+    run_test_program("budget");
+}

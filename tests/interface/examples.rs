@@ -1,0 +1,130 @@
+//! The examples: clean and the same as C and as C++, and the harness beside a program that flies the same another way.
+
+use std::process::{Command, Output};
+
+use crate::support::c_programs::{
+    C_AND_CPP, built_to, compiler_of, library_folder, prints_alike, shared_library, succeed,
+};
+use crate::support::project_file;
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+#[test]
+fn the_small_examples_run() {
+    let text = prints_alike("minimal", &["c_examples/minimal.c"], &C_AND_CPP, &[]);
+    // Schuler's loop holds a drift of 0.01 deg/h for an hour to about a mile.
+    assert!(text.contains(" m east, -1") && text.ends_with(" m north\n"), "{text}");
+
+    let text = prints_alike("recommend_example", &["c_examples/recommend.c"], &C_AND_CPP, &[]);
+    assert!(text.contains("meets 1 m an hour") && text.contains("flown for an hour: "), "{text}");
+
+    let text = prints_alike("budget_example", &["c_examples/budget.c"], &C_AND_CPP, &[]);
+    assert!(text.contains("can be left out") && text.contains("left out: "), "{text}");
+
+    let text = prints_alike("cpp_host", &["c_examples/cpp_host.cpp"], &C_AND_CPP[1..], &[]);
+    assert!(text.contains("line 3: flight.builtin = \"petrol\": no such flight; patrol?"), "{text}");
+    assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
+}
+
+#[test]
+fn the_example_of_the_readme_prints_what_it_says() {
+    let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
+    let (_, rest) = readme.split_once("```c\n").unwrap();
+    let (program, _) = rest.split_once("```").unwrap();
+    let source = library_folder("readme").join("readme.c");
+    std::fs::write(&source, program).unwrap();
+    let text = prints_alike("readme", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
+    assert!(program.contains(&format!("/* {} */", text.trim_end())), "{text}");
+}
+
+#[test]
+fn the_harness_flies_alike_as_c_and_as_cpp() {
+    for scene in ["c_examples/scenes/fighter.toml", "coning"] {
+        let path = project_file(scene);
+        let scene = if path.exists() { path.to_str().unwrap() } else { scene };
+        let text = prints_alike("harness_example", &["c_examples/harness.c"], &C_AND_CPP, &[scene]);
+        assert!(text.contains("error equations") && text.contains("closure, "), "{text}");
+    }
+}
+
+/// And by `tests/platforms.sh` and `tests/windows.sh`, with hosts of 32 bits and of x87 arithmetic.
+#[test]
+fn the_host_that_loads_the_library_flies_or_says_why_it_cannot() {
+    for standard in C_AND_CPP {
+        let (compiler, language) = compiler_of(standard);
+        let compiler = format!("{} -x {language} -std={standard}", compiler.get_program().display());
+        succeed(Command::new(project_file("tests/loading.sh")).arg(compiler).arg(shared_library()));
+    }
+}
+
+/// Position, velocity and misalignment at the end with all their digits, against the truth and by the error equations.
+type EndErrors = Vec<[String; 2]>;
+
+fn printed_end(output: &Output) -> EndErrors {
+    let lines = text(&output.stdout).lines();
+    let rows = lines.filter(|line| {
+        ["position m ", "velocity m/s ", "misalignment rad "].iter().any(|kind| line.starts_with(kind))
+    });
+    rows.map(|line| {
+        let mut fields = line.split_whitespace().rev().map(str::to_owned);
+        let model = fields.next().unwrap();
+        [fields.next().unwrap(), model]
+    })
+    .collect()
+}
+
+/// The same scene by the few lines that a host needs, with the log named by its own path.
+#[test]
+fn a_program_of_forty_lines_ends_with_the_same_errors() {
+    let folder = library_folder("fighter");
+    let scene = project_file("c_examples/scenes/fighter.toml");
+    let log = project_file("c_examples/flights/fighter_aerobatics.csv");
+    let [short, harness] =
+        [("tests/c/fighter.c", "fighter"), ("c_examples/harness.c", "harness")].map(|(source, name)| {
+            let program = built_to("c99", &[source], &folder, name);
+            succeed(Command::new(program).args([&scene, &log]))
+        });
+    let rows: Vec<Vec<&str>> = text(&short.stdout).lines().map(|line| line.split(' ').collect()).collect();
+    let found: Vec<&str> = (0..9).map(|k| rows[k % 3][k / 3]).collect();
+    assert_eq!(found, printed_end(&harness).iter().map(|[error, _]| error).collect::<Vec<_>>());
+}
+
+#[test]
+fn the_harness_names_every_fault_and_its_place() {
+    let folder = library_folder("harness_faults");
+    let harness = built_to("c99", &["c_examples/harness.c"], &folder, "harness");
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
+    let gap = "\n".repeat(8);
+    write(
+        "scene.toml",
+        &format!(
+            "[flight]\nbuiltin = \"rest\"\n{gap}[gyro]\nbais_deg_h = 1\n[accelerometer]\nscale_factor_ppm = 2e6\n"
+        ),
+    );
+    write("no_log.toml", "[flight]\nfile = \"none.csv\"\n");
+    write("gap.toml", "[flight]\nfile = \"gap.csv\"\n");
+    let columns = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n";
+    write("gap.csv", &format!("{columns}0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n9,0,0,0,0,0,0\n"));
+    write("bad.csv", &format!("{columns}0,0,0,0,0,0,0\n1,0,x,0,0,0,0\n"));
+    for (arguments, expected) in [
+        (&["petrol"][..], &["sins_scene_create_builtin: ", "SINS_ERROR_INVALID_ARGUMENT"][..]),
+        (&["none.toml"], &["none.toml: No such file"]),
+        (&["no_log.toml"], &["none.csv: No such file"]),
+        (&["patrol", "bad.csv"], &["bad.csv:3:3: ", "\"x\""]),
+        (&["gap.toml"], &["sins_push_sample: ", "SINS_ERROR_DISCONTINUITY", "at 9 s, line 4 of the log"]),
+    ] {
+        let output = Command::new(&harness).args(arguments).current_dir(&folder).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        for words in expected {
+            assert!(text(&output.stderr).contains(words), "{arguments:?}: {}", text(&output.stderr));
+        }
+    }
+    // All faults of a text at once, as the README shows them.
+    let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
+    let output = Command::new(&harness).arg("scene.toml").current_dir(&folder).output().unwrap();
+    assert_eq!((output.status.code(), text(&output.stderr).lines().count()), (Some(1), 2));
+    assert!(text(&output.stderr).lines().all(|line| readme.contains(line)), "{}", text(&output.stderr));
+    assert_eq!(Command::new(&harness).output().unwrap().status.code(), Some(2));
+}

@@ -1,0 +1,98 @@
+//! Flight logs: what is read, and what is wrong with a text.
+
+use nalgebra::Vector3;
+use sins::log::{FlightLog, LogError};
+
+const HEADER: &str = "time_s, latitude_deg,longitude_rad,height_m,roll_rad,pitch_rad,heading_deg";
+
+fn read(text: &str) -> FlightLog {
+    FlightLog::parse(text.as_bytes()).unwrap()
+}
+
+/// Line, column and sentence of the fault of a text.
+fn fault(text: &[u8]) -> (usize, usize, String) {
+    match FlightLog::parse(text) {
+        Err(LogError::Fault(fault)) => (fault.line, fault.column, fault.sentence),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_logs_of_the_examples_are_read() {
+    let log = read(include_str!("../../c_examples/flights/fighter_aerobatics.csv"));
+    assert_eq!((log.samples().len(), log.line(0), log.line(30_000)), (30_001, Some(4), Some(30_004)));
+    assert_eq!(log.duration_s(), 300.0);
+    assert!(log.title.starts_with("Fighter in aerobatics"));
+    assert_eq!(log.samples()[1].time_s, 0.01);
+    assert_eq!(log.samples()[1].v_n, Some(Vector3::new(263.712269080, -0.000306596, -0.018290609)));
+}
+
+#[test]
+fn degrees_comments_columns_of_others_and_line_ends() {
+    let text = format!(
+        "\u{feff}# a flight\r\n{HEADER},wind\r\n0,45,0.1,100,0,0,90,7\r\n\r\n# later\r\n1, 45,0.2,100,0,0,90,x\r\n"
+    );
+    let log = read(&text);
+    assert_eq!((log.samples().len(), log.line(1), log.title.as_str()), (2, Some(6), "a flight"));
+    assert_eq!(log.samples()[0].place.latitude_rad, 45.0 * (std::f64::consts::PI / 180.0));
+    assert_eq!((log.samples()[1].place.longitude_rad, log.samples()[1].v_n), (0.2, None));
+}
+
+#[test]
+fn triples_come_whole_and_a_temperature_alone() {
+    let text = format!(
+        "{HEADER},velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,temperature_c\n\
+         0,45,0,0,0,0,0,1,2,3,20\n1,45,0,0,0,0,0,1,2,3,21\n"
+    );
+    let samples = read(&text).samples().to_vec();
+    assert_eq!(samples[0].v_n, Some(Vector3::new(1.0, 2.0, 3.0)));
+    assert_eq!((samples[1].temperature_c, samples[1].f_b), (Some(21.0), None));
+    let (line, _, sentence) = fault(text.replace("velocity_up_m_s", "velocity_u_m_s").as_bytes());
+    assert_eq!((line, sentence.as_str()), (1, "missing columns: velocity_up_m_s (found velocity_u_m_s)"));
+}
+
+#[test]
+fn a_fault_has_its_line_its_column_and_a_sentence() {
+    let is = |text: &str, line: usize, column: usize, words: &str| {
+        let found = fault(text.as_bytes());
+        assert!(
+            (found.0, found.1) == (line, column) && found.2.contains(words),
+            "{found:?}, expected {words}"
+        );
+    };
+    is("", 1, 1, "no header");
+    is("# nothing\n", 1, 1, "no header");
+    is("time_s\n", 1, 1, "missing columns: latitude_rad or latitude_deg");
+    is(&format!("{HEADER},time_s\n"), 1, 8, "an earlier column");
+    is(&format!("{HEADER},latitude_rad\n"), 1, 8, "an earlier column");
+    let row = "0,45,0,0,0,0,0\n";
+    is(&format!("{HEADER}\n{row}"), 3, 1, "1 samples");
+    is(&format!("{HEADER}\n{row}{row}"), 3, 1, "not later");
+    is(&format!("{HEADER}\n{row}1,45,0,0,0,0\n"), 3, 7, "the line ends before heading_rad");
+    for number in ["north", "", "nan", "inf", "1e999", "0x10", "1_000"] {
+        is(&format!("{HEADER}\n{row}1,{number},0,0,0,0,0\n"), 3, 2, "expected a finite number");
+    }
+    // Decimal commas: every value is cut in two, and each half would be a number.
+    is(&format!("{HEADER}\n0,45,0,5,0,0,0,1,0\n"), 2, 8, "9 fields, and the header names 7 columns");
+    is(&format!("{HEADER}\n{row}1,45,0,0,0,0,0,\n"), 3, 8, "8 fields");
+    let (line, _, sentence) = fault(format!("{HEADER}\n{row}1,4\x005,0,0,0,0,0\n").as_bytes());
+    assert_eq!((line, sentence.as_str()), (3, "a zero byte: not a text"));
+    let mut bytes = format!("{HEADER}\n{row}1,45,0,0,0,0,").into_bytes();
+    bytes.push(0xff);
+    assert_eq!(fault(&bytes).2, "not UTF-8");
+}
+
+/// Each byte of a small log altered in turn to each of 30 others: an answer.
+#[test]
+fn altered_texts_have_an_answer() {
+    let text = format!("# t\n{HEADER}\n0,45,0.1,100,0,0,90\n1,45,0.2,100,0,0,90\n");
+    let mut read = 0;
+    for at in 0..text.len() {
+        for byte in b"\0\n\r\t \"',#;-+.0159eEnaxX_\\\xff\xc3\x80".iter() {
+            let mut bytes = text.clone().into_bytes();
+            bytes[at] = *byte;
+            read += usize::from(FlightLog::parse(&bytes).is_ok());
+        }
+    }
+    assert!(read > 100, "{read}");
+}

@@ -1,0 +1,159 @@
+//! The committed header, and its kind in other languages, are what the sources generate, and the shared library exports what it declares, no more.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::support::c_programs::shared_library;
+use crate::support::project_file;
+
+/// Paths of the files below a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+}
+
+#[test]
+fn committed_files_are_the_generated_ones() {
+    let folder = Path::new(env!("SINS_GENERATED"));
+    let generated = files(folder);
+    assert!(generated.contains(&folder.join("include/sins.h")), "{generated:?}");
+    for path in generated {
+        let name = path.strip_prefix(folder).unwrap().to_str().unwrap();
+        let committed = std::fs::read_to_string(project_file(name)).unwrap_or_default();
+        assert!(
+            std::fs::read_to_string(&path).unwrap() == committed,
+            "{name} is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo build"
+        );
+    }
+}
+
+/// Names that follow `SINS_CALL` in the header.
+fn declared() -> BTreeSet<String> {
+    let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
+    let after = header.split("SINS_CALL ").skip(1);
+    after
+        .filter_map(|text| text.split('(').next())
+        .filter(|name| name.starts_with("sins_"))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The words of the header outside of comments: names and numbers.
+fn words() -> BTreeSet<String> {
+    let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
+    let mut code = String::new();
+    for part in header.split("/*") {
+        code.push_str(part.split_once("*/").map_or(part, |(_, code)| code));
+    }
+    let is_of_word = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    code.split(|c| !is_of_word(c)).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}
+
+/// Ada, Fortran and Pascal do not tell A from a.
+#[test]
+fn no_two_names_differ_in_case_alone() {
+    let mut spellings = BTreeMap::<String, BTreeSet<String>>::new();
+    for word in words() {
+        spellings.entry(word.to_lowercase()).or_default().insert(word);
+    }
+    assert!(spellings.len() > 400);
+    spellings.retain(|_, spellings| spellings.len() > 1);
+    assert!(spellings.is_empty(), "{spellings:?}");
+}
+
+/// Ada's and Fortran's numbers of floating point have a point.
+#[test]
+fn a_number_with_an_exponent_has_a_point() {
+    let is_number = |word: &&String| word.starts_with(|c: char| c.is_ascii_digit());
+    let pointless: Vec<_> = words()
+        .iter()
+        .filter(is_number)
+        .filter(|word| word.contains('e') && !word.contains('.'))
+        .cloned()
+        .collect();
+    assert!(pointless.is_empty(), "{pointless:?}");
+}
+
+/// Each constant of whole numbers but those that a host asks for in `#if` or sizes an array with.
+#[test]
+fn constants_are_in_enumerations_and_something_names_each() {
+    let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
+    let whole = |line: &&str| {
+        line.split(' ').nth(2).is_some_and(|value| value.trim_matches(['(', ')']).parse::<i64>().is_ok())
+    };
+    let macros: Vec<&str> =
+        header.lines().filter(|line| line.starts_with("#define ")).filter(whole).collect();
+    let named = |line: &str| ["HEADER_ABI", "VERSION_", "MAX_SIZE"].iter().any(|part| line.contains(part));
+    assert!(macros.len() == 5 && macros.iter().all(|line| named(line)), "{macros:?}");
+
+    let enumerations = header.split("\nenum ").skip(1).map(|text| text.split(' ').next().unwrap());
+    let of_values = |name: &&str| !["sins_status_code", "sins_sizeof"].contains(name);
+    let enumerations: Vec<&str> = enumerations.filter(of_values).collect();
+    let is_named = |name: &str| {
+        let mention = format!("enum {name}");
+        let ends = |rest: &str| !rest.starts_with(|c: char| c == '_' || c.is_alphanumeric());
+        header.split(&mention).skip(1).filter(|rest| ends(rest) && !rest.starts_with(" {")).count() > 0
+    };
+    let silent: Vec<&&str> = enumerations.iter().filter(|name| !is_named(name)).collect();
+    assert!(enumerations.len() >= 20 && silent.is_empty(), "{silent:?}");
+}
+
+/// That each is told as it is declared is checked in `functions.c`.
+#[test]
+fn the_table_of_functions_has_each() {
+    let table = std::fs::read_to_string(project_file("include/sins_functions.h")).unwrap();
+    let rows = table.lines().filter_map(|line| line.trim().strip_prefix("X("));
+    let names: BTreeSet<String> = rows.map(|row| row.split(", ").nth(1).unwrap().to_owned()).collect();
+    assert_eq!(names, declared());
+}
+
+/// That they are true is checked where the library is compiled and in `layout.c`.
+#[test]
+fn the_size_of_each_struct_is_stated() {
+    let [header, layout] = ["include/sins.h", "tests/c/layout.c"]
+        .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
+    let structs: Vec<&str> =
+        header.lines().filter_map(|line| line.strip_prefix("typedef struct ")?.strip_suffix(" {")).collect();
+    assert!(structs.len() > 20);
+    for name in structs {
+        let constant = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();
+        assert!(header.contains(&format!("    {constant} = ")), "{name}");
+        // Those of the sensors come from their table: c_side.rs.
+        let is_of_table = ["sins_gyro_params", "sins_accel_params"].contains(&name);
+        assert!(is_of_table || layout.contains(&format!("SIZE({name}, {constant}, ")), "{name}");
+    }
+}
+
+#[test]
+fn exported_symbols_are_exactly_the_interface() {
+    let output = Command::new("nm").args(["-D", "--defined-only"]).arg(shared_library()).output().unwrap();
+    assert!(output.status.success());
+    let exported: BTreeSet<String> = String::from_utf8(output.stdout)
+        .unwrap()
+        .lines()
+        .filter_map(|line| line.split_whitespace().last().map(str::to_owned))
+        .collect();
+    let mut declared = declared();
+    assert!(declared.len() >= 27, "{declared:?}");
+    if cfg!(not(feature = "scenes")) {
+        declared.retain(|name| !name.starts_with("sins_scene_") && !name.starts_with("sins_log_"));
+    }
+    assert_eq!(exported, declared);
+}
+
+#[test]
+fn the_version_macros_are_the_packages_version() {
+    use sins::abi::{SINS_VERSION_MAJOR, SINS_VERSION_MINOR, SINS_VERSION_PATCH};
+    let version = format!("{SINS_VERSION_MAJOR}.{SINS_VERSION_MINOR}.{SINS_VERSION_PATCH}");
+    assert_eq!(version, env!("CARGO_PKG_VERSION"));
+}
+
+/// The same bits in every build and on every machine: whatever features the dependencies have, no crate of them calls the
+/// platform's logarithm.
+#[test]
+fn the_library_needs_no_mathematics_of_the_platform() {
+    let output = Command::new("readelf").arg("-d").arg(shared_library()).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("[libc.so") && !text.contains("[libm.so"), "{text}");
+}

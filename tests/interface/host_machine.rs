@@ -1,0 +1,149 @@
+//! What a host and its machine do to the library: programs in C, built and run. `tests/README.md` has the table.
+
+use crate::support::c_programs::{library_folder, run_test_program, succeed, test_program};
+use crate::support::project_file;
+
+#[test]
+fn misuse_of_every_function_is_answered() {
+    run_test_program("misuse");
+}
+
+#[test]
+fn struct_sizes_from_zero_to_twice_are_answered() {
+    run_test_program("struct_sizes");
+}
+
+#[test]
+fn sentences_name_field_value_and_limit() {
+    run_test_program("sentences");
+}
+
+/// How the header writes an argument that is a handle.
+const HANDLES: [&str; 5] =
+    ["sins_sim *sim", "sins_flight *flight", "sins_scene *scene", "sins_log *log", "sins_ensemble *ensemble"];
+
+/// What a later function or struct must not forget.
+#[test]
+fn every_function_and_struct_is_in_the_programs() {
+    let [header, wrapper, calls, nulls, sizes, states, scene, stack] = [
+        "include/sins.h",
+        "include/sins.hpp",
+        "tests/c/every_call.h",
+        "tests/c/misuse.c",
+        "tests/c/struct_sizes.c",
+        "tests/c/float_environment.c",
+        "tests/c/scene.h",
+        "tests/c/stack.c",
+    ]
+    .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
+    let fuzzed: Vec<String> = std::fs::read_dir(project_file("tests/fuzz/src"))
+        .unwrap()
+        .map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap())
+        .collect();
+    let mut missing = Vec::new();
+    for prototype in header.split("SINS_CALL ").skip(1).filter(|text| text.starts_with("sins_")) {
+        let (name, rest) = prototype.split_once('(').unwrap();
+        let arguments: Vec<&str> = rest.split_once(");").unwrap().0.split(',').map(str::trim).collect();
+        let is_handle = |argument: &str| HANDLES.iter().any(|handle| argument.ends_with(handle));
+        let of_handle = is_handle(arguments[0]);
+        let answers_otherwise = name.ends_with("destroy") || name.starts_with("sins_last_error");
+        if of_handle && !answers_otherwise && !calls.contains(&format!("EVERY_CALL({name}(")) {
+            missing.push(format!("{name} in every_call.h"));
+        }
+        if ![&states, &scene, &calls].iter().any(|program| program.contains(&format!("{name}("))) {
+            missing.push(format!("{name} in float_environment.c"));
+        }
+        // Called, or handed on.
+        if ![format!("{name}("), format!("({name})")].iter().any(|use_of_it| wrapper.contains(use_of_it)) {
+            missing.push(format!("{name} in sins.hpp"));
+        }
+        if !stack.contains(&format!("{name}(")) {
+            missing.push(format!("{name} in stack.c"));
+        }
+        if !fuzzed.iter().any(|source| source.contains(&format!("{name}("))) {
+            missing.push(format!("{name} in the fuzz target calls"));
+        }
+        let may_be_null: &[&str] = match name {
+            "sins_create" => &["*options"],
+            "sins_recommend" => &["*configured"],
+            "sins_error_budget" => &["*configured", "*request", "*written", "*budget"],
+            "sins_scene_get_manoeuvres" => &["*start", "*repeat"],
+            "sins_log_parse" => &["*fault"],
+            // Null is no handle.
+            "sins_ensemble_create" => &["*configured"],
+            "sins_ensemble_get_runs" => &["*first_run", "*runs"],
+            "sins_log_get_sample" => &["*line"],
+            _ => &["*written", "*needed"],
+        };
+        let may_not = |argument: &&&str| {
+            argument.contains('*')
+                && !is_handle(argument)
+                && !may_be_null.iter().any(|pointer| argument.ends_with(pointer))
+        };
+        let pointers = arguments.iter().filter(may_not).count();
+        let null = |line: &str| line.contains(&format!("{name}(")) && line.contains("NULL");
+        let tried = nulls.lines().filter(|line| null(line) && line.contains("NULL_POINTER")).count();
+        if tried < pointers {
+            missing.push(format!("{name} with null for {pointers} pointers in misuse.c"));
+        }
+    }
+    for definition in header.split("typedef struct ").skip(1) {
+        let (name, body) = definition.split_once(' ').unwrap();
+        let is_sized = body.trim_start_matches(['{', '\n', ' ']).starts_with("/* sizeof(");
+        let is_tried =
+            ["_SIZES(", "_PARAMS, ", "_SAMPLE, "].iter().any(|b| sizes.contains(&format!("{b}{name}, ")));
+        if is_sized && !is_tried {
+            missing.push(format!("{name} in struct_sizes.c"));
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+#[test]
+fn a_handle_destroyed_under_its_users_is_gone_for_all() {
+    run_test_program("destroyed");
+}
+
+#[test]
+fn threads_are_serialised_by_handle() {
+    run_test_program("threads");
+}
+
+#[test]
+fn a_handle_that_its_own_thread_is_inside_is_answered() {
+    run_test_program("reentry");
+}
+
+/// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
+#[test]
+fn digests_of_five_flights_are_the_pinned_ones() {
+    run_test_program("digests");
+}
+
+#[test]
+fn the_hosts_floating_point_state_does_not_matter_and_is_kept() {
+    run_test_program("float_environment");
+}
+
+#[test]
+fn a_real_time_frame_makes_no_allocation_and_no_system_call() {
+    run_test_program("real_time");
+}
+
+#[test]
+fn the_library_comes_and_goes_and_two_copies_of_it_are_strangers() {
+    let folder = library_folder("unload");
+    let copies = ["libsins.so", "second.so"].map(|name| folder.join(name));
+    std::fs::copy(&copies[0], &copies[1]).unwrap();
+    succeed(test_program("unload", &folder).args(copies));
+}
+
+#[test]
+fn every_call_fits_on_a_small_stack() {
+    run_test_program("stack");
+}
+
+#[test]
+fn memory_that_runs_out_is_told() {
+    run_test_program("out_of_memory");
+}

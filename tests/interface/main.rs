@@ -1,0 +1,22 @@
+//! What a host calls and writes: the C functions, the header, the examples, scenes and flight logs.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+#[cfg(feature = "scenes")]
+mod c_side;
+#[cfg(feature = "scenes")]
+mod examples;
+#[cfg(feature = "scenes")]
+mod faulty_texts;
+#[cfg(feature = "scenes")]
+mod flight_log;
+mod header;
+#[cfg(feature = "scenes")]
+mod host_machine;
+#[cfg(feature = "scenes")]
+mod scene_functions;
+#[cfg(feature = "scenes")]
+mod scene_settings;
+#[cfg(feature = "scenes")]
+mod scene_text;

@@ -1,0 +1,239 @@
+//! Scenes and flight logs through their C functions: read, flown, changed, written.
+
+use std::ffi::{CStr, CString, c_char};
+use std::fs;
+use std::path::Path;
+use std::ptr::{null_mut, with_exposed_provenance_mut};
+
+use sins::abi::*;
+
+use crate::support::init;
+
+fn file(name: &str) -> Vec<u8> {
+    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples").join(name)).unwrap()
+}
+
+fn parsed(text: &[u8]) -> (sins_status, *mut sins_scene) {
+    let mut scene = null_mut();
+    // SAFETY: a text with its size, and a place for a handle.
+    (unsafe { sins_scene_parse(text.as_ptr().cast(), text.len(), &mut scene) }, scene)
+}
+
+/// The text that a function writes into a buffer.
+fn text_of(write: impl Fn(*mut c_char, usize, *mut usize) -> sins_status) -> String {
+    let mut needed = 0;
+    assert_eq!(write(null_mut(), 0, &mut needed), SINS_OK);
+    let mut buffer = vec![0_u8; needed];
+    assert_eq!(write(buffer.as_mut_ptr().cast(), needed, &mut needed), SINS_OK);
+    CStr::from_bytes_with_nul(&buffer).unwrap().to_str().unwrap().to_owned()
+}
+
+/// Flies `count` samples of a scene and gives the last record, as bits.
+fn flown(
+    scene: *mut sins_scene,
+    count: usize,
+    mut sample_of: impl FnMut(usize, *mut sins_flight_sample),
+) -> Vec<u64> {
+    let mut sim = null_mut();
+    let (mut sample, mut record, mut start_s) = (init::<sins_flight_sample>(), init::<sins_record>(), 0.0);
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create_simulator(scene, &mut sim), SINS_OK);
+        for k in 0..count {
+            sample_of(k, &mut sample);
+            start_s = if k == 0 { sample.time_s } else { start_s };
+            assert_eq!(sins_scene_prepare(scene, sim, start_s, &mut sample), SINS_OK);
+            assert_eq!(sins_push_sample(sim, &sample), SINS_OK);
+            assert!(sins_step(sim) >= SINS_OK);
+        }
+        assert_eq!(sins_get_record(sim, &mut record), SINS_OK);
+        assert_eq!(sins_destroy(sim), SINS_OK);
+        (0..size_of::<sins_record>() / 8)
+            .map(|k| core::ptr::from_ref(&record).cast::<u64>().add(k).read())
+            .collect()
+    }
+}
+
+/// Flies the first 120 s of the scene of a text.
+fn flown_text(text: &[u8]) -> Vec<u64> {
+    let (status, scene) = parsed(text);
+    assert_eq!(status, SINS_OK);
+    let mut setup = init::<sins_scene_setup>();
+    let mut flight = null_mut();
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
+        assert_eq!(sins_scene_create_flight(scene, &mut flight), SINS_OK);
+        let period_s = 1.0 / setup.rate_hz;
+        let record = flown(scene, (120.0 / period_s) as usize, |k, sample| {
+            assert_eq!(sins_flight_sample_at(flight, k as f64 * period_s, sample), SINS_OK);
+        });
+        assert_eq!(sins_flight_destroy(flight), SINS_OK);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+        record
+    }
+}
+
+#[test]
+fn a_scene_that_was_written_flies_to_the_same_bits() {
+    for name in ["scenes/drone.toml", "scenes/trainer.toml"] {
+        let text = file(name);
+        let (_, scene) = parsed(&text);
+        // SAFETY: a living handle and a buffer with its size.
+        let written =
+            text_of(|buffer, size, needed| unsafe { sins_scene_write(scene, buffer, size, needed) });
+        assert_eq!(flown_text(&text), flown_text(written.as_bytes()), "{name}");
+        // SAFETY: a living handle.
+        assert_eq!(unsafe { sins_scene_destroy(scene) }, SINS_OK);
+    }
+}
+
+#[test]
+fn a_log_flies_with_its_scene() {
+    let (status, scene) = parsed(&file("scenes/fighter.toml"));
+    assert_eq!(status, SINS_OK);
+    let text = file("flights/fighter_aerobatics.csv");
+    let (mut log, mut info) = (null_mut(), init::<sins_log_info>());
+    // SAFETY: living handles, structs of the interface, a text with its size.
+    unsafe {
+        let name = text_of(|buffer, size, needed| {
+            sins_scene_get_text(scene, SINS_SCENE_TEXT_LOG, buffer, size, needed)
+        });
+        assert_eq!(name, "../flights/fighter_aerobatics.csv");
+        assert_eq!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut log, null_mut()), SINS_OK);
+        assert_eq!(sins_log_get_info(log, &mut info), SINS_OK);
+        assert_eq!((info.samples, info.duration_s), (30_001, 300.0));
+        let mut line = 0;
+        let record = flown(scene, 3_001, |k, sample| {
+            assert_eq!(sins_log_get_sample(log, k, sample, &mut line), SINS_OK);
+        });
+        // The time of the record is behind its size; the sensors of the scene err.
+        assert_eq!((f64::from_bits(record[1]), line), (30.0, 3_004));
+        assert_eq!(sins_log_get_sample(log, 30_001, &mut init(), &mut line), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_log_destroy(log), SINS_OK);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn a_text_with_faults_makes_a_handle_for_these_alone() {
+    let (status, scene) = parsed(b"[flight]\nbuiltin = \"rest\"\n[gyro]\nbais_deg_h = 1\nrange_deg_s = -1\n");
+    assert_eq!(status, SINS_SCENE_HAS_FAULTS);
+    let (mut fault, mut sim) = (init::<sins_fault>(), null_mut());
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_get_fault(scene, 1, &mut fault), SINS_OK);
+        assert_eq!((fault.count, fault.line, fault.column), (2, 5, 1));
+        let sentence = CStr::from_ptr(fault.sentence.as_ptr()).to_str().unwrap();
+        assert!(sentence.starts_with("gyro.range_deg_s[0] = -1: must be 0 for none, or from"), "{sentence}");
+        assert_eq!(sins_scene_get_fault(scene, 2, &mut fault), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_scene_create_simulator(scene, &mut sim), SINS_ERROR_BAD_STATE);
+        assert_eq!(sins_scene_get_gyro(scene, &mut init()), SINS_ERROR_BAD_STATE);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+        assert_eq!(sins_scene_destroy(scene), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(sins_scene_destroy(with_exposed_provenance_mut(3)), SINS_ERROR_BAD_HANDLE);
+    }
+}
+
+#[test]
+fn what_is_set_is_given_back_and_a_bad_value_changes_nothing() {
+    let name = CString::new("patrol").unwrap();
+    let mut scene = null_mut();
+    // SAFETY: living handles, terminated texts, structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create_builtin(name.as_ptr(), &mut scene), SINS_OK);
+        let (mut gyro, mut read) = (init::<sins_gyro_params>(), init::<sins_gyro_params>());
+        gyro.bias_rad_s = [1e-6, 2e-6, 3e-6];
+        assert_eq!(sins_scene_set_gyro(scene, &gyro), SINS_OK);
+        gyro.bias_rad_s[1] = 1e9;
+        assert_eq!(sins_scene_set_gyro(scene, &gyro), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_scene_get_gyro(scene, &mut read), SINS_OK);
+        assert_eq!(read.bias_rad_s, [1e-6, 2e-6, 3e-6]);
+        let (mut setup, mut again) = (init::<sins_scene_setup>(), init::<sins_scene_setup>());
+        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
+        assert_eq!(
+            (setup.flight, setup.flown_s, setup.rate_hz),
+            (SINS_SCENE_FLIGHT_MANOEUVRES, 3600.0, 100.0)
+        );
+        setup.duration_s = 1e9;
+        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
+        setup.duration_s = 1e6;
+        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_OK, "another flight may be set");
+        let status = sins_scene_write(scene, null_mut(), 0, &mut 0);
+        assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT, "longer than its flight");
+        setup.duration_s = 60.0;
+        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_OK);
+        assert_eq!(sins_scene_get_setup(scene, &mut again), SINS_OK);
+        assert_eq!((again.duration_s, again.flown_s), (60.0, 60.0));
+        let mut failure = init::<sins_planned_failure>();
+        (failure.fields.kind, failure.from_s, failure.until_s) = (SINS_FAILURE_DEAD, 10.0, 20.0);
+        assert_eq!(sins_scene_add_failure(scene, &failure), SINS_OK);
+        (failure.from_s, failure.until_s) = (19.0, 30.0);
+        assert_eq!(sins_scene_add_failure(scene, &failure), SINS_ERROR_INVALID_ARGUMENT, "they overlap");
+        let mut count = 0;
+        assert_eq!(sins_scene_get_failure_count(scene, &mut count), SINS_OK);
+        assert_eq!(sins_scene_get_failure(scene, 0, &mut failure), SINS_OK);
+        assert_eq!((count, failure.from_s, failure.until_s), (1, 10.0, 20.0));
+        assert_eq!(sins_scene_clear_failures(scene), SINS_OK);
+        assert_eq!(sins_scene_get_failure(scene, 0, &mut failure), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn prepare_rejects_what_no_push_takes_and_changes_nothing() {
+    let text =
+        b"[flight]\nbuiltin = \"rest\"\n[[failure]]\nsensor = \"altimeter\"\nkind = \"dead\"\nfrom_s = 0\n";
+    let (status, scene) = parsed(text);
+    assert_eq!(status, SINS_OK);
+    let (mut sim, mut failure) = (null_mut(), init::<sins_failure>());
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create_simulator(scene, &mut sim), SINS_OK);
+        let mut sample = init::<sins_flight_sample>();
+        for time_s in [0.0, 0.01] {
+            sample.time_s = time_s;
+            assert_eq!(sins_scene_prepare(scene, sim, 0.0, &mut sample), SINS_OK);
+            assert_eq!(sins_push_sample(sim, &sample), SINS_OK);
+        }
+        let cases =
+            [(f64::NAN, 0.02, 0.0), (f64::INFINITY, 0.02, 0.0), (0.0, f64::NAN, 0.0), (0.0, 0.02, 2.0)];
+        for (start_s, time_s, latitude_rad) in cases {
+            (sample.time_s, sample.latitude_rad) = (time_s, latitude_rad);
+            assert_eq!(sins_scene_prepare(scene, sim, start_s, &mut sample), SINS_ERROR_INVALID_ARGUMENT);
+            assert_eq!(sins_get_failure(sim, SINS_SENSOR_ALTIMETER, 0, &mut failure), SINS_OK);
+            assert_eq!(failure.fields.kind, SINS_FAILURE_DEAD);
+        }
+        assert_eq!(sins_destroy(sim), SINS_OK);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn a_temperature_that_is_not_used_is_named() {
+    let (mut scene, mut setup, mut info) =
+        (null_mut(), init::<sins_scene_setup>(), init::<sins_error_info>());
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
+        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
+        setup.temperature_change_c_s = 1.0;
+        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_last_error_info(null_mut(), &mut info), SINS_OK);
+        assert_eq!(CStr::from_ptr(info.field.as_ptr()).to_str(), Ok("setup.temperature_change_c_s"));
+        assert_eq!(info.value, 1.0);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn an_enumeration_is_named_by_its_type() {
+    let (mut sim, mut options) = (null_mut(), init::<sins_options>());
+    options.truth_summary = 2;
+    // SAFETY: options that state their size, and a place for a handle.
+    let text = unsafe {
+        assert_eq!(sins_create(&options, &mut sim), SINS_ERROR_INVALID_ARGUMENT);
+        text_of(|buffer, capacity, needed| sins_last_error(null_mut(), buffer, capacity, needed))
+    };
+    assert_eq!(text, "options.truth_summary = 2: must be of enum sins_summary, 0 to 1");
+}

@@ -1,0 +1,354 @@
+//! Each field of each struct that comes in from C, as a number that is none: refused, and the outputs are the same to the bit.
+
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::ptr::{null, null_mut};
+
+use sins::abi::*;
+
+use crate::support;
+
+/// A struct as the 8-byte words that it is made of: the size and flags, then numbers or pairs of integers.
+struct Words(Vec<u64>);
+
+impl Words {
+    /// All zero but for size and flags.
+    fn new<T>(flags: u32) -> Self {
+        let mut words = vec![0; size_of::<T>() / 8];
+        words[0] = size_of::<T>() as u64 | u64::from(flags) << 32;
+        Self(words)
+    }
+
+    fn with(mut self, word: usize, value: f64) -> Self {
+        self.0[word] = value.to_bits();
+        self
+    }
+
+    /// Two integers in a word.
+    fn with_pair(mut self, word: usize, low: u32, high: u32) -> Self {
+        self.0[word] = u64::from(low) | u64::from(high) << 32;
+        self
+    }
+
+    fn pointer<T>(&self) -> *const T {
+        assert_eq!(self.0.len() * 8, size_of::<T>());
+        self.0.as_ptr().cast()
+    }
+}
+
+/// An output struct, all zero.
+fn output<T>() -> Words {
+    Words::new::<T>(0)
+}
+
+/// All that can be read of a simulator, as bits.
+fn outputs(sim: *mut sins_sim) -> Vec<u64> {
+    let mut all = Vec::new();
+    let mut read = |mut words: Words, get: &dyn Fn(*mut u64) -> sins_status| {
+        let status = get(words.0.as_mut_ptr());
+        all.push(status as u64);
+        all.extend(words.0);
+    };
+    // SAFETY: each buffer has the size of its struct, and says so.
+    unsafe {
+        read(output::<sins_navigation>(), &|to| sins_get_truth(sim, to.cast()));
+        read(output::<sins_navigation>(), &|to| sins_get_navigation(sim, to.cast()));
+        read(output::<sins_imu>(), &|to| sins_get_imu(sim, to.cast()));
+        read(output::<sins_errors>(), &|to| sins_get_errors(sim, SINS_ERRORS_NAVIGATION, to.cast()));
+        read(output::<sins_accuracy>(), &|to| sins_get_accuracy(sim, to.cast()));
+        read(output::<sins_options>(), &|to| sins_get_options(sim, to.cast()));
+    }
+    all
+}
+
+/// The sentence of the last failure is made of what the struct says.
+fn sentence_and_struct_agree(sim: *const sins_sim) {
+    let mut info = output::<sins_error_info>();
+    let mut text = [0_u8; 512];
+    // SAFETY: a struct and a buffer of their sizes; a handle of this test.
+    let info = unsafe {
+        assert_eq!(sins_last_error_info(sim, info.0.as_mut_ptr().cast()), SINS_OK);
+        assert_eq!(sins_last_error(sim, text.as_mut_ptr().cast(), text.len(), null_mut()), SINS_OK);
+        *info.pointer::<sins_error_info>()
+    };
+    let text_of =
+        |bytes: &[u8]| std::ffi::CStr::from_bytes_until_nul(bytes).unwrap().to_str().unwrap().to_owned();
+    let (sentence, field) = (text_of(&text), text_of(&info.field.map(|byte| byte as u8)));
+    let has = |flag: sins_error_info_flags| info.flags & flag != 0;
+    assert!(info.status == SINS_ERROR_INVALID_ARGUMENT && !field.is_empty(), "{sentence}");
+    let number = |value: f64| match has(SINS_ERROR_INFO_INTEGER) {
+        true => format!("{value}"),
+        false => sins::Value::Real(value).to_string(),
+    };
+    let index = if info.index < 0 { String::new() } else { format!("[{}]", info.index) };
+    let (place, rest) = sentence.split_once(": ").unwrap();
+    if has(SINS_ERROR_INFO_VALUE) {
+        let (place, value) = place.split_once(" = ").unwrap();
+        let digits: f64 = value.parse().unwrap();
+        assert_eq!(place, format!("{field}{index}"), "{sentence}");
+        assert!(digits == info.value || digits.is_nan() && info.value.is_nan(), "{sentence}: {}", info.value);
+        assert!(!(value.contains(['.', 'e', 'N', 'f']) && has(SINS_ERROR_INFO_INTEGER)), "{sentence}");
+    } else {
+        assert_eq!(place, format!("{field}{index}"), "{sentence}");
+    }
+    let limits = match (has(SINS_ERROR_INFO_MINIMUM), has(SINS_ERROR_INFO_MAXIMUM)) {
+        (true, true) if info.minimum == info.maximum => number(info.minimum),
+        (true, true) => format!("{} to {}", number(info.minimum), number(info.maximum)),
+        (true, false) => number(info.minimum),
+        (false, true) => number(info.maximum),
+        (false, false) => String::new(),
+    };
+    assert!(rest.contains(&limits), "{sentence}: not {limits}");
+    assert_eq!(info.sample >= 0, sentence.contains(" (samples["), "{sentence}");
+}
+
+/// The structs that were tried, and how many bad values were refused.
+#[derive(Default)]
+struct Tried {
+    structs: BTreeSet<String>,
+    refused: usize,
+}
+
+impl Tried {
+    /// Puts no number, infinity and the largest numbers into each word of `good`, a `T`, but the first and those `free` to hold
+    /// anything: refused, and `read` gives the same. The simulator `remembers` why, or if it is null the thread.
+    fn each_word<T>(
+        &mut self,
+        good: &Words,
+        free: &[usize],
+        read: &dyn Fn() -> Vec<u64>,
+        remembers: *const sins_sim,
+        call: &dyn Fn(*const T) -> sins_status,
+    ) {
+        let name = std::any::type_name::<T>().rsplit("::").next().unwrap();
+        let before = read();
+        for word in (1..good.0.len()).filter(|word| !free.contains(word)) {
+            for value in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN] {
+                let bad = Words(good.0.clone()).with(word, value);
+                assert_eq!(
+                    call(bad.pointer()),
+                    SINS_ERROR_INVALID_ARGUMENT,
+                    "{name}, word {word} = {value}, of {:x?}",
+                    good.0
+                );
+                sentence_and_struct_agree(remembers);
+                self.refused += 1;
+            }
+        }
+        assert_eq!(read(), before, "{name}");
+        assert_eq!(call(good.pointer()), SINS_OK, "{name}: it was nothing else");
+        self.structs.insert(name.to_owned());
+    }
+}
+
+fn created() -> *mut sins_sim {
+    let mut sim = null_mut();
+    // SAFETY: a place for the handle; no options.
+    assert_eq!(unsafe { sins_create(null(), &mut sim) }, SINS_OK);
+    sim
+}
+
+/// Words of a sample: time, latitude, longitude, height, velocity, roll, pitch, heading, rate, force, temperature.
+fn sample(time_s: f64) -> Words {
+    let flags = SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_TEMPERATURE;
+    Words::new::<sins_flight_sample>(flags).with(1, time_s).with(2, 0.7).with(16, 9.8)
+}
+
+/// What sets a simulator up, moves it and makes it fail.
+fn simulators(tried: &mut Tried) {
+    let sim = created();
+    let read = || outputs(sim);
+    // SAFETY: of all calls: words are as many as the struct has, handles are of this test.
+    unsafe {
+        for k in 0..3 {
+            assert_eq!(sins_push_sample(sim, sample(f64::from(k)).pointer()), SINS_OK);
+            sins_step(sim);
+        }
+        tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_push_sample(sim, words));
+        let good = Words::new::<sins_gyro_params>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_gyro(sim, words));
+        let good = Words::new::<sins_accel_params>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_accel(sim, words));
+        let good = Words::new::<sins_altimeter_params>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_altimeter(sim, words));
+        // Kind, then size, density, interval, duration, probability.
+        let failure = |kind: i32| Words::new::<sins_failure>(0).with_pair(1, kind as u32, 0);
+        for good in [
+            failure(SINS_FAILURE_STUCK),
+            failure(SINS_FAILURE_DEAD),
+            failure(SINS_FAILURE_BIAS_STEP).with(2, 1e-3),
+            failure(SINS_FAILURE_SPIKES).with(2, 1e-3).with(4, 1.0).with(5, 0.1),
+            failure(SINS_FAILURE_NOISE).with(3, 1e-3),
+            failure(SINS_FAILURE_DROP_OUTS).with(4, 1.0),
+            failure(SINS_FAILURE_DROP_OUTS).with(6, 0.5),
+            failure(SINS_FAILURE_NONE),
+        ] {
+            tried.each_word(&good, &[], &read, sim, &|words| {
+                sins_set_failure(sim, SINS_SENSOR_GYRO, 1, words)
+            });
+        }
+        tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_move_truth(sim, words));
+        tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_reposition(sim, words));
+        let good = Words::new::<sins_initial_errors>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_initial_errors(sim, words));
+        sins_reset(sim);
+        let good = Words::new::<sins_mounting>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_mounting(sim, words));
+        let good = Words::new::<sins_gravity_params>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_set_gravity_disturbance(sim, words));
+        // Its angles are not read.
+        let start = Words::new::<sins_navigation>(0).with(2, 0.7).with(11, 1.0);
+        tried.each_word(&start, &[8, 9, 10], &read, sim, &|words| sins_start_navigation(sim, words));
+        let parts = Words::new::<sins_imu_increment>(0).with(1, 0.01).with_pair(2, 5, 0);
+        tried.each_word(&parts, &[], &read, sim, &|words| sins_push_imu(sim, words));
+        assert_eq!(sins_destroy(sim), SINS_OK);
+
+        // Seed and run may be anything.
+        let made = Cell::new(null_mut());
+        let good = Words::new::<sins_options>(0);
+        let address = || vec![made.get() as u64];
+        tried.each_word(&good, &[6, 7], &address, null(), &|words| sins_create(words, made.as_ptr()));
+        assert_eq!(sins_destroy(made.get()), SINS_OK);
+    }
+}
+
+/// Where an embedded flight begins, and each kind of manoeuvre.
+fn flights(tried: &mut Tried) {
+    // Latitude, longitude, height, speed.
+    let start = |speed_m_s: f64| Words::new::<sins_flight_start>(0).with(1, 0.7).with(4, speed_m_s);
+    // Kind and number of sinusoids; duration, ramp, speed, height, heading, bank, turns; channels in pairs; six of amplitude,
+    // frequency and phase each.
+    let manoeuvre = |kind: i32| Words::new::<sins_manoeuvre>(0).with_pair(1, kind as u32, 0);
+    let mut sinusoids =
+        manoeuvre(SINS_MANOEUVRE_SINUSOIDS).with_pair(1, SINS_MANOEUVRE_SINUSOIDS as u32, 6).with(2, 60.0);
+    for pair in 0..3 {
+        sinusoids = sinusoids.with_pair(9 + pair, 2 * pair as u32, 2 * pair as u32 + 1);
+    }
+    for term in 12..18 {
+        sinusoids = sinusoids.with(term, 0.01).with(term + 6, 0.1).with(term + 12, 1.0);
+    }
+    let good = [
+        manoeuvre(SINS_MANOEUVRE_REST).with(2, 60.0),
+        manoeuvre(SINS_MANOEUVRE_STRAIGHT).with(2, 60.0),
+        manoeuvre(SINS_MANOEUVRE_ACCELERATE).with(2, 60.0).with(4, 20.0),
+        manoeuvre(SINS_MANOEUVRE_CLIMB).with(2, 60.0).with(3, 5.0).with(5, 100.0),
+        manoeuvre(SINS_MANOEUVRE_TURN).with(3, 5.0).with(6, 1.0).with(7, 0.5),
+        manoeuvre(SINS_MANOEUVRE_ROLL).with(2, 60.0).with(8, 1.0),
+        manoeuvre(SINS_MANOEUVRE_LOOP).with(2, 60.0).with(3, 5.0).with(8, 1.0),
+        manoeuvre(SINS_MANOEUVRE_S_TURN).with(2, 60.0).with(3, 5.0).with(6, 0.3).with(8, 2.0),
+        sinusoids,
+    ];
+    let made = Cell::new(null_mut());
+    let address = || vec![made.get() as u64];
+    let create = |start: *const sins_flight_start, manoeuvre: *const sins_manoeuvre| {
+        // SAFETY: one manoeuvre, and a place for the handle.
+        unsafe { sins_flight_create(start, manoeuvre, 1, made.as_ptr()) }
+    };
+    let destroy = || {
+        // SAFETY: of this test.
+        assert_eq!(unsafe { sins_flight_destroy(made.replace(null_mut())) }, SINS_OK);
+    };
+    for (kind, manoeuvre) in good.iter().enumerate() {
+        let start = start(if kind == 0 { 0.0 } else { 100.0 });
+        tried.each_word(manoeuvre, &[], &address, null(), &|words| create(start.pointer(), words));
+        destroy();
+    }
+    tried.each_word(&start(100.0), &[], &address, null(), &|words| create(words, good[1].pointer()));
+    destroy();
+}
+
+/// What options and budgets are asked for with.
+fn questions(tried: &mut Tried) {
+    let samples: Vec<u64> = (0..20).flat_map(|k| sample(f64::from(k)).0).collect();
+    let (samples, count) = (samples.as_ptr().cast::<sins_flight_sample>(), 20);
+
+    // Duration, position, velocity, attitude, margin.
+    let requirement = Words::new::<sins_requirement>(0).with(2, 100.0);
+    let (options, cost) = (Cell::new(output::<sins_options>().0), Cell::new(output::<sins_cost>().0));
+    let answer = || [&options, &cost].into_iter().flat_map(copied).collect::<Vec<u64>>();
+    tried.each_word(&requirement, &[], &answer, null(), &|words| {
+        written(&options, |options| {
+            // SAFETY: as many samples; outputs of their structs' sizes.
+            written(&cost, |cost| unsafe {
+                sins_recommend(null(), samples, count, words, options.cast(), cost.cast())
+            })
+        })
+    });
+
+    // Runs, position, velocity, attitude.
+    let request = Words::new::<sins_budget_request>(0).with_pair(1, 8, 0).with(2, 1.0);
+    let (rows, budget) = (Cell::new(output::<sins_budget_row>().0), Cell::new(output::<sins_budget>().0));
+    let answer = || [&rows, &budget].into_iter().flat_map(copied).collect::<Vec<u64>>();
+    tried.each_word(&request, &[], &answer, null(), &|words| {
+        written(&rows, |rows| {
+            // SAFETY: as above; what may be null is.
+            written(&budget, |budget| unsafe {
+                sins_error_budget(null(), samples, count, words, rows.cast(), 1, null_mut(), budget.cast())
+            })
+        })
+    });
+}
+
+/// What a scene takes beside the structs of the simulator's own functions.
+#[cfg(feature = "scenes")]
+fn scenes(tried: &mut Tried) {
+    let mut scene = null_mut();
+    // SAFETY: a living handle, a buffer with its size, structs of the sizes that they state.
+    unsafe {
+        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
+        let text = || {
+            let mut text = vec![0_u64; 1024];
+            let size = size_of_val(&text[..]);
+            assert_eq!(sins_scene_write(scene, text.as_mut_ptr().cast(), size, null_mut()), SINS_OK);
+            text
+        };
+        // Duration, rate, temperature, its change, spacing; how long it is flown is read only.
+        let setup = output::<sins_scene_setup>().with_pair(1, 0, 1).with(3, 60.0).with(5, 50.0);
+        let setup = setup.with(6, 20.0).with(7, 0.01).with(8, 1.0);
+        tried.each_word(&setup, &[4], &text, null(), &|words| sins_scene_set_setup(scene, words));
+        // From, until, kind, size.
+        let failure = output::<sins_planned_failure>().with(2, 1.0).with(3, 2.0);
+        let failure = failure.with_pair(4, SINS_FAILURE_BIAS_STEP as u32, 0).with(5, 1.0);
+        tried.each_word(&failure, &[], &text, null(), &|words| sins_scene_add_failure(scene, words));
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+/// Gives `call` the words to write to.
+fn written(words: &Cell<Vec<u64>>, call: impl FnOnce(*mut u64) -> sins_status) -> sins_status {
+    let mut inside = words.take();
+    let status = call(inside.as_mut_ptr());
+    words.set(inside);
+    status
+}
+
+fn copied(words: &Cell<Vec<u64>>) -> Vec<u64> {
+    let inside = words.take();
+    words.set(inside.clone());
+    inside
+}
+
+/// The structs that some function of the header takes.
+fn structs_that_come_in() -> BTreeSet<String> {
+    let header = std::fs::read_to_string(support::project_file("include/sins.h")).unwrap();
+    let name = |text: &str| text.split(|c: char| c != '_' && !c.is_alphanumeric()).next().unwrap().to_owned();
+    header.split("const struct ").skip(1).map(name).collect()
+}
+
+#[test]
+fn every_field_of_every_struct() {
+    let mut tried = Tried::default();
+    simulators(&mut tried);
+    flights(&mut tried);
+    questions(&mut tried);
+    #[cfg(feature = "scenes")]
+    scenes(&mut tried);
+    println!("{} bad values refused", tried.refused);
+    let mut expected = structs_that_come_in();
+    if cfg!(not(feature = "scenes")) {
+        expected.retain(|name| !["sins_scene_setup", "sins_planned_failure"].contains(&name.as_str()));
+    }
+    // Integers alone: c/ensemble.c and statistics.rs damage it.
+    assert!(expected.remove("sins_statistics"));
+    assert_eq!(tried.structs, expected);
+}

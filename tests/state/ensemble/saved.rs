@@ -1,0 +1,136 @@
+//! A saved ensemble goes on to the same bits; a damaged one is rejected.
+
+use sins::ensemble::Ensemble;
+use sins::snapshot::{SnapshotOf, seal};
+use sins::truth::FlightSample;
+use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use super::{doomed, fly, template, template_with};
+use crate::support::moments::{Call, flown, samples, setting};
+use crate::support::resting_sample;
+use crate::support::runs::{everything_at_once, unusual_options};
+
+fn saved(ensemble: &Ensemble) -> Vec<u8> {
+    let mut bytes = vec![0; ensemble.snapshot_size()];
+    assert_eq!(ensemble.save_snapshot(&mut bytes), Ok(bytes.len()));
+    bytes
+}
+
+/// Forty samples with every effect of the sensors.
+fn with_every_effect() -> Vec<Call> {
+    let mut calls = setting();
+    calls.extend(flown(samples(40, 0.01)));
+    calls
+}
+
+/// At every moment: into an ensemble of another kind, which then goes on to the same bits.
+#[test]
+fn a_saved_ensemble_goes_on_to_the_same_bits() {
+    for (options, calls) in [
+        (unusual_options(), everything_at_once().calls),
+        (Options { error_model: true, ..Options::default() }, with_every_effect()),
+        (Options::default(), with_every_effect()),
+    ] {
+        let mut pair = fly(&options, &calls[..12], 1, 11, "to be saved");
+        let mut other = Ensemble::new(&Simulator::new(&Options::default()).unwrap(), 9, 1).unwrap();
+        for (k, call) in calls.iter().enumerate().skip(12) {
+            let bytes = saved(&pair.ensemble);
+            other.load_snapshot(&bytes).unwrap();
+            assert_eq!(saved(&other), bytes, "call {k}");
+            if k % 2 == 0 {
+                core::mem::swap(&mut pair.ensemble, &mut other);
+            }
+            pair.call(call, &format!("call {k}"));
+            pair.compare(&format!("call {k}"));
+        }
+        assert!(pair.ensemble.intervals() > 10);
+    }
+
+    // With runs that have diverged, some or all.
+    let mut ensemble = doomed(100, 6);
+    let mut loaded = doomed(100, 1);
+    for k in 0..90 {
+        for ensemble in [&mut ensemble, &mut loaded] {
+            ensemble.push_sample(&resting_sample(f64::from(k))).unwrap();
+            ensemble.step().unwrap();
+        }
+        loaded.load_snapshot(&saved(&ensemble)).unwrap();
+        assert!(loaded.diverged().eq(ensemble.diverged()) && loaded.truth() == ensemble.truth());
+    }
+    assert_eq!(ensemble.diverged().count(), 6);
+    for ensemble in [&mut ensemble, &mut loaded] {
+        ensemble.reposition(&resting_sample(300.0)).unwrap();
+        ensemble.push_sample(&resting_sample(301.0)).unwrap();
+        ensemble.step().unwrap();
+    }
+    assert_eq!(saved(&loaded), saved(&ensemble));
+}
+
+#[test]
+fn a_damaged_snapshot_is_refused_and_changes_nothing() {
+    for error_model in [false, true] {
+        damage(error_model);
+    }
+}
+
+fn damage(error_model: bool) {
+    let flying = |runs| {
+        let mut ensemble = Ensemble::new(&template_with(error_model), 3, runs).unwrap();
+        for sample in samples(5, 0.01) {
+            ensemble.push_sample(&sample).unwrap();
+            ensemble.step().unwrap();
+        }
+        ensemble
+    };
+    let (ensemble, mut other) = (flying(2), flying(1));
+    let (good, before) = (saved(&ensemble), saved(&other));
+    let mut small = vec![0; good.len() - 1];
+    assert_eq!(ensemble.save_snapshot(&mut small).unwrap_err().kind, ErrorKind::BufferTooSmall);
+
+    let mut refused = |bytes: &[u8], what: &str| {
+        let error = other.load_snapshot(bytes).unwrap_err();
+        assert_eq!(error.kind, ErrorKind::Snapshot, "{what}: {error}");
+        assert_eq!(saved(&other), before, "{what}");
+        error.to_string()
+    };
+    // Every byte of the header, each seventh of the rest.
+    for at in (0..24).chain((24..good.len()).step_by(7)) {
+        let mut altered = good.clone();
+        altered[at] ^= 0x10;
+        refused(&altered, "an altered byte");
+        refused(&good[..at], "cut off");
+    }
+    let single = {
+        let simulator = template();
+        let mut bytes = vec![0; simulator.snapshot_size()];
+        simulator.save_snapshot(&mut bytes).unwrap();
+        bytes
+    };
+    assert!(refused(&single, "of a simulator").ends_with("it is one of a simulator, not of an ensemble"));
+    let error = template().load_snapshot(&good).unwrap_err();
+    assert!(error.to_string().ends_with("it is one of an ensemble, not of a simulator"));
+
+    // Forged, with the right checksum: refused, or an ensemble that can be flown and read.
+    let mut taken = 0;
+    for at in (24..good.len()).step_by(5) {
+        let mut forged = good.clone();
+        forged[at] ^= 1;
+        seal(&mut forged, SnapshotOf::Ensemble);
+        let mut ensemble = flying(1);
+        if ensemble.load_snapshot(&forged).is_ok() {
+            taken += 1;
+            let first = ensemble.first_run();
+            let Some(truth) = ensemble.truth() else { continue };
+            let next = FlightSample { time_s: truth.time_s + 0.01, ..samples(1, 0.01).next().unwrap() };
+            let _ = ensemble.push_sample(&next).and_then(|_| ensemble.step());
+            let _ = ensemble.navigation(first);
+            if let Ok(statistics) = ensemble.statistics(ErrorSource::Navigation) {
+                statistics.figures().unwrap();
+            }
+            assert_eq!(saved(&ensemble).len(), ensemble.snapshot_size());
+        } else {
+            assert_eq!(saved(&ensemble), saved(&flying(1)));
+        }
+    }
+    println!("{taken} of {} forged snapshots were ensembles", (good.len() - 24).div_ceil(5));
+}

@@ -1,0 +1,12 @@
+//! A run goes on to the same bits: by any calls, from any snapshot, after a pause or a slew, and in an ensemble.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod determinism;
+mod ensemble;
+mod ensemble_widths;
+mod host_time;
+mod moved;
+mod read_back;
+mod snapshots;
