@@ -155,7 +155,6 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
 /// Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
-
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,

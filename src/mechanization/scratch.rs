@@ -1,7 +1,5 @@
 //! The body parts of an update of many runs, between the loops over a block.
 
-#![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
-
 use nalgebra::Vector3;
 
 use super::branches::Usual;

@@ -103,7 +103,7 @@ impl Triad {
                 Sensor::Gyro => ideal.angle,
                 Sensor::Accelerometer => ideal.velocity,
             };
-            self.to_input(ideal, dt, &mut signal);
+            self.sense_input(ideal, dt, &mut signal);
             let input = Input { signal, force: ideal.velocity, dt };
             let mut of_input = [Vector3::zeros(); SHARED_ERRORS];
             let effects = self.plan.of_input().map(|step| self.plan.effect(step));

@@ -50,7 +50,7 @@ impl Triad {
             }
         }
         for (ideal, output) in ideal.iter().zip(Outputs::new(self.sensor, measured).iter_mut()) {
-            self.to_input(ideal, dt, output);
+            self.sense_input(ideal, dt, output);
             let input = Input { signal: *output, force: ideal.velocity, dt };
             for step in self.plan.of_input() {
                 *output += self.error_of_input(self.plan.effect(step), &input);
@@ -69,7 +69,7 @@ impl Triad {
 
     /// Turns `input`, the triad's part of `ideal`, into the input of its sensors.
     #[inline(always)]
-    pub(super) fn to_input(&mut self, ideal: &Increment, dt: f64, input: &mut Vector3<f64>) {
+    pub(super) fn sense_input(&mut self, ideal: &Increment, dt: f64, input: &mut Vector3<f64>) {
         for step in self.plan.before_input() {
             match self.plan.effect(step) {
                 Effect::Size => self.size_effect.apply(&ideal.angle, dt, input),
