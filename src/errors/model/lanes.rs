@@ -130,8 +130,9 @@ impl ModelBlock {
         let ends = turn.ends();
         let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
+        let part = 1.0 / ideal.len() as f64;
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
-            let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, interval.ideal.len()));
+            let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, part));
             for lane in 0..count.min(RUNS) {
                 let mut of_run = sums.at(lane);
                 of_run.add(&increment_of(measured, lane).minus(&ideal), from_middle);
