@@ -26,22 +26,22 @@ stored!(EarthFixedForm { psi: ERRORS, dv: ERRORS, dr: ERRORS });
 
 /// What a step needs of the truth.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Coefficients {
+pub(super) struct Coefficients<'a> {
     /// Length [s].
-    t: f64,
+    pub t: f64,
     /// Earth rate [rad/s].
-    w: f64,
+    pub w: f64,
     /// Of gravity in the middle [1/s²].
-    gradient: Matrix3<f64>,
-    /// Specific force at the start, in the middle and at the end [m/s²].
-    force_e: [Vector3<f64>; 3],
+    pub gradient: Matrix3<f64>,
+    /// At the start, in the middle and at the end.
+    pub nodes: &'a [MotionNode; 3],
 }
 
-impl Coefficients {
+impl<'a> Coefficients<'a> {
     #[inline(always)]
-    pub fn new(earth: &Earth, t: f64, nodes: &[MotionNode; 3]) -> Self {
+    pub fn new(earth: &Earth, t: f64, nodes: &'a [MotionNode; 3]) -> Self {
         let gradient = earth.gravity_gradient(&nodes[1].r_e);
-        Self { t, w: earth.rate_rad_s, gradient, force_e: nodes.map(|node| node.f_e) }
+        Self { t, w: earth.rate_rad_s, gradient, nodes }
     }
 }
 
@@ -65,8 +65,8 @@ impl EarthFixedForm {
     /// the interval, so that with the forcing c = f×ψ + C nabla of each stage the step is
     /// y + T (B y + (c1 + 2 c2 + 2 c3 + c4)/6 + T/6 B (k1 + k2 + k3)).
     #[inline(always)]
-    pub fn advance_by(&mut self, coefficients: &Coefficients, errors_e: &[VectorPair; 3]) {
-        let &Coefficients { t, w, gradient, force_e: [start, middle, end] } = coefficients;
+    pub fn advance_by(&mut self, coefficients: &Coefficients<'_>, errors_e: &[VectorPair; 3]) {
+        let &Coefficients { t, w, gradient, nodes: [start, middle, end] } = coefficients;
         let half = 0.5 * t;
         let [e0, e1, e2] = errors_e;
         let (gyro, accel) = ([e0.first(), e1.first(), e2.first()], [e0.second(), e1.second(), e2.second()]);
@@ -79,10 +79,10 @@ impl EarthFixedForm {
         let p3 = drift(&psi3, 1);
         let psi4 = self.psi + p3 * t;
         let p4 = drift(&psi4, 2);
-        let c1 = start.cross(&self.psi) + accel[0];
-        let c2 = middle.cross(&psi2) + accel[1];
-        let c3 = middle.cross(&psi3) + accel[1];
-        let c4 = end.cross(&psi4) + accel[2];
+        let c1 = start.f_e.cross(&self.psi) + accel[0];
+        let c2 = middle.f_e.cross(&psi2) + accel[1];
+        let c3 = middle.f_e.cross(&psi3) + accel[1];
+        let c4 = end.f_e.cross(&psi4) + accel[2];
 
         // The rows of δv'; those of δr' are δv.
         let row_v = |dv: &Vector3<f64>, dr: &Vector3<f64>| {

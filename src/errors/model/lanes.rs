@@ -1,7 +1,7 @@
 //! Error models of many runs side by side: what follows the truth is made once an interval, the rest in loops over the runs, as
 //! those of the [navigators](crate::mechanization).
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::earth_fixed::{Coefficients, EarthFixedForm};
 use super::geographic::GeographicForm;
@@ -10,7 +10,9 @@ use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
 use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;
-use crate::signal::{Increment, IncrementRows, IntervalMotion, RUNS, Row, TurnToEarth, increment_of};
+use crate::signal::{
+    Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of,
+};
 use crate::truth::TruthPoint;
 
 /// Models of one frame that get the same intervals.
@@ -31,7 +33,9 @@ pub(crate) struct ModelInterval<'a> {
     next: &'a TruthPoint,
     /// Error-free increments.
     ideal: &'a [Increment],
-    coefficients: Coefficients,
+    /// Truth at the start, in the middle and at the end, and the gradient of gravity in the middle [1/s²].
+    nodes: [MotionNode; 3],
+    gradient: Matrix3<f64>,
     turn: TurnToEarth<'a>,
 }
 
@@ -42,8 +46,9 @@ impl<'a> ModelInterval<'a> {
         next: &'a TruthPoint,
         ideal: &'a [Increment],
     ) -> Self {
-        let coefficients = Coefficients::new(earth, motion.interval_s, &motion.nodes());
-        Self { earth, motion, next, ideal, coefficients, turn: motion.turn_to_earth() }
+        let nodes = motion.nodes();
+        let gradient = Coefficients::new(earth, motion.interval_s, &nodes).gradient;
+        Self { earth, motion, next, ideal, nodes, gradient, turn: motion.turn_to_earth() }
     }
 }
 
@@ -118,13 +123,16 @@ impl ModelBlock {
             return self
                 .advance_one_by_one(interval, aid, count, |lane| (interval.errors(measured, lane), None));
         }
-        let &ModelInterval { motion, ideal, coefficients, turn, .. } = interval;
+        let &ModelInterval { earth, motion, ideal, nodes, gradient, turn, .. } = interval;
+        let coefficients =
+            Coefficients { t: motion.interval_s, w: earth.rate_rad_s, gradient, nodes: &nodes };
         // By value, or the compiler fears that the rows lie over them.
         let ends = turn.ends();
         let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
+        let part = 1.0 / ideal.len() as f64;
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
-            let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, interval.ideal.len()));
+            let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, part));
             for lane in 0..count.min(RUNS) {
                 let mut of_run = sums.at(lane);
                 of_run.add(&increment_of(measured, lane).minus(&ideal), from_middle);

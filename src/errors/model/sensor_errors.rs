@@ -41,9 +41,9 @@ impl SensorErrors {
     #[inline(always)]
     pub fn of_increments(errors: impl ExactSizeIterator<Item = Increment>, t: f64) -> Self {
         let mut sums = ErrorSums::NONE;
-        let count = errors.len();
+        let part = 1.0 / errors.len() as f64;
         for (i, error) in errors.enumerate() {
-            sums.add(&error, ErrorSums::from_middle(i, count));
+            sums.add(&error, ErrorSums::from_middle(i, part));
         }
         sums.errors(t)
     }
@@ -87,10 +87,10 @@ pub(super) struct ErrorSums {
 impl ErrorSums {
     pub const NONE: Self = Self { sum: Increment::ZERO, moment: Increment::ZERO };
 
-    /// Where increment `i` of `count` lies, -½ to ½.
+    /// Where increment `i` lies, which is the share `part` of the interval: -½ to ½.
     #[inline(always)]
-    pub fn from_middle(i: usize, count: usize) -> f64 {
-        (i as f64 + 0.5) * (1.0 / count as f64) - 0.5
+    pub fn from_middle(i: usize, part: f64) -> f64 {
+        (i as f64 + 0.5) * part - 0.5
     }
 
     #[inline(always)]
