@@ -46,10 +46,10 @@
  *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
- *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
+ *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
  *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
  *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
- *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The floating-point state of the host is not restored.
+ *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point state.
  *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
  *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
@@ -62,9 +62,9 @@
  *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
  *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
  *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
- * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
- *   purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the
- *   clock.)
+ * Host time. The time in a run comes from the time stamps of its samples; the library reads no clock for it. (Clocks are read for
+ *   two other purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from
+ *   the clock.)
  *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
  *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the
  *     time of that clock when the vehicle moves on: the flight continues as if there had been no pause. Without that call, the
@@ -72,18 +72,19 @@
  *     pause is flown as if the vehicle had moved on: velocity times the length of the pause. The push after it returns
  *     SINS_GAP.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
- *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
- *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period
- *     of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up
- *     to 5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
- *     positions to 1 cm, cost 23 m. If that is too much, set a smaller max_gap_s: longer gaps are then rejected.
- *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
+ *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
+ *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
+ *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period of
+ *     8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up to 5
+ *     n^2 times the error of a position, where n is the number of lost intervals. For example, 1 s lost in straight flight at 50
+ *     Hz, with positions to 1 cm, cost 23 m. If such an error is too large, set a smaller max_gap_s: longer gaps are then
+ *     rejected.
+ *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
- *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a
- *     whole. So the accuracy is that of the sample rate at hand, and a turn of 170 degrees or more between two samples is
- *     rejected. The size of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of
- *     drop-outs are per sample, whatever the interval.
+ *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a whole.
+ *     So the accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size
+ *     of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
+ *     each sample, whatever the length of its interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
  *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
  *     sins_snapshot_load() returns to a saved moment.
@@ -91,8 +92,8 @@
  *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
  *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
  *
- * Scenes and logs. A scene is a flight, the simulator that flies it, and the failures on the way, as a text in TOML. A log is a
- *   flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
+ * Scenes and logs. A scene is a flight, the settings of the simulator, and the planned failures of its sensors, as a text in TOML.
+ *   A log is a flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
  *
  *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
  *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
@@ -168,7 +169,7 @@ typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
 /* An ensemble: many runs of one simulator over the same samples. */
 typedef struct sins_ensemble sins_ensemble;
-/* A scene: a flight, the simulator that flies it, and the failures on the way. */
+/* A scene: a flight, the settings of the simulator, and the planned failures of its sensors. */
 typedef struct sins_scene sins_scene;
 /* A flight log: a table of samples. */
 typedef struct sins_log sins_log;
@@ -296,7 +297,7 @@ enum sins_earth {
 enum sins_gravity {
     /* Normal gravity in closed form at any height, with its north component. */
     SINS_GRAVITY_NORMAL = 0,
-    /* Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it. */
+    /* Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools. */
     SINS_GRAVITY_SOMIGLIANA = 1
 };
 
@@ -351,7 +352,7 @@ enum sins_failure_kind {
     SINS_FAILURE_NONE = 0,
     /*
      * The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-     * its first value. It is not flagged, because it looks like data.
+     * its first value. It is not flagged, because it looks like valid data.
      */
     SINS_FAILURE_STUCK = 1,
     /*
@@ -423,9 +424,9 @@ enum sins_navigation_flags {
     /*
      * The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
      * force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
-     * it is smaller, the heading error is below 90 degrees.) The simulator knows this error. A real INS can be sure of this
-     * case only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays until
-     * the INS starts again.
+     * it is smaller, the heading error is below 90 degrees.) The simulator knows the horizontal error; a real INS does not. A
+     * real INS can be sure that it has not found north only if its levelled horizontal rate is more than twice the north
+     * component of the Earth rate. The flag stays until the INS starts again.
      */
     SINS_NAVIGATION_NORTH_UNKNOWN = 8
 };
@@ -478,15 +479,15 @@ enum sins_grade {
     /* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
     SINS_GRADE_TACTICAL = 3,
     /*
-     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. Its
-     * range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. The
+     * range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by 0.1 deg, 1 sigma.
      */
     SINS_GRADE_INDUSTRIAL = 4,
     /* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
     SINS_GRADE_CONSUMER = 5,
     /*
      * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
-     * white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+     * white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper states none).
      */
     SINS_GRADE_PAPER_SIMULATION2 = 6
 };
@@ -643,7 +644,10 @@ typedef struct sins_options {
      * of 100 s cause 40 m of position error in 12 h, longer ones many times that.
      */
     double max_gap_s;
-    /* Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped. */
+    /*
+     * Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
+     * the truth.
+     */
     double max_acceleration_m_s2;
     /* Summary of the true motion, of enum sins_summary. */
     int32_t truth_summary;
@@ -679,8 +683,8 @@ typedef struct sins_flight_sample {
     /*
      * Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
      * must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-     * angular rates predict, or, without rates, that the previous interval predicts. Other whole turns between two samples
-     * cannot be detected.
+     * angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
+     * samples cannot be detected.
      */
     double pitch_rad;
     /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
@@ -711,8 +715,8 @@ typedef struct sins_error_info {
     /* 0 */
     uint32_t reserved;
     /*
-     * Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured quantity; terminated.
-     * Empty if the call itself is at fault.
+     * Name of the field or argument at fault, such as "gyro.markov_time_s", or of a computed quantity at fault, such as
+     * "navigated position error [m]"; terminated. Empty if the call itself is at fault.
      */
     char field[96];
     /* Element of the field, from 0; -1: the field is not an array, or the whole field is at fault. */
@@ -915,9 +919,9 @@ typedef struct sins_accel_params {
     /*
      * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
      * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At a start in motion,
-     * samples do not show the angular acceleration of the first interval (see sins_mounting): the measured velocity
-     * then lacks lever arm times that change of rate for the rest of the flight. With sins_push_imu() the angular
-     * acceleration follows from the previous increments.
+     * samples do not show the angular acceleration of the first interval (see sins_mounting). The measured velocity
+     * then lacks, for the rest of the flight, the lever arm times the change of the rate in that interval. With
+     * sins_push_imu() the angular acceleration follows from the previous increments.
      */
     double lever_arm_m[9];
     /*
@@ -1166,7 +1170,7 @@ typedef struct sins_record_errors {
 
 /* Truth, navigation and both errors at one instant. */
 typedef struct sins_record {
-    /* sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others. */
+    /* sizeof(sins_record); in an array only that of the first element must be set. */
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
@@ -1297,9 +1301,12 @@ typedef struct sins_accuracy {
      * divided by a very short time [s].
      */
     double window_start_s;
-    /* Samples in the window of the radial error rates. While there are none, the rates are 0. */
+    /* Number of samples in the window of the radial error rates. While there are none, the rates are 0. */
     uint64_t window_samples;
-    /* sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s]. */
+    /*
+     * Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
+     * start [m/s].
+     */
     double radial_error_rate_rms_m_s;
     /* R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s]. */
     double cep_rate_m_s;
@@ -1331,13 +1338,13 @@ typedef struct sins_accuracy {
      * [m].
      */
     double inconsistency_max_m;
-    /* Samples flagged SINS_NAVIGATION_INCONSISTENT. */
+    /* Number of samples flagged SINS_NAVIGATION_INCONSISTENT. */
     uint64_t inconsistent_samples;
-    /* Intervals flown since the start or the last reposition: one less than the samples. */
+    /* Number of intervals flown since the start or the last reposition: one less than the number of samples. */
     uint64_t intervals;
     /*
-     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of its time constants after the
-     * start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
+     * on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
      */
     double trim_rate_max_rad_s;
     /* Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
@@ -1356,11 +1363,11 @@ typedef struct sins_truth_summary {
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
-    /* Intervals flown. */
+    /* Number of intervals flown. */
     uint64_t intervals;
-    /* Intervals that are gaps (see SINS_GAP). */
+    /* Number of intervals that are gaps (see SINS_GAP). */
     uint64_t gaps;
-    /* Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only. */
+    /* Number of samples with a speed of more than 30 m/s. Sideslip and angle of attack are taken from these only. */
     uint64_t fast_samples;
     /* Sum of the lengths of the intervals [s]. */
     double flown_s;
@@ -1435,8 +1442,8 @@ typedef struct sins_truth_summary {
  * gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
  * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
- * current second. A second with at least one height of the altimeter counts as aided
- * throughout, so drop-outs shorter than a second do not show.
+ * current second. A second with at least one height of the altimeter counts as aided throughout,
+ * so drop-outs shorter than a second have no effect on the covariance.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
@@ -1738,7 +1745,7 @@ typedef struct sins_log_info {
     uint32_t struct_size;
     /* 0 */
     uint32_t reserved;
-    /* Samples. */
+    /* Number of samples. */
     uint64_t samples;
     /* Duration from the first to the last sample [s]. */
     double duration_s;
@@ -1879,8 +1886,9 @@ typedef struct sins_budget {
     /* Number of flights that the call made. */
     uint64_t flights;
     /*
-     * Lower end of the 95 % confidence interval of the root mean square of the random errors with all effects together,
-     * divided by the root mean square over these runs; 1 if nothing is random.
+     * Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
+     * 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
+     * nothing is random.
      */
     double sigma_low;
     /* Upper end of that interval, divided likewise; 1 if nothing is random. */
@@ -2015,9 +2023,9 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
  * time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
  * stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
  * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
- * stamps are the same doubles; with a stated period they always are. (Without velocities the differences over three
- * samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
- * flight_start_s of sins_scene_prepare() by the same time.
+ * stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
+ * over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
+ * host must also move its flight_start_s of sins_scene_prepare() by the same time.
  *
  * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
  * SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2044,8 +2052,8 @@ SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
- * SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
- * that no place has it.
+ * SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
+ * (a quarter of the Earth).
  */
 SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -2060,8 +2068,7 @@ SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_
  * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * If no INS can start there (a pole, in geographic axes), the reads and
- * the next step return the error.
+ * If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -2075,9 +2082,9 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 /*
  * Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
  * always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
- * has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle was rejected
- * (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves
- * no sentence.
+ * has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle
+ * was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this call or of
+ * sins_last_error_info() is not kept.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
  * size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -2667,10 +2674,11 @@ SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene,
 SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
 
 /*
- * Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of
- * the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval that starts at or
- * after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
- * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+ * Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The
+ * sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the
+ * first interval that starts at or after their time. If the scene plans no failure of an output, the call does not touch
+ * the failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
+ * call.
  *
  * SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
  * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
@@ -2848,9 +2856,9 @@ SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
  * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
  * force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
  *
- * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
- * ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it allocates,
- * 184 bytes a sample.
+ * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. The
+ * ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a real-time
+ * frame: it allocates, 184 bytes a sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
  * and *log is unchanged.
@@ -2942,7 +2950,7 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
  * the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
  * root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
- * change (left_out) exceeds a limit, it puts the largest of them back.
+ * change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
  *
  * The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
  * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once

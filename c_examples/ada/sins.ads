@@ -167,7 +167,7 @@ package Sins is
    subtype sins_gravity is Integer_32;
    --  Normal gravity in closed form at any height, with its north component.
    SINS_GRAVITY_NORMAL : constant sins_gravity := 0;
-   --  Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
+   --  Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools.
    SINS_GRAVITY_SOMIGLIANA : constant sins_gravity := 1;
 
    --  Directions of the sensor axes.
@@ -212,7 +212,7 @@ package Sins is
    --  No failure: clears the failure that is set.
    SINS_FAILURE_NONE : constant sins_failure_kind := 0;
    --  The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-   --  its first value. It is not flagged, because it looks like data.
+   --  its first value. It is not flagged, because it looks like valid data.
    SINS_FAILURE_STUCK : constant sins_failure_kind := 1;
    --  No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
    --  altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
@@ -263,9 +263,9 @@ package Sins is
    SINS_NAVIGATION_INCONSISTENT : constant sins_navigation_flags := 4;
    --  The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
    --  force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
-   --  it is smaller, the heading error is below 90 degrees.) The simulator knows this error. A real INS can be sure of this
-   --  case only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays until
-   --  the INS starts again.
+   --  it is smaller, the heading error is below 90 degrees.) The simulator knows the horizontal error; a real INS does not. A
+   --  real INS can be sure that it has not found north only if its levelled horizontal rate is more than twice the north
+   --  component of the Earth rate. The flag stays until the INS starts again.
    SINS_NAVIGATION_NORTH_UNKNOWN : constant sins_navigation_flags := 8;
 
    --  Flags of a sins_imu.
@@ -307,12 +307,12 @@ package Sins is
    --  Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
    SINS_GRADE_TACTICAL : constant sins_grade := 3;
    --  Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own.
-   --  Its range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1 sigma.
+   --  The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by 0.1 deg, 1 sigma.
    SINS_GRADE_INDUSTRIAL : constant sins_grade := 4;
    --  Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
    SINS_GRADE_CONSUMER : constant sins_grade := 5;
    --  The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
-   --  white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of bandwidth; the paper states none).
+   --  white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper states none).
    SINS_GRADE_PAPER_SIMULATION2 : constant sins_grade := 6;
 
    --  Kinds of manoeuvre.
@@ -490,7 +490,8 @@ package Sins is
       --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
       --  of 100 s cause 40 m of position error in 12 h, longer ones many times that.
       max_gap_s : double := 0.0;
-      --  Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped.
+      --  Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
+      --  the truth.
       max_acceleration_m_s2 : double := 0.0;
       --  Summary of the true motion, of enum sins_summary.
       truth_summary : Integer_32 := 0;
@@ -522,8 +523,8 @@ package Sins is
       roll_rad : double := 0.0;
       --  Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
       --  must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-      --  angular rates predict, or, without rates, that the previous interval predicts. Other whole turns between two samples
-      --  cannot be detected.
+      --  angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
+      --  samples cannot be detected.
       pitch_rad : double := 0.0;
       --  Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
       heading_rad : double := 0.0;
@@ -549,8 +550,8 @@ package Sins is
       status : sins_status := 0;
       --  0
       reserved : Unsigned_32 := 0;
-      --  Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured quantity; terminated.
-      --  Empty if the call itself is at fault.
+      --  Name of the field or argument at fault, such as "gyro.markov_time_s", or of a computed quantity at fault, such as
+      --  "navigated position error [m]"; terminated. Empty if the call itself is at fault.
       field : sins_char_96 := (others => nul);
       --  Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
       index : Integer_64 := 0;
@@ -705,9 +706,9 @@ package Sins is
       vibration_rectification_s2_m : sins_double_3 := (others => 0.0);
       --  Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
       --  -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At a start in motion,
-      --  samples do not show the angular acceleration of the first interval (see sins_mounting): the measured velocity
-      --  then lacks lever arm times that change of rate for the rest of the flight. With sins_push_imu() the angular
-      --  acceleration follows from the previous increments.
+      --  samples do not show the angular acceleration of the first interval (see sins_mounting). The measured velocity
+      --  then lacks, for the rest of the flight, the lever arm times the change of the rate in that interval. With
+      --  sins_push_imu() the angular acceleration follows from the previous increments.
       lever_arm_m : sins_double_3_3 := (others => (others => 0.0));
       --  Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
       --  sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
@@ -935,7 +936,7 @@ package Sins is
 
    --  Truth, navigation and both errors at one instant.
    type sins_record is record
-      --  sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others.
+      --  sizeof(sins_record); in an array only that of the first element must be set.
       struct_size : Unsigned_32 := SINS_SIZEOF_RECORD;
       --  0
       reserved : Unsigned_32 := 0;
@@ -1062,9 +1063,10 @@ package Sins is
       --  Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
       --  divided by a very short time [s].
       window_start_s : double := 0.0;
-      --  Samples in the window of the radial error rates. While there are none, the rates are 0.
+      --  Number of samples in the window of the radial error rates. While there are none, the rates are 0.
       window_samples : Unsigned_64 := 0;
-      --  sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
+      --  Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
+      --  start [m/s].
       radial_error_rate_rms_m_s : double := 0.0;
       --  R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
       cep_rate_m_s : double := 0.0;
@@ -1090,12 +1092,12 @@ package Sins is
       --  Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
       --  [m].
       inconsistency_max_m : double := 0.0;
-      --  Samples flagged SINS_NAVIGATION_INCONSISTENT.
+      --  Number of samples flagged SINS_NAVIGATION_INCONSISTENT.
       inconsistent_samples : Unsigned_64 := 0;
-      --  Intervals flown since the start or the last reposition: one less than the samples.
+      --  Number of intervals flown since the start or the last reposition: one less than the number of samples.
       intervals : Unsigned_64 := 0;
-      --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of its time constants after the
-      --  start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+      --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
+      --  on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
       trim_rate_max_rad_s : double := 0.0;
       --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
       trim_force_max_m_s2 : double := 0.0;
@@ -1112,11 +1114,11 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_TRUTH_SUMMARY;
       --  0
       reserved : Unsigned_32 := 0;
-      --  Intervals flown.
+      --  Number of intervals flown.
       intervals : Unsigned_64 := 0;
-      --  Intervals that are gaps (see SINS_GAP).
+      --  Number of intervals that are gaps (see SINS_GAP).
       gaps : Unsigned_64 := 0;
-      --  Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only.
+      --  Number of samples with a speed of more than 30 m/s. Sideslip and angle of attack are taken from these only.
       fast_samples : Unsigned_64 := 0;
       --  Sum of the lengths of the intervals [s].
       flown_s : double := 0.0;
@@ -1185,8 +1187,8 @@ package Sins is
    --  gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
    --  It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
    --  One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
-   --  current second. A second with at least one height of the altimeter counts as aided
-   --  throughout, so drop-outs shorter than a second do not show.
+   --  current second. A second with at least one height of the altimeter counts as aided throughout,
+   --  so drop-outs shorter than a second have no effect on the covariance.
    type sins_covariance is record
       --  sizeof(sins_covariance)
       struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
@@ -1472,7 +1474,7 @@ package Sins is
       struct_size : Unsigned_32 := SINS_SIZEOF_LOG_INFO;
       --  0
       reserved : Unsigned_32 := 0;
-      --  Samples.
+      --  Number of samples.
       samples : Unsigned_64 := 0;
       --  Duration from the first to the last sample [s].
       duration_s : double := 0.0;
@@ -1599,8 +1601,9 @@ package Sins is
       runs : Unsigned_64 := 0;
       --  Number of flights that the call made.
       flights : Unsigned_64 := 0;
-      --  Lower end of the 95 % confidence interval of the root mean square of the random errors with all effects together,
-      --  divided by the root mean square over these runs; 1 if nothing is random.
+      --  Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
+      --  95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
+      --  nothing is random.
       sigma_low : double := 0.0;
       --  Upper end of that interval, divided likewise; 1 if nothing is random.
       sigma_high : double := 0.0;
@@ -1695,9 +1698,9 @@ package Sins is
    --  time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
    --  stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
    --  along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
-   --  stamps are the same doubles; with a stated period they always are. (Without velocities the differences over three
-   --  samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
-   --  flight_start_s of sins_scene_prepare() by the same time.
+   --  stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
+   --  over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
+   --  host must also move its flight_start_s of sins_scene_prepare() by the same time.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
    --  SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -1723,8 +1726,8 @@ package Sins is
    --
    --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
    --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
-   --  SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
-   --  that no place has it.
+   --  SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
+   --  (a quarter of the Earth).
    function sins_move_truth (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_move_truth";
 
@@ -1738,8 +1741,7 @@ package Sins is
    --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
    --  SINS_ERROR_BAD_STATE: navigating on increments.
    --
-   --  If no INS can start there (a pole, in geographic axes), the reads and
-   --  the next step return the error.
+   --  If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
    function sins_reposition (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_reposition";
 
@@ -1749,11 +1751,11 @@ package Sins is
    function sins_reset (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_reset";
 
-   --  Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and always
-   --  terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that has no
-   --  simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle was rejected
-   --  (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves no
-   --  sentence.
+   --  Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
+   --  always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
+   --  has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle
+   --  was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this call or of
+   --  sins_last_error_info() is not kept.
    --
    --  needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
    --  size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -2287,10 +2289,11 @@ package Sins is
    function sins_scene_destroy (scene : sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_destroy";
 
-   --  Prepares the next interval: call it before each push, and step before the next call. The sample gets the temperature of
-   --  the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval that starts at or
-   --  after their time. If the scene plans no failure of an output, the call does not touch the failure of that output.
-   --  flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
+   --  Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The
+   --  sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the
+   --  first interval that starts at or after their time. If the scene plans no failure of an output, the call does not touch
+   --  the failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
+   --  call.
    --
    --  SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
    --  SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
@@ -2452,9 +2455,9 @@ package Sins is
    --  or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
    --  force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
    --
-   --  Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. Their
-   --  ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it allocates,
-   --  184 bytes a sample.
+   --  Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. The
+   --  ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a real-time
+   --  frame: it allocates, 184 bytes a sample.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
    --  and *log is unchanged.
@@ -2541,7 +2544,7 @@ package Sins is
    --  effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
    --  the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
    --  root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
-   --  change (left_out) exceeds a limit, it puts the largest of them back.
+   --  change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
    --
    --  The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
    --  allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once

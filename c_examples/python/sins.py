@@ -299,8 +299,8 @@ class gravity(enum.IntEnum):
     """Formulas of normal gravity.
 
     GRAVITY_NORMAL: Normal gravity in closed form at any height, with its north component.
-    GRAVITY_SOMIGLIANA: Somigliana's formula with the second-order height term, along the ellipsoid normal, as
-        most tools have it.
+    GRAVITY_SOMIGLIANA: Somigliana's formula with the second-order height term, along the ellipsoid normal, as in
+        most tools.
     """
 
     GRAVITY_NORMAL = 0
@@ -370,7 +370,7 @@ class failure_kind(enum.IntEnum):
 
     FAILURE_NONE: No failure: clears the failure that is set.
     FAILURE_STUCK: The output stays at its mean over the interval before the failure, as sins.imu reported it;
-        without such an interval, at its first value. It is not flagged, because it looks like data.
+        without such an interval, at its first value. It is not flagged, because it looks like valid data.
     FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as by a
         built-in test. Without the altimeter nothing stabilizes the vertical channel, which is flagged
         sins.NAVIGATION_VERTICAL_UNAIDED.
@@ -440,8 +440,9 @@ class navigation_flags(enum.IntFlag):
     NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so any heading error is possible.
         Either the accelerometers show no force, or the horizontal error of the levelled rates is at least as large as
         the north component of the Earth rate. (If it is smaller, the heading error is below 90 degrees.) The
-        simulator knows this error. A real INS can be sure of this case only if its levelled horizontal rate is more
-        than twice the north component of the Earth rate. The flag stays until the INS starts again.
+        simulator knows the horizontal error; a real INS does not. A real INS can be sure that it has not found north
+        only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays
+        until the INS starts again.
     """
 
     NAVIGATION_NEAR_POLE = 1
@@ -506,13 +507,13 @@ class grade(enum.IntEnum):
     GRADE_NAVIGATION: Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
     GRADE_TACTICAL: Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
     GRADE_INDUSTRIAL: Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no
-        accelerometer noise: set your own. Its range is 125 deg/s and 8 g, its axes are off square by 0.1 deg, 1
-        sigma.
+        accelerometer noise: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes
+        differs from 90 deg by 0.1 deg, 1 sigma.
     GRADE_CONSUMER: Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances
         are taken as 3 sigma.
     GRADE_PAPER_SIMULATION2: The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005
-        deg/sqrt(h), accelerometer bias 1e-5 g and white noise 5e-6 g, read as a density of 5e-6 g/sqrt(Hz) (1 Hz of
-        bandwidth; the paper states none).
+        deg/sqrt(h), accelerometer bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a
+        bandwidth of 1 Hz, because the paper states none).
     """
 
     GRADE_STRATEGIC = 1
@@ -667,8 +668,8 @@ class options(_Struct):
         only to order and to check the samples: each must be within 0.4 of a period of its multiple.
     max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
         at rest. Intervals of 100 s cause 40 m of position error in 12 h, longer ones many times that.
-    max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond
-        it the truth has jumped.
+    max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A
+        larger one is rejected as a jump of the truth.
     truth_summary: Summary of the true motion, of enum sins.summary.
     covariance: Covariance of the navigation errors, of enum sins.covariance_mode.
     """
@@ -713,8 +714,8 @@ class flight_sample(_Struct):
     roll_rad: Roll, right wing down positive, any number of turns up to 10000 rad [rad].
     pitch_rad: Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the
         next the attitude must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from
-        the turn that the angular rates predict, or, without rates, that the previous interval predicts. Other whole
-        turns between two samples cannot be detected.
+        the turn that the angular rates predict, or, without rates, that the previous interval predicts. Additional
+        whole turns between two samples cannot be detected.
     heading_rad: Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this
         instant, each up to 1000 rad/s [rad/s].
@@ -749,8 +750,8 @@ class error_info(_Struct):
 
     flags: Flags of enum sins.error_info_flags, or'ed.
     status: Status that the failed call returned, of enum sins.status_code; sins.OK if no call failed.
-    field[96]: Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured
-        quantity; terminated. Empty if the call itself is at fault.
+    field[96]: Name of the field or argument at fault, such as "gyro.markov_time_s", or of a computed quantity at
+        fault, such as "navigated position error [m]"; terminated. Empty if the call itself is at fault.
     index: Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
     sample: Index of the sample in the array of the call, from 0; -1: no sample is at fault.
     value: With sins.ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the
@@ -912,9 +913,9 @@ class accel_params(_Struct):
         root mean square r causes a bias of this times r squared.
     lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size
         effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At a start in
-        motion, samples do not show the angular acceleration of the first interval (see sins.mounting): the measured
-        velocity then lacks lever arm times that change of rate for the rest of the flight. With sins.push_imu() the
-        angular acceleration follows from the previous increments.
+        motion, samples do not show the angular acceleration of the first interval (see sins.mounting). The measured
+        velocity then lacks, for the rest of the flight, the lever arm times the change of the rate in that interval.
+        With sins.push_imu() the angular acceleration follows from the previous increments.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
         -273.15 to 1000. T is sins.flight_sample.temperature_c less this temperature. If one of the coefficients is
         not 0, every sample needs a temperature, and sins.push_imu() is not available.
@@ -1339,9 +1340,10 @@ class accuracy(_Struct):
     duration_s: Time since the start [s].
     window_start_s: Start of the window of the radial error rates, in time since the start: 300 s. Rates before it
         would be initial errors divided by a very short time [s].
-    window_samples: Samples in the window of the radial error rates. While there are none, the rates are 0.
-    radial_error_rate_rms_m_s: sqrt(mean RER^2); radial error rate RER = horizontal position error / time since
-        the start [m/s].
+    window_samples: Number of samples in the window of the radial error rates. While there are none, the rates are
+        0.
+    radial_error_rate_rms_m_s: Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal
+        position error / time since the start [m/s].
     cep_rate_m_s: R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
     radial_95_rate_m_s: R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
     radial_error_slope_m_s: Slope of the least-squares line through the horizontal position error [m/s].
@@ -1358,10 +1360,11 @@ class accuracy(_Struct):
         the flight [m].
     inconsistency_max_m: Largest difference, in one interval, between the displacement by the host's velocities
         and the one by its positions [m].
-    inconsistent_samples: Samples flagged sins.NAVIGATION_INCONSISTENT.
-    intervals: Intervals flown since the start or the last reposition: one less than the samples.
-    trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of
-        its time constants after the start [rad/s]. It shows the error of the signal generator and the mechanization
+    inconsistent_samples: Number of samples flagged sins.NAVIGATION_INCONSISTENT.
+    intervals: Number of intervals flown since the start or the last reposition: one less than the number of
+        samples.
+    trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time
+        constants after the start on [rad/s]. It shows the error of the signal generator and the mechanization
         themselves. 0 with physical signals.
     trim_force_max_m_s2: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     """
@@ -1400,9 +1403,10 @@ class truth_summary(_Struct):
     large. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of
     the sample at which the value was found.
 
-    intervals: Intervals flown.
-    gaps: Intervals that are gaps (see sins.GAP).
-    fast_samples: Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only.
+    intervals: Number of intervals flown.
+    gaps: Number of intervals that are gaps (see sins.GAP).
+    fast_samples: Number of samples with a speed of more than 30 m/s. Sideslip and angle of attack are taken from
+        these only.
     flown_s: Sum of the lengths of the intervals [s].
     first_s: Time stamp of the first sample [s].
     last_s: Time stamp of the last sample [s].
@@ -1482,7 +1486,7 @@ class covariance(_Struct):
     given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
     propagation is one second of flight. A parameter that is set in flight takes effect from the start of the current
     second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-    second do not show.
+    second have no effect on the covariance.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE, and sins.ERRORS_OUTSIDE_VALIDITY if a
         standard deviation exceeds the limits of that flag.
@@ -1799,7 +1803,7 @@ class planned_failure(_Struct):
 class log_info(_Struct):
     """Contents of a flight log.
 
-    samples: Samples.
+    samples: Number of samples.
     duration_s: Duration from the first to the last sample [s].
     title[192]: The comment in the first line of the log, UTF-8, terminated; empty: none.
     """
@@ -1939,8 +1943,9 @@ class budget(_Struct):
     duration_s: Duration of the evaluation: from the end of the first interval to the end of the last [s].
     runs: Number of runs with all effects together; 1 if nothing is random.
     flights: Number of flights that the call made.
-    sigma_low: Lower end of the 95 % confidence interval of the root mean square of the random errors with all
-        effects together, divided by the root mean square over these runs; 1 if nothing is random.
+    sigma_low: Uncertainty of the random errors with all effects together, which comes from the number of runs:
+        lower end of the 95 % confidence interval of their root mean square, divided by their root mean square over
+        these runs; 1 if nothing is random.
     sigma_high: Upper end of that interval, divided likewise; 1 if nothing is random.
     position_m: Position error with all effects together, root mean square over the runs, the largest in the
         flight [m].
@@ -2162,9 +2167,10 @@ def move_time(sim, time_s):
     stamp time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on.
     Everything else stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of
     a stated period moves along. The flight continues to the same bits as one whose stamps never jumped, if the
-    differences between successive stamps are the same doubles; with a stated period they always are. (Without
-    velocities the differences over three samples count too. Durations in sins.accuracy are rounded as the time stamps
-    are.) The host must also move its flight_start_s of sins.scene_prepare() by the same time.
+    differences between successive stamps are the same doubles; with a stated period they always are. (If the samples
+    have no velocities, the differences over three samples must be the same doubles too. Durations in sins.accuracy
+    have the rounding of the time stamps.) The host must also move its flight_start_s of sins.scene_prepare() by the
+    same time.
 
     sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
     sins.ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2192,8 +2198,8 @@ def move_truth(sim, sample):
     Before the first step there are no errors to keep, and the call acts as sins.reposition().
 
     sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.reposition(). sins.ERROR_SINGULAR: too close to a pole,
-    in geographic axes. sins.ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a
-    quarter of the Earth) that no place has it.
+    in geographic axes. sins.ERROR_DIVERGED: the solution would leave its limits, or no place has the position error,
+    because it is too large (a quarter of the Earth).
     """
 
 
@@ -2210,8 +2216,7 @@ def reposition(sim, sample):
     sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
     sins.ERROR_BAD_STATE: navigating on increments.
 
-    If no INS can start there (a pole, in geographic axes), the reads and
-    the next step return the error.
+    If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
     """
 
 
@@ -2228,8 +2233,8 @@ def last_error(sim, buffer, needed):
     """Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8
     and always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this
     thread that has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget),
-    or whose handle was rejected (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). If this call or
-    sins.last_error_info() fails, it leaves no sentence.
+    or whose handle was rejected (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). A failure of this call
+    or of sins.last_error_info() is not kept.
 
     needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for
     the size only. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -2886,11 +2891,11 @@ def scene_destroy(scene):
 
 @_function(status, scene, sim, c_double, POINTER(flight_sample))
 def scene_prepare(scene, sim, flight_start_s, sample):
-    """Prepares the next interval: call it before each push, and step before the next call. The sample gets the
-    temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the first interval
-    that starts at or after their time. If the scene plans no failure of an output, the call does not touch the
-    failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
-    call.
+    """Prepares the next interval: call this function before each push, and call sins.step() before you call it again.
+    The sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at
+    the first interval that starts at or after their time. If the scene plans no failure of an output, the call does
+    not touch the failure of that output. flight_start_s is the time stamp of the flight's first sample. No
+    allocation, no system call.
 
     sins.ERROR_BAD_HANDLE: scene or sim is not a valid handle.
     sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
@@ -3090,8 +3095,8 @@ def log_parse(text, log, fault):
     rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 
     Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before.
-    Their ranges are checked when they are pushed. The library does not keep the bytes. Not for a real-time frame: it
-    allocates, 184 bytes a sample.
+    The ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a
+    real-time frame: it allocates, 184 bytes a sample.
 
     sins.ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its
     place, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
@@ -3183,7 +3188,8 @@ def error_budget(configured, samples, request, rows, written, budget):
     through the effects in the order of their shares, the smallest first, and collects each effect that still fits. A
     collection fits if the root sum of squares of D and R is within each limit: D is the sum of its deterministic
     contributions, and R is the root sum of squares of its random contributions. Then the call flies all runs again
-    without these effects. While the change (left_out) exceeds a limit, it puts the largest of them back.
+    without these effects. While the change (left_out) exceeds a limit, it puts back the largest of the effects that
+    were left out.
 
     The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time
     frame: it allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once

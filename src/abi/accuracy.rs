@@ -24,9 +24,10 @@ pub struct sins_accuracy {
     /// Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
     /// divided by a very short time [s].
     pub window_start_s: f64,
-    /// Samples in the window of the radial error rates. While there are none, the rates are 0.
+    /// Number of samples in the window of the radial error rates. While there are none, the rates are 0.
     pub window_samples: u64,
-    /// sqrt(mean RER^2); radial error rate RER = horizontal position error / time since the start [m/s].
+    /// Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
+    /// start [m/s].
     pub radial_error_rate_rms_m_s: f64,
     /// R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
     pub cep_rate_m_s: f64,
@@ -52,12 +53,12 @@ pub struct sins_accuracy {
     /// Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
     /// [m].
     pub inconsistency_max_m: f64,
-    /// Samples flagged SINS_NAVIGATION_INCONSISTENT.
+    /// Number of samples flagged SINS_NAVIGATION_INCONSISTENT.
     pub inconsistent_samples: u64,
-    /// Intervals flown since the start or the last reposition: one less than the samples.
+    /// Number of intervals flown since the start or the last reposition: one less than the number of samples.
     pub intervals: u64,
-    /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten of its time constants after the
-    /// start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+    /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
+    /// on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
     pub trim_rate_max_rad_s: f64,
     /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     pub trim_force_max_m_s2: f64,

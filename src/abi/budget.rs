@@ -60,7 +60,7 @@ interface_struct!(sins_budget_request, "request", 40);
 /// effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
 /// the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
 /// root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
-/// change (left_out) exceeds a limit, it puts the largest of them back.
+/// change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
 ///
 /// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
 /// allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once

@@ -19,8 +19,8 @@ use crate::covariance::NavigationCovariance;
 /// gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
 /// It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
 /// One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
-/// current second. A second with at least one height of the altimeter counts as aided
-/// throughout, so drop-outs shorter than a second do not show.
+/// current second. A second with at least one height of the altimeter counts as aided throughout,
+/// so drop-outs shorter than a second have no effect on the covariance.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_covariance {

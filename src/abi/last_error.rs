@@ -35,8 +35,8 @@ pub struct sins_error_info {
     pub status: sins_status,
     /// 0
     pub reserved: u32,
-    /// Name of the field or argument at fault, such as "gyro.markov_time_s", or of another measured quantity; terminated.
-    /// Empty if the call itself is at fault.
+    /// Name of the field or argument at fault, such as "gyro.markov_time_s", or of a computed quantity at fault, such as
+    /// "navigated position error [m]"; terminated. Empty if the call itself is at fault.
     pub field: [c_char; 96],
     /// Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
     pub index: i64,
@@ -55,9 +55,9 @@ interface_struct!(sins_error_info, "info", 152);
 
 /// Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
 /// always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
-/// has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle was rejected
-/// (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). If this call or sins_last_error_info() fails, it leaves
-/// no sentence.
+/// has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle
+/// was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this call or of
+/// sins_last_error_info() is not kept.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
 /// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.

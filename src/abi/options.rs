@@ -82,7 +82,7 @@ pub type sins_gravity = i32;
 
 /// Normal gravity in closed form at any height, with its north component.
 pub const SINS_GRAVITY_NORMAL: sins_gravity = 0;
-/// Somigliana's formula with the second-order height term, along the ellipsoid normal, as most tools have it.
+/// Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools.
 pub const SINS_GRAVITY_SOMIGLIANA: sins_gravity = 1;
 
 /// Directions of the sensor axes.
@@ -146,7 +146,8 @@ pub struct sins_options {
     /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
     /// of 100 s cause 40 m of position error in 12 h, longer ones many times that.
     pub max_gap_s: f64,
-    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Beyond it the truth has jumped.
+    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
+    /// the truth.
     pub max_acceleration_m_s2: f64,
     /// Summary of the true motion, of enum sins_summary.
     pub truth_summary: i32,

@@ -46,10 +46,10 @@
  *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
- *   Abandoned calls: a call may never return, because of siglongjmp() or because its thread was cancelled or terminated. It then
+ *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
  *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
  *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
- *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. The floating-point state of the host is not restored.
+ *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point state.
  *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
  *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
@@ -62,9 +62,9 @@
  *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
  *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
  *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
- * Host time. Time in a run is the time stamps of its samples; the library reads no clock for it. (Clocks are read for two other
- *   purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from the
- *   clock.)
+ * Host time. The time in a run comes from the time stamps of its samples; the library reads no clock for it. (Clocks are read for
+ *   two other purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from
+ *   the clock.)
  *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
  *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the
  *     time of that clock when the vehicle moves on: the flight continues as if there had been no pause. Without that call, the
@@ -72,18 +72,19 @@
  *     pause is flown as if the vehicle had moved on: velocity times the length of the pause. The push after it returns
  *     SINS_GAP.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
- *     smoothest motion between its ends. Its updates are as long as those before the gap; if that would take more than 80
- *     subsamples in all, they are longer. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period
- *     of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up
- *     to 5 * (error of a position) * (number of lost intervals)^2. For example, 1 s lost in straight flight at 50 Hz, with
- *     positions to 1 cm, cost 23 m. If that is too much, set a smaller max_gap_s: longer gaps are then rejected.
- *   Faster or slower than real time: give samples that are farther apart in simulated time (ten times dt as well as dt, up to
+ *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
+ *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
+ *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period of
+ *     8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up to 5
+ *     n^2 times the error of a position, where n is the number of lost intervals. For example, 1 s lost in straight flight at 50
+ *     Hz, with positions to 1 cm, cost 23 m. If such an error is too large, set a smaller max_gap_s: longer gaps are then
+ *     rejected.
+ *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
- *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a
- *     whole. So the accuracy is that of the sample rate at hand, and a turn of 170 degrees or more between two samples is
- *     rejected. The size of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of
- *     drop-outs are per sample, whatever the interval.
+ *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a whole.
+ *     So the accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size
+ *     of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
+ *     each sample, whatever the length of its interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
  *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
  *     sins_snapshot_load() returns to a saved moment.
@@ -91,8 +92,8 @@
  *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
  *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
  *
- * Scenes and logs. A scene is a flight, the simulator that flies it, and the failures on the way, as a text in TOML. A log is a
- *   flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
+ * Scenes and logs. A scene is a flight, the settings of the simulator, and the planned failures of its sensors, as a text in TOML.
+ *   A log is a flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
  *
  *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
  *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
@@ -168,7 +169,7 @@ typedef struct sins_sim sins_sim;
 typedef struct sins_flight sins_flight;
 /* An ensemble: many runs of one simulator over the same samples. */
 typedef struct sins_ensemble sins_ensemble;
-/* A scene: a flight, the simulator that flies it, and the failures on the way. */
+/* A scene: a flight, the settings of the simulator, and the planned failures of its sensors. */
 typedef struct sins_scene sins_scene;
 /* A flight log: a table of samples. */
 typedef struct sins_log sins_log;

@@ -12,7 +12,7 @@ use crate::simulator::Moment;
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_record {
-    /// sizeof(sins_record); in an array it is enough to set it in the first element and 0 in the others.
+    /// sizeof(sins_record); in an array only that of the first element must be set.
     pub struct_size: u32,
     /// 0
     pub reserved: u32,

@@ -51,8 +51,8 @@ pub struct sins_flight_sample {
     pub roll_rad: f64,
     /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
     /// must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-    /// angular rates predict, or, without rates, that the previous interval predicts. Other whole turns between two samples
-    /// cannot be detected.
+    /// angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
+    /// samples cannot be detected.
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     pub heading_rad: f64,

@@ -23,7 +23,7 @@ pub type sins_failure_kind = i32;
 /// No failure: clears the failure that is set.
 pub const SINS_FAILURE_NONE: sins_failure_kind = 0;
 /// The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-/// its first value. It is not flagged, because it looks like data.
+/// its first value. It is not flagged, because it looks like valid data.
 pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
 /// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
 /// altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.

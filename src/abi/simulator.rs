@@ -173,9 +173,9 @@ pub(super) fn stepped(step: Step) -> sins_status {
 /// time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
 /// stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
 /// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
-/// stamps are the same doubles; with a stated period they always are. (Without velocities the differences over three
-/// samples count too. Durations in sins_accuracy are rounded as the time stamps are.) The host must also move its
-/// flight_start_s of sins_scene_prepare() by the same time.
+/// stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
+/// over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
+/// host must also move its flight_start_s of sins_scene_prepare() by the same time.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -206,8 +206,8 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
-/// SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is so large (a quarter of the Earth)
-/// that no place has it.
+/// SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
+/// (a quarter of the Earth).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_truth(
     sim: *mut sins_sim,
@@ -231,8 +231,7 @@ pub unsafe extern "C" fn sins_move_truth(
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// If no INS can start there (a pole, in geographic axes), the reads and
-/// the next step return the error.
+/// If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,

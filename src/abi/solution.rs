@@ -21,9 +21,9 @@ pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
 pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
 /// The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
 /// force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
-/// it is smaller, the heading error is below 90 degrees.) The simulator knows this error. A real INS can be sure of this
-/// case only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays until
-/// the INS starts again.
+/// it is smaller, the heading error is below 90 degrees.) The simulator knows the horizontal error; a real INS does not. A
+/// real INS can be sure that it has not found north only if its levelled horizontal rate is more than twice the north
+/// component of the Earth rate. The flag stays until the INS starts again.
 pub const SINS_NAVIGATION_NORTH_UNKNOWN: sins_navigation_flags = 8;
 
 /// A solution within a sins_record; never grows. Fields as in sins_navigation.

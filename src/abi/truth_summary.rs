@@ -18,11 +18,11 @@ pub struct sins_truth_summary {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// Intervals flown.
+    /// Number of intervals flown.
     pub intervals: u64,
-    /// Intervals that are gaps (see SINS_GAP).
+    /// Number of intervals that are gaps (see SINS_GAP).
     pub gaps: u64,
-    /// Samples faster than 30 m/s. Sideslip and angle of attack are taken from these only.
+    /// Number of samples with a speed of more than 30 m/s. Sideslip and angle of attack are taken from these only.
     pub fast_samples: u64,
     /// Sum of the lengths of the intervals [s].
     pub flown_s: f64,

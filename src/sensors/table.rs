@@ -184,8 +184,8 @@ pub const PARAMETERS: &[Parameter] = &[
         name: "lever_arm_m", shape: Matrix, is_random: GIVEN,
         doc: "lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect)",
         note: "The block's own point is where the lever arm of sins_mounting ends. At a start in motion, samples do not show the angular \
-            acceleration of the first interval (see sins_mounting): the measured velocity then lacks lever arm times that change of rate \
-            for the rest of the flight. With sins_push_imu() the angular acceleration follows from the previous increments.",
+            acceleration of the first interval (see sins_mounting). The measured velocity then lacks, for the rest of the flight, the \
+            lever arm times the change of the rate in that interval. With sins_push_imu() the angular acceleration follows from the previous increments.",
         gyro: None,
         accel: field(("accel.lever_arm_m", "m"), Within(-100.0, 100.0),
             ("lever_arm_mm", "mm", 1e-3), "accel size effect"),
