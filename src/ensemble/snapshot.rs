@@ -83,7 +83,7 @@ impl Ensemble {
             if place % PART_RUNS == 0 {
                 let (set, count) = (InstructionSet::up_to(usize::MAX), PART_RUNS.min(count - place));
                 let runs = SideBySide::new(simulator, run, count, set)?;
-                parts.push(Part { intake: intake.clone(), intervals, runs });
+                parts.push(Part { intake: intake.copy()?, intervals, runs });
             }
             if let Some(part) = parts.last_mut() {
                 let fits = part.runs.has_sensors_of(simulator);

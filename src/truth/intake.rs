@@ -43,9 +43,15 @@ pub struct Intake {
 }
 
 impl Intake {
-    /// An empty intake. An intake allocates only here.
+    /// An empty intake. An intake allocates only here and in a copy.
     pub fn new(earth: Earth, axes: BodyAxes, limits: IntakeLimits) -> Result<Self, Error> {
         Ok(Self { earth, axes, limits, ring: Ring::new()?, first_time_s: 0.0, ticks: 0.0 })
+    }
+
+    /// Another with the same samples; unlike a clone it reports a lack of memory.
+    pub(crate) fn copy(&self) -> Result<Self, Error> {
+        let &Self { earth, axes, limits, ref ring, first_time_s, ticks } = self;
+        Ok(Self { earth, axes, limits, ring: ring.copy()?, first_time_s, ticks })
     }
 
     /// Forgets all samples.

@@ -51,6 +51,13 @@ impl Ring {
         }
     }
 
+    /// Another of the same points; unlike a clone it reports a lack of memory.
+    pub fn copy(&self) -> Result<Self, Error> {
+        let mut copy = Self { pushed: self.pushed, taken: self.taken, ..Self::new()? };
+        copy.points.copy_from_slice(&*self.points);
+        Ok(copy)
+    }
+
     /// Removes all points.
     pub fn clear(&mut self) {
         (self.pushed, self.taken) = (0, 0);

@@ -63,8 +63,16 @@ impl Disturbed {
     pub fn room(sensors: &SensorSuite, count: usize) -> Result<Box<[Self]>, Error> {
         let count = if sensors.gravity.is_on() { count } else { 0 };
         let mut memory = room(count)?;
-        memory.resize(count, Self { sensors: sensors.clone(), flown: Flown::NONE, before: Flown::NONE });
+        for _ in 0..count {
+            memory.push(Self::of(sensors));
+        }
         Ok(memory.into_boxed_slice())
+    }
+
+    /// Not inlined, for the stack.
+    #[inline(never)]
+    fn of(sensors: &SensorSuite) -> Self {
+        Self { sensors: sensors.clone(), flown: Flown::NONE, before: Flown::NONE }
     }
 
     pub fn put(&mut self, sensors: &SensorSuite) {

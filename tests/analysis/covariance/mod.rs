@@ -1,0 +1,13 @@
+//! The covariance of the navigation errors: at rest against a matrix exponential of the textbook's equations, against single runs
+//! where one draw is all that is random, and over starts, reads and slews.
+
+mod at_rest;
+mod single_runs;
+mod starts_and_reads;
+
+use crate::support::G;
+
+const MICRO_G: f64 = 1e-6 * G;
+
+/// A stretch of the propagation is a second, in which the Earth turns by 7.3e-5 rad: what one may lose.
+const MODEL: f64 = 7.3e-5;

@@ -1,0 +1,94 @@
+//! What starts, reads, slews and resets make of it.
+
+use nalgebra::Vector3;
+use sins::sensors::{InitialErrorParameters, TriadParameters};
+use sins::{Options, Simulator};
+
+use crate::support;
+
+fn drawn() -> (TriadParameters, InitialErrorParameters) {
+    let gyro = TriadParameters {
+        bias_sigma: Vector3::repeat(1e-7),
+        rate_random_walk: Vector3::repeat(1e-9),
+        ..Default::default()
+    };
+    let initial = InitialErrorParameters {
+        position_sigma_n: Vector3::new(3.0, 4.0, 5.0),
+        velocity_sigma_n: Vector3::new(0.1, 0.2, 0.3),
+        misalignment_sigma_n: Vector3::new(1e-4, 2e-4, 3e-4),
+        ..Default::default()
+    };
+    (gyro, initial)
+}
+
+fn patrolling(options: &Options) -> Simulator {
+    let mut simulator = Simulator::new(options).unwrap();
+    let (gyro, initial) = drawn();
+    simulator.set_gyro(&gyro).unwrap();
+    simulator.set_initial_errors(&initial).unwrap();
+    simulator
+}
+
+fn sigma(simulator: &mut Simulator) -> [f64; 9] {
+    simulator.covariance().unwrap().unwrap().1.sigma()
+}
+
+/// Before the first step it is that of the start; a read changes nothing; other outputs have the same bits with and without it.
+#[test]
+fn it_begins_as_the_start_and_changes_nothing() {
+    let flight = support::patrol(60.0);
+    let sample = |k: u32| flight.sample_at(0.01 * f64::from(k)).unwrap();
+    let options = Options { error_model: true, ..Options::default() };
+    let mut without = patrolling(&options);
+    assert_eq!(without.covariance().unwrap_err().kind, sins::ErrorKind::BadState);
+    let mut with = patrolling(&Options { covariance: true, ..options });
+    let mut unread = patrolling(&Options { covariance: true, ..options });
+    assert_eq!(with.covariance().unwrap(), None);
+    for k in 0..=1234 {
+        for simulator in [&mut with, &mut without, &mut unread] {
+            simulator.push_sample(&sample(k)).unwrap();
+        }
+        if k == 0 {
+            let expected = [3.0, 4.0, 5.0, 0.1, 0.2, 0.3, 1e-4, 2e-4, 3e-4];
+            for (found, expected) in sigma(&mut with).into_iter().zip(expected) {
+                // Rotations to and from Earth-fixed axes, of 1e2 m/s by the lean of 1e-6 rad.
+                assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+            }
+        }
+        for simulator in [&mut with, &mut without, &mut unread] {
+            simulator.step().unwrap();
+        }
+        sigma(&mut with);
+    }
+    assert_eq!(support::bits(&with), support::bits(&without));
+    assert_eq!(with.covariance(), unread.covariance());
+    // What is random has a variance, and nothing is negative.
+    assert!(sigma(&mut with).iter().all(|sigma| *sigma > 0.0));
+}
+
+/// A slew keeps the standard deviations; a reposition starts anew, with walks that go on; a reset takes them back.
+#[test]
+fn slews_keep_it_and_starts_begin_it_anew() {
+    let flight = support::patrol(60.0);
+    let options = Options { covariance: true, ..Options::default() };
+    let mut simulator = patrolling(&options);
+    for k in 0..=2050 {
+        simulator.push_sample(&flight.sample_at(0.01 * f64::from(k)).unwrap()).unwrap();
+        simulator.step().unwrap();
+    }
+    let before = sigma(&mut simulator);
+    let mut elsewhere = flight.sample_at(20.5).unwrap();
+    (elsewhere.place.latitude_rad, elsewhere.place.longitude_rad) = (-0.3, 2.0);
+    simulator.move_truth(&elsewhere).unwrap();
+    for (before, after) in before.into_iter().zip(sigma(&mut simulator)) {
+        assert!((after / before - 1.0).abs() < 1e-9, "{before} {after}");
+    }
+    simulator.reposition(&elsewhere).unwrap();
+    assert!((sigma(&mut simulator)[0] / 3.0 - 1.0).abs() < 1e-12);
+    simulator.reset();
+    for k in 0..=2050 {
+        simulator.push_sample(&flight.sample_at(0.01 * f64::from(k)).unwrap()).unwrap();
+        simulator.step().unwrap();
+    }
+    assert_eq!(sigma(&mut simulator), before);
+}
