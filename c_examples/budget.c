@@ -11,6 +11,18 @@
 #define FLIGHT_S 300
 #define COUNT ((size_t)RATE_HZ * FLIGHT_S + 1)
 
+/* Prints why a call failed: the library keeps the sentence with the simulator of the call, or, for NULL, with the thread. */
+static sins_status checked(sins_status status, const sins_sim *sim)
+{
+    char sentence[512] = "";
+
+    if (status < 0) {
+        sins_last_error(sim, sentence, sizeof sentence, NULL);
+        fprintf(stderr, "budget: %s\n", sentence);
+    }
+    return status;
+}
+
 /* Turns to the left and to the right. */
 static sins_status make_flight(sins_flight **flight)
 {
@@ -27,29 +39,27 @@ static sins_status make_flight(sins_flight **flight)
     weave.heading_change_rad = 60.0 * SINS_DEG;
     weave.turns = 2.0;
     weave.ramp_s = 10.0;
-    return sins_flight_create(&start, &weave, 1, flight);
+    return checked(sins_flight_create(&start, &weave, 1, flight), NULL);
 }
 
-static sins_status ask(const sins_flight_sample *samples)
+/* The simulator that the host flies, with all its errors. */
+static sins_status configure(sins_sim **sim)
 {
     sins_options options;
-    sins_sim *sim = NULL;
     sins_gyro_params gyro;
     sins_accel_params accel;
     sins_mounting mounting;
     sins_gravity_params gravity;
-    sins_budget_request request;
-    sins_budget_row rows[16];
-    sins_budget budget;
-    size_t count = 0, k;
     sins_status status;
 
     SINS_INIT(options); /* as the host flies: here the recommended simulator, at 50 Hz */
     options.sample_period_s = 1.0 / RATE_HZ;
     SINS_INIT(gyro);
     SINS_INIT(accel);
-    sins_gyro_preset(SINS_GRADE_TACTICAL, &gyro);
-    sins_accel_preset(SINS_GRADE_TACTICAL, &accel);
+    status = checked(sins_gyro_preset(SINS_GRADE_TACTICAL, &gyro), NULL);
+    if (status == SINS_OK) {
+        status = checked(sins_accel_preset(SINS_GRADE_TACTICAL, &accel), NULL);
+    }
     gyro.scale_factor[2] = 150.0 * SINS_PPM;
     accel.misalignment_rad[2] = 1.0 * SINS_ARCSEC;
     SINS_INIT(mounting);
@@ -57,21 +67,39 @@ static sins_status ask(const sins_flight_sample *samples)
     mounting.boresight_error_rad[2] = 1.0 * SINS_ARCMIN;
     SINS_INIT(gravity);
     gravity.deflection_north_rad = 5.0 * SINS_ARCSEC;
+    if (status == SINS_OK) {
+        status = checked(sins_create(&options, sim), NULL);
+    }
+    if (status == SINS_OK) {
+        status = checked(sins_set_gyro(*sim, &gyro), *sim);
+    }
+    if (status == SINS_OK) {
+        status = checked(sins_set_accel(*sim, &accel), *sim);
+    }
+    if (status == SINS_OK) {
+        status = checked(sins_set_mounting(*sim, &mounting), *sim);
+    }
+    return status == SINS_OK ? checked(sins_set_gravity_disturbance(*sim, &gravity), *sim) : status;
+}
+
+static sins_status ask(const sins_flight_sample *samples)
+{
+    sins_sim *sim = NULL;
+    sins_budget_request request;
+    sins_budget_row rows[16];
+    sins_budget budget;
+    size_t count = 0, k;
+    sins_status status = configure(&sim);
+
     SINS_INIT(request);
     request.position_m = 10.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* struct_size of the first row is the distance between rows */
-    status = sins_create(&options, &sim);
-    if (status != SINS_OK) {
-        return status;
+    if (status == SINS_OK) { /* a host gives the simulator that it flies, at any moment */
+        status = checked(sins_error_budget(sim, samples, COUNT, &request, rows, sizeof rows / sizeof rows[0], &count, &budget),
+                         NULL);
     }
-    /* A host gives the simulator that it flies, at any moment. */
-    sins_set_gyro(sim, &gyro);
-    sins_set_accel(sim, &accel);
-    sins_set_mounting(sim, &mounting);
-    sins_set_gravity_disturbance(sim, &gravity);
-    status = sins_error_budget(sim, samples, COUNT, &request, rows, sizeof rows / sizeof rows[0], &count, &budget);
-    sins_destroy(sim);
+    sins_destroy(sim); /* if no handle was made, the library returns an error, which does not matter */
     if (status != SINS_OK) {
         return status;
     }
@@ -97,20 +125,20 @@ int main(void)
 {
     sins_flight *flight = NULL;
     sins_flight_sample *samples = (sins_flight_sample *)malloc(COUNT * sizeof *samples);
-    sins_status status = samples ? make_flight(&flight) : SINS_ERROR_OUT_OF_MEMORY;
+    sins_status status = SINS_ERROR_OUT_OF_MEMORY;
     size_t k;
 
+    if (samples == NULL) {
+        fprintf(stderr, "budget: no memory for the samples\n");
+    } else {
+        status = make_flight(&flight);
+    }
     for (k = 0; status == SINS_OK && k < COUNT; k++) {
         SINS_INIT(samples[k]);
-        status = sins_flight_sample_at(flight, (double)k / RATE_HZ, &samples[k]);
+        status = checked(sins_flight_sample_at(flight, (double)k / RATE_HZ, &samples[k]), NULL);
     }
     if (status == SINS_OK) {
         status = ask(samples);
-    }
-    if (status < 0) {
-        char sentence[512] = "";
-        sins_last_error(NULL, sentence, sizeof sentence, NULL);
-        fprintf(stderr, "budget: %s\n", sentence);
     }
     sins_flight_destroy(flight);
     free(samples);

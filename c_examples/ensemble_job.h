@@ -84,6 +84,7 @@ static void open_job(uint64_t runs, const char *scene, size_t scene_size, const 
     sins_flight_sample sample;
     sins_log_info info;
     sins_fault fault;
+    char place[80];
 
     SINS_INIT(fault);
     SINS_INIT(info);
@@ -91,7 +92,9 @@ static void open_job(uint64_t runs, const char *scene, size_t scene_size, const 
     SINS_INIT(job.options);
     if (sins_scene_parse(scene, scene_size, &job.scene) == SINS_SCENE_HAS_FAULTS) {
         CHECK(sins_scene_get_fault(job.scene, 0, &fault));
-        fail("the scene", fault.sentence);
+        snprintf(place, sizeof place, "the scene, line %llu, column %llu", (unsigned long long)fault.line,
+                 (unsigned long long)fault.column);
+        fail(place, fault.sentence);
     }
     if (log != NULL) {
         CHECK(sins_log_parse(log, log_size, &job.log, &fault));

@@ -12,6 +12,18 @@
 #define PIECE_S 120
 #define FLIGHT_S 3600
 
+/* Prints why a call failed: the library keeps the sentence with the simulator of the call, or, for NULL, with the thread. */
+static sins_status checked(sins_status status, const sins_sim *sim)
+{
+    char sentence[512] = "";
+
+    if (status < 0) {
+        sins_last_error(sim, sentence, sizeof sentence, NULL);
+        fprintf(stderr, "recommend: %s\n", sentence);
+    }
+    return status;
+}
+
 /* Weaving, shaken at 2 Hz. */
 static sins_status make_flight(sins_flight **flight)
 {
@@ -37,19 +49,19 @@ static sins_status make_flight(sins_flight **flight)
     weave.amplitude[2] = 1.0 * SINS_DEG;
     weave.frequency_hz[2] = 2.0;
     weave.phase_rad[2] = 90.0 * SINS_DEG;
-    return sins_flight_create(&start, &weave, 1, flight);
+    return checked(sins_flight_create(&start, &weave, 1, flight), NULL);
 }
 
 /* A simulator as the host flies it: its options, and its sensor block in the nose. */
 static sins_status configure(const sins_options *options, sins_sim **sim)
 {
     sins_mounting mounting;
-    sins_status status = sins_create(options, sim);
+    sins_status status = checked(sins_create(options, sim), NULL);
 
     SINS_INIT(mounting);
     mounting.lever_arm_m[1] = 3.0;
     mounting.lever_arm_m[2] = -0.8;
-    return status == SINS_OK ? sins_set_mounting(*sim, &mounting) : status;
+    return status == SINS_OK ? checked(sins_set_mounting(*sim, &mounting), *sim) : status;
 }
 
 /* The distance from the truth after the whole flight with ideal sensors. It is caused by the options, and by the samples, which
@@ -65,16 +77,16 @@ static sins_status fly(const sins_options *options, sins_flight *flight, double 
     SINS_INIT(sample);
     SINS_INIT(errors);
     for (k = 0; status >= 0 && k <= (long)RATE_HZ * FLIGHT_S; k++) {
-        status = sins_flight_sample_at(flight, (double)k / RATE_HZ, &sample);
+        status = checked(sins_flight_sample_at(flight, (double)k / RATE_HZ, &sample), NULL);
         if (status == SINS_OK) {
-            status = sins_push_sample(sim, &sample);
+            status = checked(sins_push_sample(sim, &sample), sim);
         }
         if (status >= 0) {
-            status = sins_step(sim);
+            status = checked(sins_step(sim), sim);
         }
     }
     if (status == SINS_OK) {
-        status = sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors);
+        status = checked(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors), sim);
     }
     *distance_m = sqrt(errors.position_enu_m[0] * errors.position_enu_m[0] +
                        errors.position_enu_m[1] * errors.position_enu_m[1]);
@@ -96,7 +108,7 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
 
     for (k = 0; status == SINS_OK && k < count; k++) {
         SINS_INIT(piece[k]);
-        status = sins_flight_sample_at(flight, (double)k / RATE_HZ, &piece[k]);
+        status = checked(sins_flight_sample_at(flight, (double)k / RATE_HZ, &piece[k]), NULL);
     }
     SINS_INIT(requirement);
     requirement.position_m = 1.0;
@@ -108,7 +120,7 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
         status = configure(&options, &configured);
     }
     if (status == SINS_OK) {
-        status = sins_recommend(configured, piece, count, &requirement, &options, &cost);
+        status = checked(sins_recommend(configured, piece, count, &requirement, &options, &cost), NULL);
     }
     sins_destroy(configured); /* if no handle was made, the library returns an error, which does not matter */
     if (status < 0) {
@@ -131,16 +143,16 @@ int main(void)
 {
     sins_flight *flight = NULL;
     sins_flight_sample *piece = (sins_flight_sample *)malloc(((size_t)RATE_HZ * PIECE_S + 1) * sizeof *piece);
-    sins_status status = piece ? make_flight(&flight) : SINS_ERROR_OUT_OF_MEMORY;
+    sins_status status = SINS_ERROR_OUT_OF_MEMORY;
 
+    if (piece == NULL) {
+        fprintf(stderr, "recommend: no memory for the samples\n");
+    } else {
+        status = make_flight(&flight);
+    }
     if (status == SINS_OK) {
         status = ask_and_fly(flight, piece);
         sins_flight_destroy(flight);
-    }
-    if (status < 0) {
-        char sentence[512] = "";
-        sins_last_error(NULL, sentence, sizeof sentence, NULL);
-        fprintf(stderr, "recommend: %s\n", sentence);
     }
     free(piece);
     return status == SINS_OK ? 0 : 1;

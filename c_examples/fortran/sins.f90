@@ -2125,7 +2125,7 @@ module sins
     !> statistics can be merged. The library starts no thread.
     !>
     !> What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time of a
-    !> simulator, and 1.7 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
+    !> simulator, and about 2 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
     !>
     !> After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
     !>

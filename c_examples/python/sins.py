@@ -2546,7 +2546,8 @@ def ensemble_create(configured, first_run, runs, ensemble):
     and their statistics can be merged. The library starts no thread.
 
     What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time
-    of a simulator, and 1.7 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
+    of a simulator, and about 2 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it
+    allocates.
 
     After an error *ensemble is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
 
