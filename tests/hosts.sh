@@ -15,7 +15,7 @@ cd "$(dirname "$0")/.."
 hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
-link=(-L "$built" -lsins "-Wl,-rpath,$built")
+link=("-L$built" -lsins "-Wl,-rpath,$built")
 
 # The C host and the C compiler say what is right.
 c() {

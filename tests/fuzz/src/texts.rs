@@ -170,8 +170,11 @@ pub fn some_log(input: &mut Input) -> Vec<u8> {
 }
 
 fn altered(input: &mut Input, mut text: Vec<u8>) -> Vec<u8> {
-    if input.one_in(4) && !text.is_empty() {
+    if input.one_in(4) {
         for _ in 0..1 + input.below(4) {
+            if text.is_empty() {
+                break;
+            }
             let at = input.word() as usize % text.len();
             match input.below(4) {
                 0 => text[at] = input.byte(),

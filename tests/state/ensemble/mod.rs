@@ -227,7 +227,13 @@ fn doomed(first_run: u64, runs: usize) -> Ensemble {
     let options = Options { vertical: VerticalMode::Free, ..Options::default() };
     let mut template = Simulator::new(&options).unwrap();
     let up = |size: f64| Vector3::new(0.0, 0.0, size);
-    let accel = TriadParameters { bias: up(4000.0), bias_sigma: up(1000.0), ..Default::default() };
+    let accel = TriadParameters {
+        bias: up(4000.0),
+        bias_sigma: up(1000.0),
+        markov_sigma: up(1e-3),
+        markov_time_s: up(60.0),
+        ..Default::default()
+    };
     template.set_accel(&accel).unwrap();
     Ensemble::new(&template, first_run, runs).unwrap()
 }

@@ -1,6 +1,8 @@
 //! A saved ensemble goes on to the same bits; a damaged one is rejected.
 
+use nalgebra::Vector3;
 use sins::ensemble::Ensemble;
+use sins::sensors::InitialErrorParameters;
 use sins::snapshot::{SnapshotOf, seal};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
@@ -56,6 +58,7 @@ fn a_saved_ensemble_goes_on_to_the_same_bits() {
         }
         loaded.load_snapshot(&saved(&ensemble)).unwrap();
         assert!(loaded.diverged().eq(ensemble.diverged()) && loaded.truth() == ensemble.truth());
+        assert_eq!(saved(&loaded), saved(&ensemble), "after {k} s");
     }
     assert_eq!(ensemble.diverged().count(), 6);
     for ensemble in [&mut ensemble, &mut loaded] {
@@ -64,6 +67,27 @@ fn a_saved_ensemble_goes_on_to_the_same_bits() {
         ensemble.step().unwrap();
     }
     assert_eq!(saved(&loaded), saved(&ensemble));
+}
+
+/// Runs that cannot start, as they are beyond the limits at once.
+#[test]
+fn runs_that_could_not_start_are_saved_too() {
+    let mut template = Simulator::new(&Options::default()).unwrap();
+    let (position_n, position_sigma_n) = (Vector3::new(0.0, 0.0, -450e3), Vector3::new(0.0, 0.0, 1e5));
+    let initial = InitialErrorParameters { position_n, position_sigma_n, ..Default::default() };
+    template.set_initial_errors(&initial).unwrap();
+    let (mut ensemble, mut loaded) =
+        (Ensemble::new(&template, 0, 19).unwrap(), Ensemble::new(&template, 7, 2).unwrap());
+    for k in 0..5 {
+        ensemble.push_sample(&resting_sample(f64::from(k))).unwrap();
+        ensemble.step().unwrap();
+        let bytes = saved(&ensemble);
+        loaded.load_snapshot(&bytes).unwrap();
+        assert!(saved(&loaded) == bytes && loaded.diverged().eq(ensemble.diverged()), "after {k} s");
+        core::mem::swap(&mut loaded, &mut ensemble);
+    }
+    let count = ensemble.diverged().count();
+    assert!(count > 0 && count < 19, "{count}");
 }
 
 #[test]

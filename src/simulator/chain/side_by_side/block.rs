@@ -171,18 +171,15 @@ impl Block {
         }
     }
 
-    /// A run starts so, or cannot.
-    pub fn start(&mut self, lane: usize, height_m: f64, start: Option<&Chain>, time_s: f64) {
+    /// A run starts as `chain`.
+    pub fn start(&mut self, lane: usize, height_m: f64, chain: &Chain) {
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.reposition(height_m);
         }
         if let Some(disturbed) = self.disturbed.get_mut(lane) {
             disturbed.reposition(height_m);
         }
-        match start {
-            Some(chain) => self.put_run(lane, chain),
-            None => self.diverged[lane] = Some(LastGood { time_s, interval_s: 0.0 }),
-        }
+        self.put_run(lane, chain);
     }
 
     /// Time of the last good solution of a run that has diverged [s].

@@ -114,17 +114,26 @@ impl SideBySide {
             if place == 0 && matches!(&chain, Err(error) if is_of_truth(error)) {
                 return chain.map(|_| ());
             }
-            let time_s = first.current.time_s;
-            self.blocks[place / RUNS].start(place % RUNS, height_m, chain.as_ref().ok(), time_s);
-            shared = shared.or(chain.ok());
+            let has_started = chain.is_ok();
+            let chain = chain.unwrap_or_else(|_| self.chain_of_truth(first.current));
+            let block = &mut self.blocks[place / RUNS];
+            block.start(place % RUNS, height_m, &chain);
+            if has_started {
+                shared = shared.or(Some(chain));
+            } else {
+                block.put_diverged(place % RUNS, LastGood { time_s: first.current.time_s, interval_s: 0.0 });
+            }
         }
-        self.chain[0] = Some(match shared {
-            Some(chain) => chain,
-            // All have diverged: the truth goes on.
-            None => Chain::to_load(&self.options, self.earth, first.current, &self.sensors[0]),
-        });
+        // Without a run that has started the truth goes on.
+        self.chain[0] = Some(shared.unwrap_or_else(|| self.chain_of_truth(first.current)));
         self.sensors[0].reposition(height_m);
         Ok(())
+    }
+
+    /// A chain with the solution of the truth: that of a run that cannot start. Not inlined, for the stack.
+    #[inline(never)]
+    fn chain_of_truth(&self, first: &TruthPoint) -> Chain {
+        Chain::to_load(&self.options, self.earth, first, &self.sensors[0])
     }
 
     /// Writes a run as the simulator that it is, with the samples of `intake`.
@@ -158,8 +167,8 @@ impl SideBySide {
                 (None, None) => (0.0, 0.0),
             };
             block.put_diverged(lane, LastGood { time_s, interval_s });
-        } else {
-            self.sensors[0].follow_as(&simulator.sensors);
         }
+        // A run that has diverged, too, is saved with what all runs share.
+        self.sensors[0].follow_as(&simulator.sensors);
     }
 }
