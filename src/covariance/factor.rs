@@ -5,13 +5,17 @@ use crate::errors::column::Column;
 /// Rows of a column.
 pub const ROWS: usize = 11;
 
+/// Smaller errors are none: a number divided by them can be infinite.
+const NOTHING: f64 = 1e-250;
+
 /// Makes of the columns A the lower triangular L with L Lᵀ = A Aᵀ, in the first columns, by Householder reflections from the
 /// right: no difference of squares, so that L Lᵀ cannot become negative. The others are used up.
 pub fn triangularize(columns: &mut [Column]) {
     for row in 0..ROWS.min(columns.len()) {
         let rest = &mut columns[row..];
         let largest = rest.iter().fold(0.0f64, |most, column| most.max(column[row].abs()));
-        if largest == 0.0 {
+        if largest < NOTHING {
+            rest.iter_mut().for_each(|column| column[row] = 0.0);
             continue;
         }
         let norm = largest
@@ -38,6 +42,15 @@ mod tests {
 
     fn product(columns: &[Column]) -> nalgebra::SMatrix<f64, ROWS, ROWS> {
         columns.iter().map(|column| column * column.transpose()).sum()
+    }
+
+    #[test]
+    fn numbers_too_small_to_divide_by_are_none() {
+        let mut columns = [1.25e-312, 1e-300, 0.0].map(|first| {
+            Column::from_fn(|row, _| if row == 0 { first } else { 100.0 + (row as f64) * first.signum() })
+        });
+        triangularize(&mut columns);
+        assert!(columns.iter().all(|column| column.iter().all(|number| number.is_finite())));
     }
 
     #[test]

@@ -116,6 +116,7 @@ impl Propagation {
             }
         }
         triangularize(&mut self.root.factor);
+        self.root.bound();
         let Some(alignment) = &start.alignment else { return };
         for place in 0..COUNT {
             let source = Source::at(place, parameters);
@@ -126,6 +127,7 @@ impl Propagation {
                 self.root.sensitivities[place] = at.column(start.v_e, &errors);
             }
         }
+        self.root.bound();
     }
 
     fn walk_of(&self, source: &Source) -> f64 {
@@ -158,6 +160,7 @@ impl Propagation {
         let passage =
             Passage { earth: &self.earth, vertical: self.vertical, stretch: &self.stretch, at: &at, truth };
         passage.go(&mut self.root, &mut self.work, parameters);
+        self.root.bound();
         self.stretch = Stretch::EMPTY;
     }
 
@@ -175,6 +178,7 @@ impl Propagation {
         let earth = &self.earth;
         self.root.columns_mut().for_each(|column| moved(column, earth, from, to));
         triangularize(&mut self.root.factor);
+        self.root.bound();
     }
 
     /// The covariance at `truth`, the last point that was flown to; nothing changes but scratch.
@@ -195,6 +199,7 @@ impl Propagation {
                 truth,
             };
             passage.go(&mut self.ahead, &mut self.work, parameters);
+            self.ahead.bound();
         }
         covariance_of(&self.ahead, &at, truth, block, parameters)
     }

@@ -7,6 +7,9 @@ use crate::errors::column::Column;
 use crate::mechanization::VerticalLoop;
 use crate::memory::room;
 
+/// Numbers of the root are not larger: beyond any error that linear equations describe, and their squares are finite.
+pub(super) const LARGEST: f64 = 1e30;
+
 /// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
 /// Of the covariance of x and β this is a square root, so that no rounding makes it negative.
 #[derive(Debug, Clone)]
@@ -35,6 +38,19 @@ impl Root {
         self.sensitivities.copy_from_slice(&other.sensitivities);
         self.factor.copy_from_slice(&other.factor);
         (self.walks, self.channel) = (other.walks, other.channel);
+    }
+
+    /// What has grown beyond [`LARGEST`], or is no number any more, stays there.
+    pub fn bound(&mut self) {
+        let bound = |number: &mut f64| {
+            // False for NaN too.
+            let is_within = number.abs() <= LARGEST;
+            if !is_within {
+                *number = LARGEST.copysign(*number);
+            }
+        };
+        self.walks.iter_mut().for_each(bound);
+        self.columns_mut().flat_map(|column| column.iter_mut()).for_each(bound);
     }
 
     pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Column> {

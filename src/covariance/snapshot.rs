@@ -1,13 +1,10 @@
 //! What a snapshot keeps of the propagation.
 
 use super::propagation::Propagation;
-use super::root::Root;
+use super::root::{LARGEST, Root};
 use super::stretch::Stretch;
 use crate::error::Error;
 use crate::snapshot::{Numbers, Reader, Stored, Writer};
-
-/// For errors and variances of walks: more than any that is propagated.
-const ERRORS: f64 = 1e30;
 
 /// Before a flight nothing but the walks goes on.
 impl Propagation {
@@ -17,7 +14,7 @@ impl Propagation {
 
     pub fn load_waiting(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         from.enter("snapshot: covariance");
-        Numbers::load(&mut self.root.walks, from, ERRORS)?;
+        Numbers::load(&mut self.root.walks, from, LARGEST)?;
         from.require(self.root.walks.iter().all(|walk| *walk >= 0.0), 0.0, "must not be negative")
     }
 }
@@ -34,7 +31,7 @@ impl Stored for Propagation {
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         self.load_waiting(from)?;
         let Root { sensitivities, factor, walks: _, channel } = &mut self.root;
-        sensitivities.iter_mut().chain(factor).try_for_each(|column| Numbers::load(column, from, ERRORS))?;
+        sensitivities.iter_mut().chain(factor).try_for_each(|column| Numbers::load(column, from, LARGEST))?;
         channel.load(from)?;
         self.stretch = Stretch::EMPTY;
         self.stretch.load(from)
