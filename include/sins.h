@@ -1442,8 +1442,9 @@ typedef struct sins_truth_summary {
  * gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
  * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
- * current second. A second with at least one height of the altimeter counts as aided throughout,
- * so drop-outs shorter than a second have no effect on the covariance.
+ * current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
+ * second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances) end at 1e30,
+ * so all outputs are finite.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */

@@ -1486,7 +1486,8 @@ class covariance(_Struct):
     given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
     propagation is one second of flight. A parameter that is set in flight takes effect from the start of the current
     second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-    second have no effect on the covariance.
+    second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances)
+    end at 1e30, so all outputs are finite.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE, and sins.ERRORS_OUTSIDE_VALIDITY if a
         standard deviation exceeds the limits of that flag.

@@ -5,7 +5,7 @@ use crate::errors::column::Column;
 /// Rows of a column.
 pub const ROWS: usize = 11;
 
-/// Smaller errors are none: a number divided by them can be infinite.
+/// Smaller errors count as zero, because a number divided by them can be infinite.
 const NOTHING: f64 = 1e-250;
 
 /// Makes of the columns A the lower triangular L with L Lᵀ = A Aᵀ, in the first columns, by Householder reflections from the

@@ -7,7 +7,7 @@ use crate::errors::column::Column;
 use crate::mechanization::VerticalLoop;
 use crate::memory::room;
 
-/// Numbers of the root are not larger: beyond any error that linear equations describe, and their squares are finite.
+/// Largest number of the root. It is far beyond any error that linear equations describe, and its square is finite.
 pub(super) const LARGEST: f64 = 1e30;
 
 /// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
@@ -40,7 +40,7 @@ impl Root {
         (self.walks, self.channel) = (other.walks, other.channel);
     }
 
-    /// What has grown beyond [`LARGEST`], or is no number any more, stays there.
+    /// A number beyond [`LARGEST`], or NaN, becomes [`LARGEST`].
     pub fn bound(&mut self) {
         let bound = |number: &mut f64| {
             // False for NaN too.

@@ -57,7 +57,7 @@ impl Block {
         }
     }
 
-    /// The same and all other sensors, where gravity is other than normal.
+    /// What the sensors and the altimeter of each run measure, where gravity is other than normal.
     #[cold]
     #[inline(never)]
     fn sense_disturbed(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {

@@ -39,9 +39,9 @@ pub(crate) struct SideBySide {
     first_run: u64,
     /// What the host set, and what follows the signals.
     sensors: Box<[SensorSuite]>,
-    /// Whether the altimeters of the runs are behind that one, which has no errors.
+    /// Whether one altimeter without errors serves all runs.
     heights_are_shared: bool,
-    /// Those of one run while they are needed.
+    /// Scratch: the sensors of one run, put together when they are read.
     of_one: RefCell<Box<[SensorSuite]>>,
     signals: Signals,
     shared: [SharedInput; 2],

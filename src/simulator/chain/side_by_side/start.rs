@@ -124,7 +124,7 @@ impl SideBySide {
                 block.put_diverged(place % RUNS, LastGood { time_s: first.current.time_s, interval_s: 0.0 });
             }
         }
-        // Without a run that has started the truth goes on.
+        // If no run could start, the truth goes on alone.
         self.chain[0] = Some(shared.unwrap_or_else(|| self.chain_of_truth(first.current)));
         self.sensors[0].reposition(height_m);
         Ok(())
@@ -168,7 +168,7 @@ impl SideBySide {
             };
             block.put_diverged(lane, LastGood { time_s, interval_s });
         }
-        // A run that has diverged, too, is saved with what all runs share.
+        // Also from a run that has diverged: its snapshot holds what all runs share.
         self.sensors[0].follow_as(&simulator.sensors);
     }
 }
