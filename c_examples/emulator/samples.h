@@ -1,21 +1,21 @@
 /* The flight of a scene, sample by sample: computed by the library, or read from a log. */
 #pragma once
-#include <cmath>
+#include <optional>
 
 #include "scene.h"
 
 class Samples {
 public:
     /* folder: that of the scene's file, from which a log is seen. */
-    void open(const Scene &scene, const fs::path &folder)
+    Samples(const Scene &scene, const fs::path &folder)
     {
-        sins_scene_setup setup = scene.setup();
+        sins_scene_setup setup = scene->setup();
         if (setup.flight == SINS_SCENE_FLIGHT_LOG) {
-            open_log(folder / wide(scene.words(SINS_SCENE_TEXT_LOG)), setup.duration_s);
+            open_log(folder / wide(scene->text(SINS_SCENE_TEXT_LOG)), setup.duration_s);
             return;
         }
-        check(lib.sins_scene_create_flight(scene.handle(), &flight_));
-        check(lib.sins_flight_duration(flight_, &end_s_));
+        flight_ = scene->create_flight();
+        end_s_ = flight_->duration();
         rate_hz_ = setup.rate_hz;
         period_s = 1 / rate_hz_;
         double intervals = std::floor((setup.flown_s > 0 ? setup.flown_s : end_s_) / period_s + ROUNDING);
@@ -23,22 +23,19 @@ public:
         duration_s = intervals * period_s;
     }
 
-    sins_status get(size_t index, sins_flight_sample *sample) const
+    sins_flight_sample get(size_t index) const
     {
-        return log_ != NULL
-                   ? lib.sins_log_get_sample(log_, index, sample, NULL)
-                   : lib.sins_flight_sample_at(flight_, min((double)index / rate_hz_, end_s_), sample);
+        return log_ ? log_->sample(index) : flight_->sample_at(min((double)index / rate_hz_, end_s_));
     }
 
     /* Where a sample stands, for a sentence about it: the time, or the line of the log. */
     std::wstring place(size_t index) const
     {
-        sins_flight_sample sample = sized<sins_flight_sample>();
         uint64_t line = 0;
-        if (log_ == NULL) {
+        if (!log_) {
             return shown((double)index * period_s, 10) + L" s: ";
         }
-        lib.sins_log_get_sample(log_, index, &sample, &line);
+        log_->sample(index, &line);
         return log_path.wstring() + L":" + std::to_wstring(line) + L": ";
     }
 
@@ -52,32 +49,28 @@ private:
 
     void open_log(const fs::path &path, double wanted_s)
     {
-        sins_fault fault = sized<sins_fault>();
-        sins_log_info info = sized<sins_log_info>();
-        sins_flight_sample sample = sized<sins_flight_sample>();
-        std::string bytes = read_file(path);
         log_path = path;
-        if (lib.sins_log_parse(bytes.data(), bytes.size(), &log_, &fault) < 0) {
-            std::wstring place = L":" + std::to_wstring(fault.line) + L":" + std::to_wstring(fault.column);
-            throw Refusal{path.wstring() +
-                          (fault.line > 0 ? place + L": " + told(fault.sentence) : L": " + last_error())};
+        try {
+            log_ = sins::Log(read_file(path));
+        } catch (const sins::Error &error) {
+            throw Refusal(path.wstring() + L":" + told(error));
         }
-        lib.sins_log_get_info(log_, &info);
-        for (count = 0; count < info.samples; count++) {
-            lib.sins_log_get_sample(log_, count, &sample, NULL);
-            start_s = count == 0 ? sample.time_s : start_s;
-            if (wanted_s > 0 && sample.time_s - start_s > wanted_s * (1 + ROUNDING)) {
+        size_t samples = log_->info().samples;
+        for (count = 0; count < samples; count++) {
+            double time_s = log_->sample(count).time_s;
+            start_s = count == 0 ? time_s : start_s;
+            if (wanted_s > 0 && time_s - start_s > wanted_s * (1 + ROUNDING)) {
                 break;
             }
-            duration_s = sample.time_s - start_s;
+            duration_s = time_s - start_s;
         }
         if (count < 2) {
-            throw Refusal{text("no_flight")};
+            throw Refusal(text("no_flight"));
         }
         period_s = duration_s / (double)(count - 1);
     }
 
-    Handle<sins_flight> flight_;
-    Handle<sins_log> log_;
+    std::optional<sins::Flight> flight_;
+    std::optional<sins::Log> log_;
     double rate_hz_ = 0, end_s_ = 0;
 };
