@@ -20,7 +20,7 @@ use std::path::Path;
 use model::Interface;
 
 /// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 41] = [
+const SOURCES: [&str; 43] = [
     "version",
     "failure",
     "options",
@@ -58,6 +58,8 @@ const SOURCES: [&str; 41] = [
     "scene_settings",
     "scene_flight",
     "scene_failure",
+    "scene_key",
+    "scene_value",
     "log",
     "recommend",
     "budget",
