@@ -109,6 +109,43 @@
  *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
  *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
+ * Functions by subject, in the order of this file:
+ *
+ *   Version and statuses: sins_abi_version, sins_version_string, sins_status_string
+ *   Simulator: sins_create, sins_destroy, sins_get_options, sins_push_sample, sins_step, sins_move_time,
+ *     sins_move_truth, sins_reposition, sins_reset
+ *   Why a call failed: sins_last_error, sins_last_error_info
+ *   Sensor errors: sins_set_gyro, sins_get_gyro, sins_set_accel, sins_get_accel, sins_set_altimeter,
+ *     sins_get_altimeter
+ *   Failures of sensors: sins_set_failure, sins_get_failure
+ *   Start, mounting, gravity: sins_set_initial_errors, sins_get_initial_errors, sins_set_mounting,
+ *     sins_get_mounting, sins_set_gravity_disturbance, sins_get_gravity_disturbance
+ *   Many samples in one call: sins_run
+ *   Reads: sins_get_truth, sins_get_navigation, sins_get_imu, sins_get_errors, sins_get_accuracy,
+ *     sins_get_truth_summary, sins_get_covariance, sins_get_record
+ *   Navigation on increments: sins_start_navigation, sins_push_imu
+ *   Snapshots: sins_snapshot_size, sins_snapshot_save, sins_snapshot_load
+ *   Ensembles and statistics: sins_ensemble_create, sins_ensemble_destroy, sins_ensemble_push_sample,
+ *     sins_ensemble_step, sins_ensemble_run, sins_ensemble_reposition, sins_ensemble_reset,
+ *     sins_ensemble_set_failure, sins_ensemble_get_runs, sins_ensemble_get_truth, sins_ensemble_get_navigation,
+ *     sins_ensemble_get_errors, sins_ensemble_get_imu, sins_ensemble_get_diverged, sins_ensemble_get_statistics,
+ *     sins_statistics_merge, sins_statistics_figures, sins_ensemble_snapshot_size, sins_ensemble_snapshot_save,
+ *     sins_ensemble_snapshot_load
+ *   Presets of sensors: sins_gyro_preset, sins_accel_preset
+ *   Embedded flights: sins_flight_create, sins_flight_duration, sins_flight_sample_at, sins_flight_destroy
+ *   Scenes: sins_scene_create, sins_scene_parse, sins_scene_get_fault, sins_scene_create_builtin,
+ *     sins_scene_builtin_name, sins_scene_write, sins_scene_write_keys, sins_scene_create_simulator,
+ *     sins_scene_create_flight, sins_scene_destroy, sins_scene_prepare, sins_scene_prepare_ensemble,
+ *     sins_scene_get_options, sins_scene_set_options, sins_scene_get_gyro, sins_scene_set_gyro, sins_scene_get_accel,
+ *     sins_scene_set_accel, sins_scene_get_altimeter, sins_scene_set_altimeter, sins_scene_get_initial_errors,
+ *     sins_scene_set_initial_errors, sins_scene_get_mounting, sins_scene_set_mounting,
+ *     sins_scene_get_gravity_disturbance, sins_scene_set_gravity_disturbance, sins_scene_get_setup,
+ *     sins_scene_set_setup, sins_scene_get_manoeuvres, sins_scene_set_manoeuvres, sins_scene_get_text,
+ *     sins_scene_set_text, sins_scene_get_failure_count, sins_scene_get_failure, sins_scene_add_failure,
+ *     sins_scene_clear_failures
+ *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy
+ *   Which options, which effects matter: sins_recommend, sins_error_budget
+ *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
 
@@ -765,11 +802,11 @@ typedef struct sins_gyro_params {
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
     double markov_time_s[3];
     /*
-     * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-     * density of the noise, in the unit of the signal per sqrt(Hz).
+     * White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+     * the noise, in the unit of the signal per sqrt(Hz).
      */
     double random_walk_rad_sqrt_s[3];
-    /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
+    /* Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
     /* Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
@@ -874,11 +911,11 @@ typedef struct sins_accel_params {
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
     double markov_time_s[3];
     /*
-     * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-     * spectral density of the noise, in the unit of the signal per sqrt(Hz).
+     * White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+     * density of the noise, in the unit of the signal per sqrt(Hz).
      */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
+    /* Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
     /* Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];

@@ -593,10 +593,10 @@ package Sins is
       markov_sigma_rad_s : sins_double_3 := (others => 0.0);
       --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
       markov_time_s : sins_double_3 := (others => 0.0);
-      --  White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-      --  density of the noise, in the unit of the signal per sqrt(Hz).
+      --  White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+      --  the noise, in the unit of the signal per sqrt(Hz).
       random_walk_rad_sqrt_s : sins_double_3 := (others => 0.0);
-      --  Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
+      --  Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
       rate_random_walk_rad_s_sqrt_s : sins_double_3 := (others => 0.0);
       --  Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
       rate_ramp_rad_s2 : sins_double_3 := (others => 0.0);
@@ -675,10 +675,10 @@ package Sins is
       markov_sigma_m_s2 : sins_double_3 := (others => 0.0);
       --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
       markov_time_s : sins_double_3 := (others => 0.0);
-      --  White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-      --  spectral density of the noise, in the unit of the signal per sqrt(Hz).
+      --  White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+      --  density of the noise, in the unit of the signal per sqrt(Hz).
       velocity_random_walk_m_s_sqrt_s : sins_double_3 := (others => 0.0);
-      --  Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+      --  Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
       acceleration_random_walk_m_s2_sqrt_s : sins_double_3 := (others => 0.0);
       --  Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
       ramp_m_s3 : sins_double_3 := (others => 0.0);

@@ -564,10 +564,10 @@ module sins
     real(c_double) :: markov_sigma_rad_s(3) = 0.0_c_double
     !> Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
     real(c_double) :: markov_time_s(3) = 0.0_c_double
-    !> White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-    !> density of the noise, in the unit of the signal per sqrt(Hz).
+    !> White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+    !> the noise, in the unit of the signal per sqrt(Hz).
     real(c_double) :: random_walk_rad_sqrt_s(3) = 0.0_c_double
-    !> Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
+    !> Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
     real(c_double) :: rate_random_walk_rad_s_sqrt_s(3) = 0.0_c_double
     !> Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
     real(c_double) :: rate_ramp_rad_s2(3) = 0.0_c_double
@@ -645,10 +645,10 @@ module sins
     real(c_double) :: markov_sigma_m_s2(3) = 0.0_c_double
     !> Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
     real(c_double) :: markov_time_s(3) = 0.0_c_double
-    !> White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-    !> spectral density of the noise, in the unit of the signal per sqrt(Hz).
+    !> White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+    !> density of the noise, in the unit of the signal per sqrt(Hz).
     real(c_double) :: velocity_random_walk_m_s_sqrt_s(3) = 0.0_c_double
-    !> Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+    !> Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
     real(c_double) :: acceleration_random_walk_m_s2_sqrt_s(3) = 0.0_c_double
     !> Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
     real(c_double) :: ramp_m_s3(3) = 0.0_c_double

@@ -798,10 +798,10 @@ class gyro_params(_Struct):
         is stationary from the first sample on.
     markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s
         is not 0.
-    random_walk_rad_sqrt_s[3]: White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the
-        square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
-    rate_random_walk_rad_s_sqrt_s[3]: Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts
-        at 0 at the start of a run.
+    random_walk_rad_sqrt_s[3]: White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of
+        the spectral density of the noise, in the unit of the signal per sqrt(Hz).
+    rate_random_walk_rad_s_sqrt_s[3]: Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start
+        of a run.
     rate_ramp_rad_s2[3]: Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
     flicker_rad_s[3]: Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -891,10 +891,10 @@ class accel_params(_Struct):
         is stationary from the first sample on.
     markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2
         is not 0.
-    velocity_random_walk_m_s_sqrt_s[3]: White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000.
-        It is the square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
-    acceleration_random_walk_m_s2_sqrt_s[3]: Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000.
-        It starts at 0 at the start of a run.
+    velocity_random_walk_m_s_sqrt_s[3]: White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the
+        square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
+    acceleration_random_walk_m_s2_sqrt_s[3]: Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at
+        0 at the start of a run.
     ramp_m_s3[3]: Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
     flicker_m_s2[3]: Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
