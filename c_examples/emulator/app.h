@@ -151,7 +151,8 @@ protected:
             pages_[k]->create(window_, IDD_TRAJECTORY + k);
         }
         build_menu();
-        MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top, FALSE);
+        MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top,
+                   FALSE);
         show_all();
         show_page(page_);
         SetTimer(window_, 1, 100, NULL);
@@ -180,7 +181,9 @@ protected:
         WCHAR file[32768] = L"";
         switch (message) {
         case WM_SIZE: layout_pages(); return true;
-        case WM_GETMINMAXINFO: ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)}; return true;
+        case WM_GETMINMAXINFO:
+            ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)};
+            return true;
         case WM_TIMER:
             if (flight != NULL) {
                 display_->update();

@@ -1,7 +1,7 @@
-/* A dialog of the resources, as CDialog: one class derives from it for each. The text of a control in a layout has up to
- * four pieces between "|": its text; the scene keys of the fields behind it; what of the window's growth moves it (x, y) and
- * stretches it (w, h), in capitals by half, for the controls without text behind it too; of a list its
- * columns. */
+/* A dialog of the resources, as CDialog: one class derives from it for each. The text of a control in a
+ * layout has up to four pieces between "|": its text; the scene keys of the fields behind it; what of the
+ * window's growth moves it (x, y) and stretches it (w, h), in capitals by half, for the controls without text
+ * behind it too; of a list its columns. */
 #pragma once
 #include <commctrl.h>
 
@@ -302,7 +302,8 @@ private:
                 bool is_whole = growth.ways.find(whole) != std::string::npos;
                 return is_whole ? by : growth.ways.find(half) != std::string::npos ? by / 2 : 0;
             };
-            int wider = max(0, (int)(client.right - size_.cx)), higher = max(0, (int)(client.bottom - size_.cy));
+            int wider = max(0, (int)(client.right - size_.cx)),
+                higher = max(0, (int)(client.bottom - size_.cy));
             const RECT &place = growth.place;
             MoveWindow(control, place.left + grown('x', 'X', wider), place.top + grown('y', 'Y', higher),
                        place.right - place.left + grown('w', 'W', wider),

@@ -32,7 +32,8 @@ public:
         std::vector<Panel> panels;
         for (int k = 0; k < (is_map ? 1 : 3); k++) {
             Panel panel = {axes[k], view.quantity, is_map ? curves.last(PLACE + 1) : curves.times, {}};
-            /* Error data 1 below error data 2; of motion the truth, which comes first, below the navigation. */
+            /* Error data 1 below error data 2; of motion the truth, which comes first, below the navigation.
+             */
             int first = view.channel + k, second = first + 3;
             if (has_two && checked(IDC_DATA1) && (has_model || !is_error)) {
                 panel.traces.push_back({names[1], OTHER, true, curves.of(is_error ? second : first)});

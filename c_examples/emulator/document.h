@@ -6,7 +6,7 @@
 
 class Document {
 public:
-    virtual void edited(const std::wstring &fault) = 0;      /* the scene was: the sentence of a fault, or "" */
+    virtual void edited(const std::wstring &fault) = 0; /* the scene was: the sentence of a fault, or "" */
     virtual void say_line(const std::wstring &sentence) = 0; /* in the status line */
     virtual void command(int id) = 0;
     virtual void open_builtin(const std::string &name) = 0;
@@ -47,12 +47,16 @@ inline Rows rows_of(const Scene &scene, const std::string &list)
     const size_t count = scene.items(list).size();
     for (size_t index = 0; index < count; index++) {
         std::wstring words, values;
+        auto get = [&](const std::string &name) { return scene.get(Scene::place(list, index) + "." + name); };
         for (const Key &key : keys()) {
-            bool is_own = key.section == list;
-            std::string value = is_own ? scene.get(Scene::place(list, index) + "." + key.name) : "";
-            if (is_own && key.is_choice()) {
+            if (key.section != list ||
+                !key.applies([&get](const std::string &name) { return unquoted(get(name)); })) {
+                continue;
+            }
+            std::string value = get(key.name);
+            if (key.is_choice()) {
                 words += (words.empty() ? L"" : L" ") + key.word_label(unquoted(value));
-            } else if (is_own && value != key.default_value) {
+            } else if (value != key.default_value) {
                 values += (values.empty() ? L"" : L", ") + label(key.path() + ".short", key.name) + L" ";
                 values += wide(value) + (*key.unit ? L" " + wide(key.unit) : L"");
             }

@@ -1,5 +1,5 @@
-/* The failures that the scene plans. In flight they begin and end with the next interval, not earlier: the scene then flies
- * to the same bits again. */
+/* The failures that the scene plans. In flight they begin and end with the next interval, not earlier: the
+ * scene then flies to the same bits again. */
 #pragma once
 #include "document.h"
 

@@ -21,12 +21,15 @@ public:
 
     /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
     Flight(const Scene &scene, const fs::path &folder, double pace)
-        : scene_(scene), samples_(scene, folder), sim_(scene->create_simulator()),
+        : scene_(scene),
+          samples_(scene, folder),
+          sim_(scene->create_simulator()),
           has_covariance_(sim_.options().covariance != 0),
           records_(narrow(text("records") + (has_covariance_ ? text("records_sigma") : L"")))
     {
         double every_s = scene->setup().every_s, intervals = (double)(samples_.count - 1);
-        every_ = (size_t)max(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1.0);
+        every_ =
+            (size_t)max(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1.0);
         points_every_ = (size_t)max((double)samples_.count / LEAST_POINTS, 1.0);
         if (!increments_name().empty()) {
             increments_.emplace(narrow(text("increments")));

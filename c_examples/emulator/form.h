@@ -1,5 +1,6 @@
 /* A dialog whose fields are values of a scene. A label names the keys of the fields behind it,
- * "L&atitude [deg]|flight.latitude_deg"; load() and save() exchange them, as UpdateData() and DoDataExchange() of MFC. */
+ * "L&atitude [deg]|flight.latitude_deg"; load() and save() exchange them, as UpdateData() and
+ * DoDataExchange() of MFC. */
 #pragma once
 #include "dialog.h"
 #include "scene.h"
@@ -8,7 +9,7 @@ class Form : public Dialog {
 protected:
     struct Field {
         HWND control;
-        std::string path;   /* as the label has it, with the element of several numbers behind it */
+        std::string path; /* as the label has it, with the element of several numbers behind it */
         const Key *key;
         bool is_in_si;      /* for now */
         std::string loaded; /* the whole value, of which the control shows 15 digits */
@@ -50,7 +51,7 @@ protected:
             }
             fill(control, words);
         }
-        SendMessageW(control, EM_SETCUEBANNER, FALSE, (LPARAM)wide(field.key->default_value).c_str());
+        SendMessageW(control, EM_SETCUEBANNER, FALSE, (LPARAM)wide(field.key->default_number()).c_str());
         tip(control, field.key->tip());
     }
 
@@ -101,9 +102,9 @@ protected:
                 SendMessageW(field.control, CB_SETCURSEL, index, 0);
             } else {
                 bool is_whole = own.find_first_not_of("0123456789") == own.npos || !number_of(own, number);
-                std::wstring text = field.loaded == field.key->default_value ? L""
-                                    : is_whole                               ? wide(own)
-                                                                             : ::shown(number, 15);
+                std::wstring text = field.loaded == field.key->default_number() ? L""
+                                    : is_whole                                  ? wide(own)
+                                                                                : ::shown(number, 15);
                 if (text != window_text(field.control)) {
                     SetWindowTextW(field.control, text.c_str());
                 }
@@ -148,7 +149,8 @@ protected:
         return text;
     }
 
-    /* Marks the fields at fault, each with its sentence as tool tip; the first sentence, "" if there is none. */
+    /* Marks the fields at fault, each with its sentence as tool tip; the first sentence, "" if there is none.
+     */
     std::wstring mark_faults(const Faults &faults)
     {
         for (const Field &field : fields_) {
@@ -194,24 +196,19 @@ private:
 
     std::string now(const std::string &path) const
     {
-        auto own = std::find_if(fields_.begin(), fields_.end(), [&](auto &field) { return field.path == path; });
+        auto own =
+            std::find_if(fields_.begin(), fields_.end(), [&](auto &field) { return field.path == path; });
         return own == fields_.end() ? "" : now(*own);
     }
 
-    /* Whether the item can have a key: "kind=turn|s_turn sensor=gyro"; a sinusoid has a channel. */
+    /* Whether the item can have a key; a sinusoid has a channel. */
     bool applies(const Field &field) const
     {
         std::string owner = field.path.substr(0, field.path.rfind('.') + 1);
         bool is_sinusoid = now("manoeuvre.kind") == "sinusoids" &&
                            (field.key->is_choice() || !now(owner + "channel").empty());
-        for (const std::string &term : split(field.key->condition, " ")) {
-            size_t equals = term.find('=');
-            std::string words = "|" + term.substr(equals + 1) + "|";
-            if (!term.empty() && words.find("|" + now(owner + term.substr(0, equals)) + "|") == words.npos) {
-                return false;
-            }
-        }
-        return !field.is_nested() || is_sinusoid;
+        return (is_sinusoid || !field.is_nested()) &&
+               field.key->applies([&](const std::string &name) { return now(owner + name); });
     }
 
     std::vector<std::string> next_; /* paths of the label before, not bound yet */

@@ -1,4 +1,5 @@
-/* General parameters, and every effect of the sensors and their surroundings: panel (b) of the paper's figure 2. */
+/* General parameters, and every effect of the sensors and their surroundings: panel (b) of the paper's
+ * figure 2. */
 #pragma once
 #include "document.h"
 
@@ -60,10 +61,10 @@ protected:
         }
     }
 
-    /* One number for all axes: the first field speaks for all. */
+    /* One number for all axes: the field speaks for all. */
     void on_change(int id, int code) override
     {
-        if (id == IDC_VALUE && checked(IDC_SAME)) {
+        if (id >= IDC_VALUE && id < IDC_VALUE + 9 && checked(IDC_SAME) && !changes().empty()) {
             const Key &key = *effect();
             change(is_in_si_ ? std::string(key.section) + "." + key.si_name : key.path(), narrow(get(id)));
         } else {
@@ -109,7 +110,8 @@ private:
         if (!key.is_number()) {
             return key.is_choice() ? key.word_label(unquoted(value)) : wide(unquoted(value));
         }
-        for (const std::string &element : split(std::regex_replace(value, std::regex("[\\[\\]]"), ""), ", ")) {
+        for (const std::string &element :
+             split(std::regex_replace(value, std::regex("[\\[\\]]"), ""), ", ")) {
             list += list.empty() ? L"" : L", ";
             list += number_of(element, number) ? shown(number, 12) : wide(element);
         }
@@ -131,7 +133,8 @@ private:
             bool is_used = !is_choice && k < max(1, key->elements);
             show(IDC_VALUE + k, is_used);
             if (is_used) {
-                bind(item(IDC_VALUE + k), key->elements > 1 ? Scene::place(key->path(), k) : key->path(), is_in_si_);
+                bind(item(IDC_VALUE + k), key->elements > 1 ? Scene::place(key->path(), k) : key->path(),
+                     is_in_si_);
             } else {
                 unbind(item(IDC_VALUE + k));
             }

@@ -39,9 +39,8 @@ public:
     void copy(const fs::path &path)
     {
         file_.flush();
-        write_file(path, [this](const fs::path &to) {
-            return CopyFileW(path_.c_str(), to.c_str(), FALSE) != 0;
-        });
+        write_file(path,
+                   [this](const fs::path &to) { return CopyFileW(path_.c_str(), to.c_str(), FALSE) != 0; });
     }
 
 private:

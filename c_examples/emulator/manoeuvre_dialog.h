@@ -4,7 +4,9 @@
 
 class ManoeuvreDialog : public Form {
 public:
-    ManoeuvreDialog(Scene &draft, size_t index) : Form(draft, Scene::place("manoeuvre", index)), index_(index) {}
+    ManoeuvreDialog(Scene &draft, size_t index) : Form(draft, Scene::place("manoeuvre", index)), index_(index)
+    {
+    }
 
 protected:
     void on_init() override

@@ -15,6 +15,20 @@ struct Key : sins_scene_key {
     std::wstring meaning() const { return label(path(), sins_scene_key::meaning); }
     std::wstring word_label(const std::string &word) const { return label(path() + "." + word, word); }
 
+    /* Of one number. */
+    std::string default_number() const { return elements > 1 ? "0" : default_value; }
+
+    /* Whether an item with such words can have it: "kind=turn|s_turn sensor=gyro". */
+    template <class Word> bool applies(Word word_of) const
+    {
+        std::vector<std::string> terms = split(condition, " ");
+        return !*condition || std::all_of(terms.begin(), terms.end(), [&](const std::string &term) {
+            size_t equals = term.find('=');
+            std::string words = "|" + term.substr(equals + 1) + "|";
+            return words.find("|" + word_of(term.substr(0, equals)) + "|") != words.npos;
+        });
+    }
+
     /* What it means, its unit and its range. */
     std::wstring tip() const
     {
@@ -44,7 +58,8 @@ inline const Key *key_of(const std::string &path)
 {
     static const std::regex PLACE("\\[\\d+\\]");
     std::string plain = std::regex_replace(path, PLACE, "");
-    auto own = std::find_if(keys().begin(), keys().end(), [&](const Key &key) { return key.path() == plain; });
+    auto own =
+        std::find_if(keys().begin(), keys().end(), [&](const Key &key) { return key.path() == plain; });
     return own == keys().end() ? NULL : &*own;
 }
 
@@ -61,8 +76,10 @@ inline std::string unquoted(const std::string &value)
                      : value;
 }
 
-/* Sentences of the library in the user's language, if they are about limits: what, its value, and the limits. */
-template <class Info> std::wstring told(const std::string &sentence, const std::string &what, const Info &info)
+/* Sentences of the library in the user's language, if they are about limits: what, its value, and the limits.
+ */
+template <class Info>
+std::wstring told(const std::string &sentence, const std::string &what, const Info &info)
 {
     const uint32_t LIMITS = SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
     if (language == 0 || (info.flags & LIMITS) != LIMITS) {
@@ -107,7 +124,8 @@ class Scene {
 public:
     /* The built-in scene of a name; "": the default scene. */
     explicit Scene(const std::string &builtin = "")
-        : scene_(builtin.empty() ? sins::Scene() : sins::Scene::builtin(builtin)), text_(scene_.write())
+        : scene_(builtin.empty() ? sins::Scene() : sins::Scene::builtin(builtin)),
+          text_(scene_.write())
     {
     }
     Scene(const Scene &other) : scene_(other.text_), text_(other.text_) {}

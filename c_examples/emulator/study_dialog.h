@@ -18,7 +18,7 @@ typedef std::vector<sins_flight_sample> Piece;
 
 /* One kind of study: its texts, the samples that the library takes, and its call. */
 struct Kind {
-    const char *title, *last, *columns;
+    const char *title, *last, *last_tip, *columns;
     size_t most;
     Result (*call)(const sins::Simulator &sim, const Piece &piece, const Limits &limits);
 };
@@ -93,9 +93,10 @@ inline Result find_shares(const sins::Simulator &sim, const Piece &piece, const 
     return result;
 }
 
-inline const Kind RECOMMEND = {"Recommended options", "For the &duration [s]", "columns_recommend", 360000,
-                               find_options};
-inline const Kind BUDGET = {"Error budget", "&Runs", "columns_budget", 2000000, find_shares};
+inline const Kind RECOMMEND = {
+    "Recommended options", "For the &duration [s]", "tip_duration", "columns_recommend", 360000,
+    find_options};
+inline const Kind BUDGET = {"Error budget", "&Runs", "tip_runs", "columns_budget", 2000000, find_shares};
 
 /* A computation: what it needs and what it finds, shared by its thread and the dialog. */
 struct Study {
@@ -145,7 +146,15 @@ protected:
         set(IDC_LIMIT_POSITION, &kind_ == &RECOMMEND ? L"1" : L"");
         set(IDC_FROM, L"0");
         SetTimer(window_, 1, 100, NULL);
-        set(IDC_TO, shown(min(Samples(document_.scene, document_.folder()).duration_s, 600.0), 10));
+        for (int id : {IDC_LIMIT_POSITION, IDC_LIMIT_VELOCITY, IDC_LIMIT_ATTITUDE}) {
+            tip(item(id), text("tip_limit"));
+        }
+        tip(item(IDC_LAST), text(kind_.last_tip));
+        double duration_s = Samples(document_.scene, document_.folder()).duration_s;
+        for (int id : {IDC_FROM, IDC_TO}) {
+            tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
+        }
+        set(IDC_TO, shown(min(duration_s, 600.0), 10));
     }
 
     void on_refusal(const std::wstring &sentence) override { set(IDC_STATE, sentence); }
@@ -208,8 +217,8 @@ private:
     {
         Limits limits = {number(IDC_LIMIT_POSITION), number(IDC_LIMIT_VELOCITY),
                          number(IDC_LIMIT_ATTITUDE) * SINS_ARCSEC, number(IDC_LAST)};
-        std::shared_ptr<Study> study(new Study{kind_, Scene(document_.scene), document_.folder(),
-                                               number(IDC_FROM), number(IDC_TO), limits, {}});
+        std::shared_ptr<Study> study(new Study{
+            kind_, Scene(document_.scene), document_.folder(), number(IDC_FROM), number(IDC_TO), limits, {}});
         if (has_marks()) {
             throw Refusal(text("field_not_valid"));
         }
@@ -227,7 +236,8 @@ private:
         }
     }
 
-    /* The recommended options for the scene. The simulator's sample period is that of the flight, and stays out. */
+    /* The recommended options for the scene. The simulator's sample period is that of the flight, and stays
+     * out. */
     void adopt()
     {
         const sins_options &options = *result_.options;
@@ -238,8 +248,9 @@ private:
         document_.edited(told(faults));
     }
 
-    /* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the dialog is closed, it
-     * ends by itself; the next study waits for that, so that no more than one takes memory and time. */
+    /* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the
+     * dialog is closed, it ends by itself; the next study waits for that, so that no more than one takes
+     * memory and time. */
     inline static std::shared_ptr<Study> running_;
 
     Document &document_;

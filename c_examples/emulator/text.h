@@ -33,7 +33,8 @@ inline std::wstring wide(const std::string &utf8)
 inline std::string narrow(const std::wstring &text)
 {
     std::string utf8(3 * text.size(), '\0');
-    int size = WideCharToMultiByte(CP_UTF8, 0, text.data(), text.size(), utf8.data(), utf8.size(), NULL, NULL);
+    int size =
+        WideCharToMultiByte(CP_UTF8, 0, text.data(), text.size(), utf8.data(), utf8.size(), NULL, NULL);
     return utf8.substr(0, size);
 }
 
