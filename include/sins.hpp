@@ -604,6 +604,14 @@ public:
         });
     }
 
+    /* Which samples it flies: of its flight, or of a log (sins_log *). */
+    sins_scene_samples samples(const sins_log *log = nullptr) const
+    {
+        sins_scene_samples samples = make<sins_scene_samples>();
+        done(sins_scene_get_samples(scene_, log, &samples));
+        return samples;
+    }
+
     Simulator create_simulator() const
     {
         sins_sim *sim = nullptr;

@@ -166,6 +166,7 @@ static void null_pointers_of_scenes(sins_sim *sim)
     NULL_POINTER(sins_scene_set_values(scene, NULL));
     NULL_POINTER(sins_scene_set_items(scene, NULL, ""));
     NULL_POINTER(sins_scene_set_items(scene, "failure", NULL));
+    NULL_POINTER(sins_scene_get_samples(scene, log, NULL));
     NULL_POINTER(sins_scene_create_simulator(scene, NULL));
     NULL_POINTER(sins_scene_create_flight(scene, NULL));
     NULL_POINTER(sins_scene_prepare(scene, sim, 0.0, NULL));

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
+use sins::records;
 use sins::truth::{FlightSample, TruthSummary};
 use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
 
@@ -14,8 +15,7 @@ use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record, SIGMA_COLUMNS};
-use crate::rows::number;
+use crate::record::{NEAR_POLE, NOT_COMPUTED, Record};
 
 /// Samples between two looks at the clock, at the signals and at the disk.
 const CHUNK: usize = 4096;
@@ -94,10 +94,9 @@ fn fly_with(
     flown: &mut Flown,
     quiet: bool,
 ) -> Result<(), Failure> {
-    let sigmas = if given.scene.options.covariance { &SIGMA_COLUMNS[..] } else { &[] };
-    write_line(&mut files.records, &[&COLUMNS, sigmas].concat())?;
+    write_line(&mut files.records, &records::head(given.scene.options.covariance))?;
     if let Some(file) = &mut files.imu {
-        write_line(file, &imu::COLUMNS)?;
+        write_line(file, &imu::COLUMNS.join(","))?;
     }
     push(simulator, given, 0, given.sample(0)?)?;
     let start = Record::now(simulator).map_err(|error| stopped(given, 0, &error))?;
@@ -133,7 +132,7 @@ fn push(
     index: usize,
     mut sample: FlightSample,
 ) -> Result<(), Failure> {
-    let prepared = given.scene.prepare(simulator, given.start_s(), &mut sample);
+    let prepared = given.scene.prepare(simulator, given.start_s, &mut sample);
     let pushed = prepared.and_then(|()| simulator.push_sample(&sample));
     pushed.map(|_| ()).map_err(|error| stopped(given, index, &error))
 }
@@ -179,9 +178,7 @@ fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
 /// Writes a record and takes its largest errors.
 fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(), Failure> {
     let sigmas = record.sigma.iter().flatten().copied();
-    let values: Vec<String> = record.values().into_iter().chain(sigmas).map(number).collect();
-    let text = values.join(",") + "\n";
-    file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
+    write_line(file, &records::line(record.values().into_iter().chain(sigmas)))?;
     flown.records += 1;
 
     let (errors, model) = (&record.navigation_error, &record.model_error);
@@ -203,6 +200,6 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
     Ok(())
 }
 
-fn write_line(file: &mut OutputFile, columns: &[&str]) -> Result<(), Failure> {
-    writeln!(file, "{}", columns.join(",")).map_err(|error| Failure::of_output(file.path(), &error))
+fn write_line(file: &mut OutputFile, line: &str) -> Result<(), Failure> {
+    writeln!(file, "{line}").map_err(|error| Failure::of_output(file.path(), &error))
 }
