@@ -25,12 +25,9 @@ public:
           samples_(scene, folder),
           sim_(scene->create_simulator()),
           has_covariance_(sim_.options().covariance != 0),
-          records_(narrow(text("records") + (has_covariance_ ? text("records_sigma") : L"")))
+          records_(sins::Simulator::record_head(has_covariance_))
     {
-        double every_s = scene->setup().every_s, intervals = (double)(samples_.count - 1);
-        every_ =
-            (size_t)max(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1.0);
-        points_every_ = (size_t)max((double)samples_.count / LEAST_POINTS, 1.0);
+        points_every_ = (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
         if (!increments_name().empty()) {
             increments_.emplace(narrow(text("increments")));
         }
@@ -70,8 +67,8 @@ public:
         sins_accuracy accuracy = sins::make<sins_accuracy>();
         bool has_record = sim_.get_record(record);
         sim_.get_accuracy(accuracy);
-        double time_s = has_record ? record.time_s - samples_.start_s : 0;
-        return {state_, time_s, samples_.duration_s, saved_s_, record, accuracy, sentence_};
+        double time_s = has_record ? record.time_s - samples_.all.start_s : 0;
+        return {state_, time_s, samples_.all.duration_s, saved_s_, record, accuracy, sentence_};
     }
 
     Curves curves() const
@@ -141,8 +138,8 @@ public:
     const fs::path &log_path() const { return samples_.log_path; }
 
 private:
-    /* Records of a flight, where the scene does not say; and points of its curves at the least. */
-    static constexpr double RECORDS = 2000, LEAST_POINTS = 100000;
+    /* Points of the curves at the least. */
+    static constexpr double LEAST_POINTS = 100000;
     /* Steps between two looks at the window. */
     static constexpr int STEPS = 256;
 
@@ -151,10 +148,10 @@ private:
         return "," + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]);
     }
 
-    struct Moment {                                         /* what goes on from sample to sample */
-        size_t next = 0;                                    /* sample */
-        double angle[3] = {}, velocity[3] = {}, time_s = 0; /* sums since the last record: sensor errors */
-        std::streamoff records = 0, increments = 0;         /* bytes */
+    struct Moment {                      /* what goes on from sample to sample */
+        size_t next = 0;                 /* sample */
+        double sums[6] = {}, time_s = 0; /* since the last record: errors of gyros, accelerometers */
+        std::streamoff records = 0, increments = 0; /* bytes */
         Curves curves;
     };
 
@@ -194,11 +191,11 @@ private:
     {
         try {
             sins_flight_sample sample = samples_.get(now_.next);
-            scene_->prepare(sim_, samples_.start_s, sample);
+            scene_->prepare(sim_, samples_.all.start_s, sample);
             sim_.push_sample(sample);
             sim_.step();
             keep(now_.next++);
-            state_ = now_.next == samples_.count ? FINISHED : FLYING;
+            state_ = now_.next == samples_.all.count ? FINISHED : FLYING;
         } catch (const std::exception &error) {
             sentence_ = samples_.place(now_.next) + told(error);
             state_ = FAILED;
@@ -211,11 +208,12 @@ private:
         if (index > 0 && sim_.get_imu(imu)) {
             add_interval(imu);
         }
-        if (index % every_ == 0 || index % points_every_ == 0) {
+        bool is_row = index % samples_.all.record_every == 0;
+        if (is_row || index % points_every_ == 0) {
             sins_record record = sins::make<sins_record>();
             sim_.get_record(record);
             keep_point(record, index > 0); /* rates begin with the first interval */
-            if (index % every_ == 0) {
+            if (is_row) {
                 keep_row(record);
             }
         }
@@ -225,8 +223,8 @@ private:
     void add_interval(const sins_imu &imu)
     {
         for (int k = 0; k < 3; k++) {
-            now_.angle[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
-            now_.velocity[k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
+            now_.sums[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
+            now_.sums[3 + k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
         }
         now_.time_s += imu.interval_s;
         now_.curves.put(RATE, imu.measured_rate_rad_s);
@@ -250,37 +248,21 @@ private:
             now_.curves.put(PLACE + 3 * k, &solution.latitude_rad);
         }
         if (ends) {
-            now_.curves.end_point(record.time_s - samples_.start_s);
+            now_.curves.end_point(record.time_s - samples_.all.start_s);
         }
     }
 
-    /* In the order of the text "records". */
     void keep_row(const sins_record &record)
     {
-        std::string line = shortest(record.time_s);
-        for (const sins_record_solution *solution : {&record.truth, &record.navigation}) {
-            line +=
-                list(&solution->latitude_rad) + list(solution->velocity_enu_m_s) + list(&solution->roll_rad);
+        sins_covariance covariance = sins::make<sins_covariance>();
+        bool has_covariance = has_covariance_ && sim_.get_covariance(covariance);
+        std::vector<double> means(now_.sums, now_.sums + 6);
+        for (double &mean : means) {
+            mean /= now_.time_s > 0 ? now_.time_s : 1;
         }
-        for (const sins_record_errors *errors : {&record.navigation_errors, &record.model_errors}) {
-            line += list(errors->position_enu_m) + list(errors->velocity_enu_m_s);
-            line += list(errors->misalignment_enu_rad) + list(&errors->roll_rad);
-            line += "," + std::to_string(errors->flags);
-        }
-        for (double *sum : {now_.angle, now_.velocity}) {
-            double time_s = now_.time_s > 0 ? now_.time_s : 1,
-                   mean[3] = {sum[0] / time_s, sum[1] / time_s, sum[2] / time_s};
-            line += list(mean);
-            std::fill(sum, sum + 3, 0.0);
-        }
-        if (has_covariance_) {
-            sins_covariance covariance = sins::make<sins_covariance>();
-            sim_.get_covariance(covariance);
-            line += list(covariance.position_sigma_enu_m) + list(covariance.velocity_sigma_enu_m_s);
-            line += list(covariance.misalignment_sigma_enu_rad);
-        }
+        records_.add(sins::Simulator::record_line(record, means, has_covariance ? &covariance : NULL));
+        std::fill(now_.sums, now_.sums + 6, 0.0);
         now_.time_s = 0;
-        records_.add(line);
     }
 
     /* From now on at this pace. */
@@ -291,13 +273,13 @@ private:
         paced_at_ms_ = GetTickCount64();
     }
 
-    double next_s() const { return (double)now_.next * samples_.period_s; }
+    double next_s() const { return (double)now_.next * samples_.all.period_s; }
 
     Scene scene_;
     Samples samples_;
     sins::Simulator sim_;
     bool has_covariance_;
-    size_t every_, points_every_; /* samples */
+    size_t points_every_; /* samples */
     Moment now_, saved_;
     double saved_s_ = -1;
     std::vector<unsigned char> snapshot_;

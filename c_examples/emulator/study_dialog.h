@@ -113,16 +113,16 @@ struct Study {
     {
         Samples flight(scene, folder);
         sins::Simulator sim = scene->create_simulator();
-        size_t first = (size_t)min(from_s / flight.period_s + 1e-6, (double)flight.count);
-        size_t last = (size_t)min(to_s / flight.period_s + 1e-6, (double)flight.count - 1);
+        size_t first = (size_t)min(from_s / flight.all.period_s + 1e-6, (double)flight.all.count);
+        size_t last = (size_t)min(to_s / flight.all.period_s + 1e-6, (double)flight.all.count - 1);
         if (last <= first || last - first >= kind.most) {
-            throw Refusal(last <= first ? text("no_piece", {shown(flight.duration_s, 10)})
+            throw Refusal(last <= first ? text("no_piece", {shown(flight.all.duration_s, 10)})
                                         : text("too_long", {std::to_wstring(kind.most)}));
         }
         Piece piece;
         for (size_t k = first; k <= last && !is_cancelled; k++) {
             piece.push_back(flight.get(k)); /* and its temperature: no failures here */
-            scene->prepare(sim, flight.start_s, piece.back());
+            scene->prepare(sim, flight.all.start_s, piece.back());
         }
         if (!is_cancelled) {
             result = kind.call(sim, piece, limits);
@@ -150,7 +150,7 @@ protected:
             tip(item(id), text("tip_limit"));
         }
         tip(item(IDC_LAST), text(kind_.last_tip));
-        double duration_s = Samples(document_.scene, document_.folder()).duration_s;
+        double duration_s = Samples(document_.scene, document_.folder()).all.duration_s;
         for (int id : {IDC_FROM, IDC_TO}) {
             tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
         }

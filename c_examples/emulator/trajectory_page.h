@@ -77,11 +77,11 @@ private:
         previewed_ = scene_.text() + narrow(document_.folder());
         try {
             Samples samples(scene_, document_.folder());
-            for (size_t k = 0; k < samples.count; k += samples.count / 3000 + 1) {
+            for (size_t k = 0; k < samples.all.count; k += samples.all.count / 3000 + 1) {
                 sins_flight_sample sample = samples.get(k);
                 track.x.push_back(sample.longitude_rad);
                 track.traces[0].cells.push_back(Cell(sample.latitude_rad));
-                profile.x.push_back(sample.time_s - samples.start_s);
+                profile.x.push_back(sample.time_s - samples.all.start_s);
                 profile.traces[0].cells.push_back(Cell(sample.height_m));
             }
         } catch (const std::exception &error) {
