@@ -33,7 +33,11 @@ fn pipes_and_standard_input_are_logs_and_devices_are_not() {
     done(&folder, &["fly", "logs/mylog.csv", "-q"]);
     let of = |name: &str| read(folder.join("sins_out").join(name));
     assert!(of("log.csv") == of("mylog.csv") && of("pipe.csv") == of("mylog.csv"));
-    for order in [&["fly", "--log", "/dev/zero"][..], &["allan", "/dev/zero", "-o", "a.svg"]] {
+    for order in [
+        &["fly", "--log", "/dev/zero"][..],
+        &["allan", "/dev/zero", "-o", "a.svg"],
+        &["curve", "--instructions", "/dev/zero"],
+    ] {
         assert!(rejected(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
     }
     // A pipe is no run: its summary cannot lie beside it. It is not waited for.
