@@ -40,7 +40,7 @@ use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthSummary};
+use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
 use chain::Chain;
 use imperfections::Imperfections;
 use navigator::Navigator;
@@ -273,11 +273,6 @@ impl Simulator {
     /// Whether a step has been made since the start or the last reposition, or the navigation was started.
     pub fn has_started(&self) -> bool {
         !matches!(self.mode, Mode::Waiting)
-    }
-
-    /// Whether the queue has no room for another sample.
-    pub fn queue_is_full(&self) -> bool {
-        self.intake.waiting() == QUEUE_CAPACITY
     }
 
     /// Samples that wait for a step.
