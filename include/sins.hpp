@@ -683,15 +683,7 @@ public:
     /* The log of a text; what() of the error has the first fault and its place. */
     explicit Log(const std::string &text)
     {
-        sins_fault fault = make<sins_fault>();
-        const sins_status status = sins_log_parse(text.data(), text.size(), &log_, &fault);
-        if (status == SINS_ERROR_INVALID_ARGUMENT) {
-            sins_error_info info = make<sins_error_info>();
-            sins_last_error_info(nullptr, &info);
-            throw Error(status, std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.sentence,
-                        info);
-        }
-        detail::done(status, nullptr);
+        detail::done(sins_log_parse(text.data(), text.size(), &log_, nullptr), nullptr);
     }
 
     Log(Log &&other) noexcept : log_(other.log_) { other.log_ = nullptr; }
