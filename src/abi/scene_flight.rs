@@ -221,7 +221,8 @@ pub unsafe extern "C" fn sins_scene_set_manoeuvres(
         start.ellipsoid = scene.options.ellipsoid;
         let path = FlightPath { start, manoeuvres, repeat };
         path.check_repeat("repeat")?;
-        path.length_s()?;
+        // The index in the host's array, whichever time its manoeuvre is flown.
+        path.length_s().map_err(|error| Error { index: error.index.map(|index| index % count), ..error })?;
         scene.flight = FlightSource::Path(path);
         Ok(SINS_OK)
     })

@@ -254,6 +254,12 @@ fn a_message_names_the_field_that_the_caller_set() {
             sins_scene_set_manoeuvres(scene, &start, &rest, 1, 4097),
             "repeat = 4097: must be from 1 to 4096",
         );
+        // The second time, the speed would be less than none.
+        let mut brake = init::<sins_manoeuvre>();
+        (brake.kind, brake.duration_s, brake.speed_change_m_s) = (SINS_MANOEUVRE_ACCELERATE, 60.0, -60.0);
+        let fast = sins_flight_start { speed_m_s: 100.0, ..start };
+        assert_eq!(sins_scene_set_manoeuvres(scene, &fast, &brake, 1, 2), SINS_ERROR_INVALID_ARGUMENT);
+        assert!(last_error().contains("[0] = "), "{}", last_error());
         assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
         for (set, field) in [
             ((|setup, value| setup.duration_s = value) as fn(&mut sins_scene_setup, f64), "duration_s"),
