@@ -112,7 +112,9 @@ impl Steps<'_> {
             return jump(
                 "sample attitude: rotation since the previous sample [rad]",
                 angle,
-                Rule::Sentence("must be below 170 degrees; beyond it the direction of the rotation is unknown"),
+                Rule::Sentence(
+                    "must be below 170 degrees; beyond it the direction of the rotation is unknown",
+                ),
             );
         }
         Ok(())
