@@ -5,6 +5,7 @@
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::pair::Pair;
+use super::two::Two;
 use super::transcendental::{atan2, sin_cos};
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
@@ -193,8 +194,9 @@ pub fn rotation_quaternion(phi: &Vector3<f64>) -> Quaternion<f64> {
 /// The arc tangent of vector over scalar part; 2 acos(w) would give 0 for rotations below 1e-8 rad.
 #[inline]
 pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
-    let u = if q.w < 0.0 { -q.imag() } else { q.imag() };
-    let w = q.w.abs();
+    let sign = Two::both(q.w).less(Two::both(0.0)) & Two::both(-0.0);
+    let (xy, zw) = (Two::new(q.i, q.j) ^ sign, Two::new(q.k, q.w) ^ sign);
+    let (u, w) = (Vector3::new(xy.first(), xy.second(), zw.first()), zw.second().abs());
     let n2 = u.norm_squared();
     // atan(√t)/√t by its series for t = n²/w² < 4e-3; the first dropped term is below 1e-18 of it.
     if n2 < 4e-3 * w * w {

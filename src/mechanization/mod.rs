@@ -252,7 +252,7 @@ impl Mechanization {
     }
 
     /// The solution in geographic terms.
-    #[inline]
+    #[inline(always)]
     pub fn navigation(&self, axes: BodyAxes) -> Navigation {
         match &self.solution.axes {
             FrameState::EarthFixed(state) => state.state().navigation(&self.earth, axes),

@@ -153,6 +153,7 @@ impl TruthPoint {
     }
 
     /// The point in geographic terms: the host's own place and velocity, to the bit.
+    #[inline(always)]
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         match self.sample.v_n {
             Some(v_n) => Navigation::new(self.sample.place, v_n, self.q_nb, axes),

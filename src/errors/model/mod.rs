@@ -220,6 +220,7 @@ impl ErrorModel {
 
     /// The errors at the truth `point`, which is `truth` in geographic terms; of the reference point, where the sensors are
     /// those of `block`.
+    #[inline(always)]
     pub fn errors(
         &self,
         point: &TruthPoint,

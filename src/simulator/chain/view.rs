@@ -1,5 +1,7 @@
 //! What is read of a chain: made when it is read for the first time.
 
+use core::cell::OnceCell;
+
 use super::Chain;
 use crate::errors::{NavigationErrors, navigation_minus_truth};
 use crate::state::Navigation;
@@ -16,18 +18,41 @@ impl Chain {
     /// What the INS gives out, of the reference point.
     #[inline(always)]
     pub fn navigated_view(&self) -> &Navigation {
-        let Self { earth, options, mechanization, block, views, .. } = self;
-        views.navigation.get_or_init(|| match block {
+        self.views.navigation.get_or_init(|| self.navigated())
+    }
+
+    #[inline(always)]
+    fn navigated(&self) -> Navigation {
+        let Self { earth, options, mechanization, block, .. } = self;
+        match block {
             None => mechanization.navigation(options.axes),
             Some(block) => {
                 block.belief().reference_point(&mechanization.state()).navigation(earth, options.axes)
             }
-        })
+        }
+    }
+
+    /// Makes the view of the truth where it is kept: [`Self::true_view`] would move it there.
+    #[inline(never)]
+    pub fn make_true_view(&mut self, point: &TruthPoint) {
+        self.views.truth = OnceCell::from(point.navigation(&self.earth, self.options.axes));
+    }
+
+    /// Makes the view of the solution where it is kept.
+    #[inline(never)]
+    pub fn make_navigated_view(&mut self) {
+        self.views.navigation = OnceCell::from(self.navigated());
     }
 
     /// Navigation minus truth, which is at `point`.
-    #[inline(always)]
+    #[inline(never)]
     pub fn navigation_errors(&self, point: &TruthPoint) -> NavigationErrors {
+        self.navigation_errors_inlined(point)
+    }
+
+    /// The same without a call, for the reads of the host.
+    #[inline(always)]
+    pub fn navigation_errors_inlined(&self, point: &TruthPoint) -> NavigationErrors {
         navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(point))
     }
 }
