@@ -174,7 +174,7 @@ impl Earth {
     }
 
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
-    #[inline]
+    #[inline(always)]
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
         let p = hypot(r_e.x, r_e.y);
         let (latitude, height_m) = self.meridian(p, r_e.z);

@@ -20,14 +20,18 @@ pub struct RotationSeries {
 
 impl RotationSeries {
     /// The coefficients for the squared angle `n2` = n² [rad²].
-    #[inline]
+    #[inline(always)]
     pub fn new(n2: f64) -> Self {
+        if Self::is_short(n2) { Self::short(n2) } else { Self::long(n2) }
+    }
+
+    /// The coefficients for a squared angle `n2` [rad²] that is not short.
+    #[inline(never)]
+    fn long(n2: f64) -> Self {
         // Taylor series: the closed forms cancel at 0. Dropped terms are below 1e-17 of the sum: n² / 16! in the long one,
         // up to 0.5 rad, n² / 10! in the short one, up to 0.06 rad, which most intervals need.
         let x = n2;
-        if Self::is_short(n2) {
-            Self::short(n2)
-        } else if n2 < 0.25 {
+        if n2 < 0.25 {
             let tail = 1.0 / 3_628_800.0
                 - x * (1.0 / 479_001_600.0 - x * (1.0 / 87_178_291_200.0 - x / 20_922_789_888_000.0));
             let square = 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40_320.0 - x * tail)));

@@ -243,6 +243,15 @@ impl Mechanization {
         }
     }
 
+    /// The solution of a navigator in Earth-fixed axes.
+    #[inline(always)]
+    pub(crate) fn earth_fixed(&self) -> Option<EarthFixedState> {
+        match &self.solution.axes {
+            FrameState::EarthFixed(axes) => Some(axes.state()),
+            FrameState::Geographic(_) => None,
+        }
+    }
+
     /// The solution in Earth-fixed axes.
     pub fn state(&self) -> EarthFixedState {
         match &self.solution.axes {
@@ -252,7 +261,7 @@ impl Mechanization {
     }
 
     /// The solution in geographic terms.
-    #[inline(always)]
+    #[inline]
     pub fn navigation(&self, axes: BodyAxes) -> Navigation {
         match &self.solution.axes {
             FrameState::EarthFixed(state) => state.state().navigation(&self.earth, axes),

@@ -129,7 +129,7 @@ impl EarthFixedForm {
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
-    #[inline]
+    #[inline(always)]
     pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
         let [position_n, dv_n] = local.two_in_local_axes(&self.dr, &self.dv);
         let [psi_n, v_n] = local.two_in_local_axes(&self.psi, v_e);

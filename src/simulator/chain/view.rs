@@ -21,7 +21,7 @@ impl Chain {
         self.views.navigation.get_or_init(|| self.navigated())
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn navigated(&self) -> Navigation {
         let Self { earth, options, mechanization, block, .. } = self;
         match block {
@@ -35,13 +35,21 @@ impl Chain {
     /// Makes the view of the truth where it is kept: [`Self::true_view`] would move it there.
     #[inline(never)]
     pub fn make_true_view(&mut self, point: &TruthPoint) {
-        self.views.truth = OnceCell::from(point.navigation(&self.earth, self.options.axes));
+        match point.given(self.options.axes) {
+            Some(given) => self.views.truth = OnceCell::from(given),
+            None => _ = self.true_view(point),
+        }
     }
 
-    /// Makes the view of the solution where it is kept.
+    /// Makes the view of the solution where it is kept, in the default axes and without a mounting.
     #[inline(never)]
     pub fn make_navigated_view(&mut self) {
-        self.views.navigation = OnceCell::from(self.navigated());
+        match (&self.block, self.mechanization.earth_fixed()) {
+            (None, Some(state)) => {
+                self.views.navigation = OnceCell::from(state.navigation(&self.earth, self.options.axes));
+            }
+            _ => _ = self.navigated_view(),
+        }
     }
 
     /// Navigation minus truth, which is at `point`.
