@@ -5,8 +5,8 @@
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::pair::Pair;
-use super::two::Two;
 use super::transcendental::{atan2, sin_cos};
+use super::two::Two;
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
 /// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
