@@ -3061,8 +3061,9 @@ SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const ch
 SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const char *list, const char *items);
 
 /*
- * Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
- * order; columns of other names are ignored, and a row with more fields than columns is a fault:
+ * Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+ * comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
+ * is a fault:
  *
  * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
  * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
@@ -3073,7 +3074,7 @@ SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const cha
  * frame: it allocates, 184 bytes a sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
- * and *log is unchanged.
+ * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
  * SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
  */
 SINS_API sins_status SINS_CALL sins_log_parse(

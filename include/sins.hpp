@@ -303,6 +303,24 @@ public:
     bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(sim_, &covariance)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
 
+    /* A record as a line of a file; sensor_errors are six numbers or none, covariance may be NULL. */
+    static std::string record_line(const sins_record &record, const std::vector<double> &sensor_errors = {},
+                                   const sins_covariance *covariance = nullptr)
+    {
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_record_line(&record, sensor_errors.data(), sensor_errors.size(), covariance, buffer, capacity, needed);
+        });
+    }
+
+    /* The first line of such a file. */
+    static std::string record_head(bool has_covariance = false)
+    {
+        sins_covariance covariance = make<sins_covariance>();
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_record_line(nullptr, nullptr, 0, has_covariance ? &covariance : nullptr, buffer, capacity, needed);
+        });
+    }
+
     /* The options in effect, defaults in place of 0. */
     sins_options options() const
     {
@@ -727,15 +745,7 @@ public:
     /* The log of a text. If the text has faults, what() of the error has the first one and its place. */
     explicit Log(const std::string &text)
     {
-        sins_fault fault = make<sins_fault>();
-        const sins_status status = sins_log_parse(text.data(), text.size(), &log_, &fault);
-        if (status == SINS_ERROR_INVALID_ARGUMENT) {
-            sins_error_info info = make<sins_error_info>();
-            sins_last_error_info(nullptr, &info);
-            throw Error(status, std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.sentence,
-                        info);
-        }
-        detail::done(status, nullptr);
+        detail::done(sins_log_parse(text.data(), text.size(), &log_, nullptr), nullptr);
     }
 
     Log(Log &&other) noexcept : log_(other.log_) { other.log_ = nullptr; }

@@ -76,19 +76,28 @@ inline std::string unquoted(const std::string &value)
                      : value;
 }
 
-/* Sentences of the library in the user's language, if they are about limits: what, its value, and the limits.
- */
+/* A sentence of the library in the user's language: about what, its value and limits; else by the rules of
+ * the language, each a kind of sentence behind "gyro.bias_deg_h[1] = -3: ". */
 template <class Info>
 std::wstring told(const std::string &sentence, const std::string &what, const Info &info)
 {
     const uint32_t LIMITS = SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
-    if (language == 0 || (info.flags & LIMITS) != LIMITS) {
-        return wide(sentence);
-    }
+    const std::wstring whole = wide(sentence), end = whole.substr(min(whole.find(L": ") + 2, whole.size()));
     const Key *key = key_of(what);
     std::wstring name = (key == NULL ? L"" : key->meaning() + L" ") + wide(what);
-    const char *kind = (info.flags & SINS_ERROR_INFO_VALUE) != 0 ? "limits" : "expected";
-    return text(kind, {name, shown(info.value, 6), shown(info.minimum, 6), shown(info.maximum, 6)});
+    if (language == 1 && (info.flags & LIMITS) == LIMITS) {
+        const char *kind = (info.flags & SINS_ERROR_INFO_VALUE) != 0 ? "limits" : "expected";
+        return text(kind, {name, shown(info.value, 6), shown(info.minimum, 6), shown(info.maximum, 6)});
+    }
+    const auto &texts = all_texts();
+    for (auto rule = texts.lower_bound("rule "); rule != texts.end() && rule->first.starts_with("rule ");
+         rule++) {
+        const std::wregex kind(wide(rule->first.substr(5)));
+        if (std::regex_match(end, kind)) {
+            return name + L"\uff1a" + std::regex_replace(end, kind, rule->second);
+        }
+    }
+    return whole;
 }
 
 inline std::wstring told(const sins_fault &fault)

@@ -3278,8 +3278,9 @@ def scene_set_items(scene, list, items):
 
 @_function(status, _Array(c_char, is_input=True), _New(log), POINTER(fault))
 def log_parse(text, log, fault):
-    """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns,
-    in any order; columns of other names are ignored, and a row with more fields than columns is a fault:
+    """Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is
+    not a comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields
+    than columns is a fault:
 
     time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
     heading_rad or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
@@ -3290,7 +3291,8 @@ def log_parse(text, log, fault):
     real-time frame: it allocates, 184 bytes a sample.
 
     sins.ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its
-    place, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
+    place, sins.last_error(NULL, ...) gives both as a sentence, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no
+    memory for the samples, or 4096 logs exist.
     """
 
 

@@ -25,7 +25,8 @@ impl Reader<'_> {
         {
             let names = || BUILTIN_SCENES.iter().map(|(name, _)| *name);
             let near = nearest(&self.draft.builtin, names());
-            let listed = near.map_or(names().collect::<Vec<_>>().join(", "), |near| format!("{near}?"));
+            let listed =
+                near.map_or(names().collect::<Vec<_>>().join(", "), |near| format!("did you mean {near}?"));
             let sentence =
                 format!("flight.builtin = \"{}\": no such flight; {listed}", excerpt(&self.draft.builtin));
             self.faults.add(span, sentence);

@@ -141,6 +141,6 @@ pub fn excerpt(text: &str) -> String {
 
 /// The sentence about a name that there is not, and the `near`est that there is.
 pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
-    let near = near.map_or(String::new(), |near| format!("; {near}?"));
+    let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
     format!("no such {what}: {}{near}", excerpt(name))
 }

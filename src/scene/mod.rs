@@ -35,7 +35,7 @@ pub use samples::Samples;
 pub use schedule::TakesFailures;
 pub use write::ChangedKey;
 
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, check_integer};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
 use crate::sensors::{Failure, SensorOutput};
@@ -163,9 +163,14 @@ impl FlightPath {
         Flight::length_s(&self.start, &self.all()?)
     }
 
-    fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
+    /// Checks how many times the manoeuvres are flown, as the field `repeat`.
+    pub(crate) fn check_repeat(&self, repeat: &'static str) -> Result<(), Error> {
         let most = (MAX_MANOEUVRES / self.manoeuvres.len().max(1)).max(1);
-        check_range("flight.repeat", self.repeat as f64, 1.0, most as f64)?;
+        check_integer(repeat, self.repeat, 1, most as i64)
+    }
+
+    fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
+        self.check_repeat("flight.repeat")?;
         let mut manoeuvres = room(self.manoeuvres.len() * self.repeat)?;
         for _ in 0..self.repeat {
             manoeuvres.extend_from_slice(&self.manoeuvres);

@@ -32,6 +32,7 @@ pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
+pub(crate) use read::Looked;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
@@ -40,7 +41,7 @@ use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthSummary};
+use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
 use chain::Chain;
 use imperfections::Imperfections;
 use navigator::Navigator;
@@ -273,11 +274,6 @@ impl Simulator {
     /// Whether a step has been made since the start or the last reposition, or the navigation was started.
     pub fn has_started(&self) -> bool {
         !matches!(self.mode, Mode::Waiting)
-    }
-
-    /// Whether the queue has no room for another sample.
-    pub fn queue_is_full(&self) -> bool {
-        self.intake.waiting() == QUEUE_CAPACITY
     }
 
     /// Samples that wait for a step.

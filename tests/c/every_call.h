@@ -92,8 +92,8 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
 /* Likewise of an ensemble, all but sins_ensemble_destroy(). */
 static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
 {
-    static unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
-    static sins_statistics statistics;
+    unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
+    sins_statistics statistics;
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
     sins_errors errors = {.struct_size = sizeof errors};

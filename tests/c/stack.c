@@ -92,6 +92,7 @@ static void read_all(sins_sim *sim)
     MEASURE(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors));
     MEASURE(sins_get_accuracy(sim, &accuracy));
     MEASURE(sins_get_record(sim, &record));
+    MEASURE(sins_record_line(&record, NULL, 0, &covariance, NULL, 0, &size));
     MEASURE(sins_get_options(sim, &options));
     MEASURE(sins_get_gyro(sim, &gyro));
     MEASURE(sins_get_accel(sim, &accel));

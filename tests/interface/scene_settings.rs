@@ -77,8 +77,8 @@ fn faults_have_the_number_of_their_setting() {
     let faults = set(TEXT, &settings).unwrap_err();
     for (fault, begin) in faults.iter().zip([
         "8:1: options.subsamples = 9: must be from 1 to 5",
-        "0:1: no such key: bais_deg_h; bias_deg_h?",
-        "0:3: no such section: gryo; gyro?",
+        "0:1: no such key: bais_deg_h; did you mean bias_deg_h?",
+        "0:3: no such section: gryo; did you mean gyro?",
         "0:4: failure: expected failure[0]",
         "0:5: seed: expected section.key",
         "0:6: options.scheme = \"exakt\": expected exact, paper, polynomial",
