@@ -200,8 +200,7 @@ check() {
     cp "$folder/flown/switched.toml" "$folder/flown/adopted.toml"
     drive controls adopt -- /language en /scene "$(path "$folder/flown/adopted.toml")"
     "$sins" scene check "$folder/flown/adopted.toml"
-    diff "$folder/flown/switched.toml" "$folder/flown/adopted.toml" | grep -Eq '^> (scheme|subsamples|updates_per_sample) = ' ||
-        fail "the recommended options are not in the scene"
+    grep -Eq '^(scheme|subsamples|updates_per_sample) = ' "$folder/flown/adopted.toml" || fail "the scene has no recommended options"
     drive controls wheel "$(path "$folder/flown")" -- /language en /scene "$(path "$folder/flown/increments.toml")"
     ! cmp -s "$folder/flown/whole.png" "$folder/flown/near.png" || fail "the wheel does not zoom"
     cmp "$folder/flown/whole.png" "$folder/flown/again.png"
