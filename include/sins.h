@@ -143,6 +143,8 @@
  *     sins_scene_set_setup, sins_scene_get_manoeuvres, sins_scene_set_manoeuvres, sins_scene_get_text,
  *     sins_scene_set_text, sins_scene_get_failure_count, sins_scene_get_failure, sins_scene_add_failure,
  *     sins_scene_clear_failures
+ *   Values of a scene by their paths: sins_scene_get_key, sins_scene_get_value, sins_scene_set_values,
+ *     sins_scene_set_items
  *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy
  *   Which options, which effects matter: sins_recommend, sins_error_budget
  *
@@ -600,6 +602,30 @@ enum sins_scene_text {
     SINS_SCENE_TEXT_NAME = 4,
     /* Name of the file for the measured increments. */
     SINS_SCENE_TEXT_IMU = 5
+};
+
+/* What kind of value a key of a scene takes. */
+enum sins_scene_key_kind {
+    /* Numbers: elements of them. */
+    SINS_SCENE_KEY_NUMBERS = 0,
+    /* A whole number, not negative. */
+    SINS_SCENE_KEY_WHOLE = 1,
+    /* One of several words. */
+    SINS_SCENE_KEY_WORD = 2,
+    /* A text. */
+    SINS_SCENE_KEY_TEXT = 3,
+    /* true or false. */
+    SINS_SCENE_KEY_FLAG = 4
+};
+
+/* Flags of a sins_scene_key. */
+enum sins_scene_key_flags {
+    /* The key belongs to the items of a list: its section stands in double brackets. */
+    SINS_SCENE_KEY_IN_LIST = 1,
+    /* minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values. */
+    SINS_SCENE_KEY_LIMITS = 2,
+    /* 0 is allowed beside the values within the limits, and means none. */
+    SINS_SCENE_KEY_ZERO_IS_OFF = 4
 };
 
 /* Flags of a sins_budget_row. */
@@ -1702,14 +1728,25 @@ typedef struct sins_manoeuvre {
 typedef struct sins_fault {
     /* sizeof(sins_fault) */
     uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
+    /* Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are. */
+    uint32_t flags;
     /* Number of faults of the text, 200 at most. */
     uint64_t count;
-    /* Line of this fault, from 1. */
+    /* Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call. */
     uint64_t line;
-    /* Column, in characters from 1; for a flight log, the column of the table. */
+    /* Column, in characters from 1; for a flight log, the column of the table; 0: as for line. */
     uint64_t column;
+    /* The value at fault, in the unit of the key that path names. */
+    double value;
+    /* Least allowed value, in that unit; if the sentence says "more than", it is rejected too. */
+    double minimum;
+    /* Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too. */
+    double maximum;
+    /*
+     * Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
+     * terminated. Empty for a flight log, and if the text itself is at fault.
+     */
+    char path[96];
     /*
      * Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
      * longer.
@@ -1777,6 +1814,54 @@ typedef struct sins_planned_failure {
     /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
     double probability;
 } sins_planned_failure;
+
+/* A key of the scene format. */
+typedef struct sins_scene_key {
+    /* sizeof(sins_scene_key) */
+    uint32_t struct_size;
+    /* Flags of enum sins_scene_key_flags, or'ed. */
+    uint32_t flags;
+    /* Number of keys of the format. */
+    uint64_t count;
+    /* Kind of the value, of enum sins_scene_key_kind. */
+    int32_t kind;
+    /* Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds. */
+    int32_t elements;
+    /* Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough. */
+    uint32_t spread;
+    /* 0 */
+    uint32_t reserved;
+    /* SI units in one unit of the key; 1 for the other kinds. */
+    double si_per_unit;
+    /*
+     * Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
+     * scene may narrow the limits.
+     */
+    double minimum;
+    /* Greatest value, likewise. */
+    double maximum;
+    /* Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here. */
+    char section[24];
+    /* Name, such as "bias_deg_h": its value is in the unit of data sheets. */
+    char name[40];
+    /* Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that key. */
+    char si_name[40];
+    /* Unit of name, such as "deg/h"; empty: a pure number, or no number. */
+    char unit[24];
+    /* Unit of si_name, such as "rad/s". */
+    char si_unit[24];
+    /* Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then. */
+    char default_value[32];
+    /* Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial". */
+    char words[128];
+    /*
+     * Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
+     * a space between them. Empty: all.
+     */
+    char condition[96];
+    /* Meaning, without unit. */
+    char meaning[128];
+} sins_scene_key;
 
 /* Contents of a flight log. */
 typedef struct sins_log_info {
@@ -1980,9 +2065,10 @@ enum sins_sizeof {
     SINS_SIZEOF_FIGURES = 936,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
-    SINS_SIZEOF_FAULT = 288,
+    SINS_SIZEOF_FAULT = 408,
     SINS_SIZEOF_SCENE_SETUP = 72,
     SINS_SIZEOF_PLANNED_FAILURE = 80,
+    SINS_SIZEOF_SCENE_KEY = 592,
     SINS_SIZEOF_LOG_INFO = 216,
     SINS_SIZEOF_REQUIREMENT = 48,
     SINS_SIZEOF_COST = 96,
@@ -2638,7 +2724,7 @@ SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
 /*
  * Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
- * sins_scene_write_keys() lists the keys.
+ * sins_scene_write_keys() and sins_scene_get_key() list the keys.
  *
  * SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
  * is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
@@ -2647,7 +2733,8 @@ SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
 
 /*
- * Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+ * Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
+ * sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
  *
  * SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
  */
@@ -2886,6 +2973,56 @@ SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const s
 
 /* Removes all planned failures. */
 SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
+
+/*
+ * Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: there are no more.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_key(size_t index, struct sins_scene_key *key);
+
+/*
+ * Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
+ * the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
+ * "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
+ * value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
+ * in SI it is exact. A preset is not kept: its errors are.
+ *
+ * "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
+ * manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_value(
+    const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Sets values of the scene, all at once. values is a terminated text in UTF-8 with one path = value in each line; blank lines
+ * and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
+ * scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
+ * twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+ *
+ * The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
+ * together, as a manoeuvre's kind and its quantities.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
+ * with the line in values and the path.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const char *values);
+
+/*
+ * Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+ * [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
+ * moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
+ * start, or a log, with a start at latitude 0, longitude 0, height 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
+ * every fault with the line in items and the path.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const char *list, const char *items);
 
 /*
  * Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a

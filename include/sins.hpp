@@ -549,7 +549,7 @@ public:
     /* The handle, for functions of sins.h. This object still owns it. */
     sins_scene *handle() const noexcept { return scene_; }
 
-    /* The faults of the text; empty if it is a valid scene. */
+    /* The faults of the text, or of the change that was rejected last; empty if there are none. */
     std::vector<sins_fault> faults() const
     {
         std::vector<sins_fault> faults;
@@ -566,6 +566,34 @@ public:
         return detail::text([this](char *buffer, std::size_t capacity, std::size_t *needed) {
             return sins_scene_write(scene_, buffer, capacity, needed);
         });
+    }
+
+    /* The value at a path, "gyro.bias_deg_h[1]", as it stands in the text of a scene; or all lines of an item, "failure[0]". */
+    std::string value(const std::string &path) const
+    {
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_scene_get_value(scene_, path.c_str(), buffer, capacity, needed);
+        });
+    }
+
+    /* Sets values, a line path = value each. False: the scene stays as it was, and faults() has the reasons. */
+    bool set_values(const std::string &values) { return changed(sins_scene_set_values(scene_, values.c_str())); }
+
+    /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
+    bool set_items(const std::string &list, const std::string &items)
+    {
+        return changed(sins_scene_set_items(scene_, list.c_str(), items.c_str()));
+    }
+
+    /* The keys of the scene format. */
+    static std::vector<sins_scene_key> keys()
+    {
+        std::vector<sins_scene_key> keys;
+        sins_scene_key key = make<sins_scene_key>();
+        while (sins_scene_get_key(keys.size(), &key) == SINS_OK) {
+            keys.push_back(key);
+        }
+        return keys;
     }
 
     /* Every section and key of a scene, one in a line. */
@@ -666,6 +694,11 @@ public:
 
 private:
     explicit Scene(sins_scene *scene) noexcept : scene_(scene) {}
+
+    bool changed(sins_status status) const
+    {
+        return !(status == SINS_ERROR_INVALID_ARGUMENT && !faults().empty()) && detail::done(status, nullptr);
+    }
 
     static void done(sins_status status) { detail::done(status, nullptr); }
 

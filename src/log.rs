@@ -79,7 +79,7 @@ struct Column {
 }
 
 fn fault(line: u64, column: usize, sentence: String) -> LogError {
-    LogError::Fault(Fault { line: line as usize, column, sentence })
+    LogError::Fault(Fault { line: line as usize, column, sentence, ..Fault::default() })
 }
 
 impl FlightLog {

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, and the
 # programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its kernel can, as the emulator raises no
-# floating-point exceptions. On this machine without optimisation too. What cannot be had is told at the end.
+# floating-point exceptions. On this machine as released, and without optimisation. What cannot be had is told at the end.
+# SINS_LIB_DIR: a folder with a libsins.so to take for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/built.sh
 
 programs="digests float_environment misuse run ensemble threads"
 folder=$PWD/target/platforms
@@ -40,7 +42,7 @@ need g++ c++
 need qemu-user qemu-aarch64
 need libc6-i386-cross /usr/i686-linux-gnu/lib/ld-linux.so.2
 loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
-export CARGO_PROFILE_DEV_OPT_LEVEL=1 # tests/windows.sh has 32-bit x86 optimised
+export CARGO_PROFILE_DEV_OPT_LEVEL=0 # tests/windows.sh has 32-bit x86 optimised
 if "$loader" --version >/dev/null 2>&1; then
     other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library here
 else
@@ -50,8 +52,10 @@ fi
 unset CARGO_PROFILE_DEV_OPT_LEVEL
 other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 
-echo "== here, without optimisation" # tests/packages.sh has the digests of what is shipped
+echo "== here, as released and without optimisation"
 programs=digests
+build_library
+fly gcc "$built/libsins.so"
 cargo build --quiet --profile unoptimised
 fly gcc target/unoptimised/libsins.so
 report_not_run

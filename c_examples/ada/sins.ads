@@ -378,6 +378,28 @@ package Sins is
    --  Name of the file for the measured increments.
    SINS_SCENE_TEXT_IMU : constant sins_scene_text := 5;
 
+   --  What kind of value a key of a scene takes.
+   subtype sins_scene_key_kind is Integer_32;
+   --  Numbers: elements of them.
+   SINS_SCENE_KEY_NUMBERS : constant sins_scene_key_kind := 0;
+   --  A whole number, not negative.
+   SINS_SCENE_KEY_WHOLE : constant sins_scene_key_kind := 1;
+   --  One of several words.
+   SINS_SCENE_KEY_WORD : constant sins_scene_key_kind := 2;
+   --  A text.
+   SINS_SCENE_KEY_TEXT : constant sins_scene_key_kind := 3;
+   --  true or false.
+   SINS_SCENE_KEY_FLAG : constant sins_scene_key_kind := 4;
+
+   --  Flags of a sins_scene_key.
+   subtype sins_scene_key_flags is Unsigned_32;
+   --  The key belongs to the items of a list: its section stands in double brackets.
+   SINS_SCENE_KEY_IN_LIST : constant sins_scene_key_flags := 1;
+   --  minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
+   SINS_SCENE_KEY_LIMITS : constant sins_scene_key_flags := 2;
+   --  0 is allowed beside the values within the limits, and means none.
+   SINS_SCENE_KEY_ZERO_IS_OFF : constant sins_scene_key_flags := 4;
+
    --  Flags of a sins_budget_row.
    subtype sins_budget_flags is Unsigned_32;
    --  The row's figures are standard deviations (1 sigma), exact to first order.
@@ -424,9 +446,10 @@ package Sins is
    SINS_SIZEOF_FIGURES : constant Unsigned_32 := 936;
    SINS_SIZEOF_FLIGHT_START : constant Unsigned_32 := 72;
    SINS_SIZEOF_MANOEUVRE : constant Unsigned_32 := 240;
-   SINS_SIZEOF_FAULT : constant Unsigned_32 := 288;
+   SINS_SIZEOF_FAULT : constant Unsigned_32 := 408;
    SINS_SIZEOF_SCENE_SETUP : constant Unsigned_32 := 72;
    SINS_SIZEOF_PLANNED_FAILURE : constant Unsigned_32 := 80;
+   SINS_SIZEOF_SCENE_KEY : constant Unsigned_32 := 592;
    SINS_SIZEOF_LOG_INFO : constant Unsigned_32 := 216;
    SINS_SIZEOF_REQUIREMENT : constant Unsigned_32 := 48;
    SINS_SIZEOF_COST : constant Unsigned_32 := 96;
@@ -434,9 +457,12 @@ package Sins is
    SINS_SIZEOF_BUDGET_ROW : constant Unsigned_32 := 152;
    SINS_SIZEOF_BUDGET : constant Unsigned_32 := 128;
 
+   subtype sins_char_128 is char_array (0 .. 127);
    subtype sins_char_192 is char_array (0 .. 191);
+   subtype sins_char_24 is char_array (0 .. 23);
    subtype sins_char_256 is char_array (0 .. 255);
    subtype sins_char_32 is char_array (0 .. 31);
+   subtype sins_char_40 is char_array (0 .. 39);
    subtype sins_char_48 is char_array (0 .. 47);
    subtype sins_char_96 is char_array (0 .. 95);
    type sins_double_3 is array (0 .. 2) of double with Convention => C;
@@ -1395,14 +1421,23 @@ package Sins is
    type sins_fault is record
       --  sizeof(sins_fault)
       struct_size : Unsigned_32 := SINS_SIZEOF_FAULT;
-      --  0
-      reserved : Unsigned_32 := 0;
+      --  Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are.
+      flags : Unsigned_32 := 0;
       --  Number of faults of the text, 200 at most.
       count : Unsigned_64 := 0;
-      --  Line of this fault, from 1.
+      --  Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
       line : Unsigned_64 := 0;
-      --  Column, in characters from 1; for a flight log, the column of the table.
+      --  Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
       column : Unsigned_64 := 0;
+      --  The value at fault, in the unit of the key that path names.
+      value : double := 0.0;
+      --  Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+      minimum : double := 0.0;
+      --  Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+      maximum : double := 0.0;
+      --  Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
+      --  terminated. Empty for a flight log, and if the text itself is at fault.
+      path : sins_char_96 := (others => nul);
       --  Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
       --  longer.
       sentence : sins_char_256 := (others => nul);
@@ -1469,6 +1504,51 @@ package Sins is
       probability : double := 0.0;
    end record with Convention => C;
    type sins_planned_failure_array is array (size_t range <>) of aliased sins_planned_failure with Convention => C;
+
+   --  A key of the scene format.
+   type sins_scene_key is record
+      --  sizeof(sins_scene_key)
+      struct_size : Unsigned_32 := SINS_SIZEOF_SCENE_KEY;
+      --  Flags of enum sins_scene_key_flags, or'ed.
+      flags : Unsigned_32 := 0;
+      --  Number of keys of the format.
+      count : Unsigned_64 := 0;
+      --  Kind of the value, of enum sins_scene_key_kind.
+      kind : Integer_32 := 0;
+      --  Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
+      elements : Integer_32 := 0;
+      --  Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough.
+      spread : Unsigned_32 := 0;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  SI units in one unit of the key; 1 for the other kinds.
+      si_per_unit : double := 0.0;
+      --  Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
+      --  scene may narrow the limits.
+      minimum : double := 0.0;
+      --  Greatest value, likewise.
+      maximum : double := 0.0;
+      --  Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
+      section : sins_char_24 := (others => nul);
+      --  Name, such as "bias_deg_h": its value is in the unit of data sheets.
+      name : sins_char_40 := (others => nul);
+      --  Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that key.
+      si_name : sins_char_40 := (others => nul);
+      --  Unit of name, such as "deg/h"; empty: a pure number, or no number.
+      unit : sins_char_24 := (others => nul);
+      --  Unit of si_name, such as "rad/s".
+      si_unit : sins_char_24 := (others => nul);
+      --  Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then.
+      default_value : sins_char_32 := (others => nul);
+      --  Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
+      words : sins_char_128 := (others => nul);
+      --  Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
+      --  a space between them. Empty: all.
+      condition : sins_char_96 := (others => nul);
+      --  Meaning, without unit.
+      meaning : sins_char_128 := (others => nul);
+   end record with Convention => C;
+   type sins_scene_key_array is array (size_t range <>) of aliased sins_scene_key with Convention => C;
 
    --  Contents of a flight log.
    type sins_log_info is record
@@ -2225,7 +2305,7 @@ package Sins is
      with Import, Convention => C, External_Name => "sins_scene_create";
 
    --  Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
-   --  sins_scene_write_keys() lists the keys.
+   --  sins_scene_write_keys() and sins_scene_get_key() list the keys.
    --
    --  SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
    --  is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
@@ -2233,7 +2313,8 @@ package Sins is
    function sins_scene_parse (text : char_array; size : size_t; scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_parse";
 
-   --  Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+   --  Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
+   --  sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
    function sins_scene_get_fault (scene : sins_scene; index : size_t; fault : in out sins_fault) return sins_status
@@ -2450,6 +2531,52 @@ package Sins is
    --  Removes all planned failures.
    function sins_scene_clear_failures (scene : sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_clear_failures";
+
+   --  Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: there are no more.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_get_key (index : size_t; key : in out sins_scene_key) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_key";
+
+   --  Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
+   --  the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
+   --  "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
+   --  value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
+   --  in SI it is exact. A preset is not kept: its errors are.
+   --
+   --  "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
+   --  manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+   function sins_scene_get_value (scene : sins_scene; path : char_array; buffer : in out char_array; capacity : size_t;
+       needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_value";
+
+   --  Sets values of the scene, all at once. values is a terminated text in UTF-8 with one path = value in each line; blank lines
+   --  and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
+   --  scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
+   --  twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+   --
+   --  The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
+   --  together, as a manoeuvre's kind and its quantities.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
+   --  with the line in values and the path.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_set_values (scene : sins_scene; values : char_array) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_values";
+
+   --  Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+   --  [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
+   --  moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
+   --  start, or a log, with a start at latitude 0, longitude 0, height 0.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
+   --  every fault with the line in items and the path.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_set_items (scene : sins_scene; list : char_array; items : char_array) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_items";
 
    --  Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
    --  comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns

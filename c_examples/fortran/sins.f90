@@ -383,6 +383,28 @@ module sins
   !> Name of the file for the measured increments.
   integer(c_int32_t), parameter :: SINS_SCENE_TEXT_IMU = 5
 
+  !> What kind of value a key of a scene takes.
+  integer, parameter :: sins_scene_key_kind = c_int32_t
+  !> Numbers: elements of them.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_NUMBERS = 0
+  !> A whole number, not negative.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_WHOLE = 1
+  !> One of several words.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_WORD = 2
+  !> A text.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_TEXT = 3
+  !> true or false.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_FLAG = 4
+
+  !> Flags of a sins_scene_key.
+  integer, parameter :: sins_scene_key_flags = c_int32_t
+  !> The key belongs to the items of a list: its section stands in double brackets.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_IN_LIST = 1
+  !> minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_LIMITS = 2
+  !> 0 is allowed beside the values within the limits, and means none.
+  integer(c_int32_t), parameter :: SINS_SCENE_KEY_ZERO_IS_OFF = 4
+
   !> Flags of a sins_budget_row.
   integer, parameter :: sins_budget_flags = c_int32_t
   !> The row's figures are standard deviations (1 sigma), exact to first order.
@@ -414,9 +436,10 @@ module sins
   integer(c_int32_t), parameter :: SINS_SIZEOF_FIGURES = 936
   integer(c_int32_t), parameter :: SINS_SIZEOF_FLIGHT_START = 72
   integer(c_int32_t), parameter :: SINS_SIZEOF_MANOEUVRE = 240
-  integer(c_int32_t), parameter :: SINS_SIZEOF_FAULT = 288
+  integer(c_int32_t), parameter :: SINS_SIZEOF_FAULT = 408
   integer(c_int32_t), parameter :: SINS_SIZEOF_SCENE_SETUP = 72
   integer(c_int32_t), parameter :: SINS_SIZEOF_PLANNED_FAILURE = 80
+  integer(c_int32_t), parameter :: SINS_SIZEOF_SCENE_KEY = 592
   integer(c_int32_t), parameter :: SINS_SIZEOF_LOG_INFO = 216
   integer(c_int32_t), parameter :: SINS_SIZEOF_REQUIREMENT = 48
   integer(c_int32_t), parameter :: SINS_SIZEOF_COST = 96
@@ -1345,14 +1368,23 @@ module sins
   type, bind(C) :: sins_fault
     !> sizeof(sins_fault)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_FAULT
-    !> 0
-    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are.
+    integer(c_int32_t) :: flags = 0_c_int32_t
     !> Number of faults of the text, 200 at most.
     integer(c_int64_t) :: count = 0_c_int64_t
-    !> Line of this fault, from 1.
+    !> Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
     integer(c_int64_t) :: line = 0_c_int64_t
-    !> Column, in characters from 1; for a flight log, the column of the table.
+    !> Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
     integer(c_int64_t) :: column = 0_c_int64_t
+    !> The value at fault, in the unit of the key that path names.
+    real(c_double) :: value = 0.0_c_double
+    !> Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+    real(c_double) :: minimum = 0.0_c_double
+    !> Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+    real(c_double) :: maximum = 0.0_c_double
+    !> Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
+    !> terminated. Empty for a flight log, and if the text itself is at fault.
+    character(kind=c_char) :: path(96) = c_null_char
     !> Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
     !> longer.
     character(kind=c_char) :: sentence(256) = c_null_char
@@ -1416,6 +1448,50 @@ module sins
     !> Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
     real(c_double) :: probability = 0.0_c_double
   end type sins_planned_failure
+
+  !> A key of the scene format.
+  type, bind(C) :: sins_scene_key
+    !> sizeof(sins_scene_key)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_SCENE_KEY
+    !> Flags of enum sins_scene_key_flags, or'ed.
+    integer(c_int32_t) :: flags = 0_c_int32_t
+    !> Number of keys of the format.
+    integer(c_int64_t) :: count = 0_c_int64_t
+    !> Kind of the value, of enum sins_scene_key_kind.
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
+    integer(c_int32_t) :: elements = 0_c_int32_t
+    !> Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough.
+    integer(c_int32_t) :: spread = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> SI units in one unit of the key; 1 for the other kinds.
+    real(c_double) :: si_per_unit = 0.0_c_double
+    !> Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
+    !> scene may narrow the limits.
+    real(c_double) :: minimum = 0.0_c_double
+    !> Greatest value, likewise.
+    real(c_double) :: maximum = 0.0_c_double
+    !> Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
+    character(kind=c_char) :: section(24) = c_null_char
+    !> Name, such as "bias_deg_h": its value is in the unit of data sheets.
+    character(kind=c_char) :: name(40) = c_null_char
+    !> Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that key.
+    character(kind=c_char) :: si_name(40) = c_null_char
+    !> Unit of name, such as "deg/h"; empty: a pure number, or no number.
+    character(kind=c_char) :: unit(24) = c_null_char
+    !> Unit of si_name, such as "rad/s".
+    character(kind=c_char) :: si_unit(24) = c_null_char
+    !> Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then.
+    character(kind=c_char) :: default_value(32) = c_null_char
+    !> Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
+    character(kind=c_char) :: words(128) = c_null_char
+    !> Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
+    !> a space between them. Empty: all.
+    character(kind=c_char) :: condition(96) = c_null_char
+    !> Meaning, without unit.
+    character(kind=c_char) :: meaning(128) = c_null_char
+  end type sins_scene_key
 
   !> Contents of a flight log.
   type, bind(C) :: sins_log_info
@@ -2452,7 +2528,7 @@ module sins
     end function sins_scene_create
 
     !> Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
-    !> sins_scene_write_keys() lists the keys.
+    !> sins_scene_write_keys() and sins_scene_get_key() list the keys.
     !>
     !> SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
     !> is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
@@ -2465,7 +2541,8 @@ module sins
       integer(sins_status) :: sins_scene_parse
     end function sins_scene_parse
 
-    !> Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+    !> Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
+    !> sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
     function sins_scene_get_fault(scene, index, fault) bind(C, name="sins_scene_get_fault")
@@ -2831,6 +2908,71 @@ module sins
       type(c_ptr), value :: scene
       integer(sins_status) :: sins_scene_clear_failures
     end function sins_scene_clear_failures
+
+    !> Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: there are no more.
+    !> SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+    function sins_scene_get_key(index, key) bind(C, name="sins_scene_get_key")
+      import
+      integer(c_size_t), value :: index
+      type(sins_scene_key), intent(inout) :: key
+      integer(sins_status) :: sins_scene_get_key
+    end function sins_scene_get_key
+
+    !> Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
+    !> the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
+    !> "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
+    !> value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
+    !> in SI it is exact. A preset is not kept: its errors are.
+    !>
+    !> "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
+    !> manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+    function sins_scene_get_value(scene, path, buffer, capacity, needed) bind(C, name="sins_scene_get_value")
+      import
+      type(c_ptr), value :: scene
+      character(kind=c_char), intent(in) :: path(*)
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_scene_get_value
+    end function sins_scene_get_value
+
+    !> Sets values of the scene, all at once. values is a terminated text in UTF-8 with one path = value in each line; blank lines
+    !> and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
+    !> scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
+    !> twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+    !>
+    !> The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
+    !> together, as a manoeuvre's kind and its quantities.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
+    !> with the line in values and the path.
+    !> SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+    function sins_scene_set_values(scene, values) bind(C, name="sins_scene_set_values")
+      import
+      type(c_ptr), value :: scene
+      character(kind=c_char), intent(in) :: values(*)
+      integer(sins_status) :: sins_scene_set_values
+    end function sins_scene_set_values
+
+    !> Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+    !> [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
+    !> moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
+    !> start, or a log, with a start at latitude 0, longitude 0, height 0.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
+    !> every fault with the line in items and the path.
+    !> SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+    function sins_scene_set_items(scene, list, items) bind(C, name="sins_scene_set_items")
+      import
+      type(c_ptr), value :: scene
+      character(kind=c_char), intent(in) :: list(*)
+      character(kind=c_char), intent(in) :: items(*)
+      integer(sins_status) :: sins_scene_set_items
+    end function sins_scene_set_items
 
     !> Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
     !> comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns

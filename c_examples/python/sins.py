@@ -611,6 +611,39 @@ class scene_text(enum.IntEnum):
 
 
 @_exported
+class scene_key_kind(enum.IntEnum):
+    """What kind of value a key of a scene takes.
+
+    SCENE_KEY_NUMBERS: Numbers: elements of them.
+    SCENE_KEY_WHOLE: A whole number, not negative.
+    SCENE_KEY_WORD: One of several words.
+    SCENE_KEY_TEXT: A text.
+    SCENE_KEY_FLAG: true or false.
+    """
+
+    SCENE_KEY_NUMBERS = 0
+    SCENE_KEY_WHOLE = 1
+    SCENE_KEY_WORD = 2
+    SCENE_KEY_TEXT = 3
+    SCENE_KEY_FLAG = 4
+
+
+@_exported
+class scene_key_flags(enum.IntFlag):
+    """Flags of a sins.scene_key.
+
+    SCENE_KEY_IN_LIST: The key belongs to the items of a list: its section stands in double brackets.
+    SCENE_KEY_LIMITS: minimum and maximum are the limits of each number. Without this flag there are none, or they
+        depend on other values.
+    SCENE_KEY_ZERO_IS_OFF: 0 is allowed beside the values within the limits, and means none.
+    """
+
+    SCENE_KEY_IN_LIST = 1
+    SCENE_KEY_LIMITS = 2
+    SCENE_KEY_ZERO_IS_OFF = 4
+
+
+@_exported
 class budget_flags(enum.IntFlag):
     """Flags of a sins.budget_row.
 
@@ -1719,9 +1752,16 @@ class manoeuvre(_Struct):
 class fault(_Struct):
     """A fault of the text of a scene or of a flight log.
 
+    flags: Flags of enum sins.error_info_flags, or'ed: which of value, minimum and maximum there are.
     count: Number of faults of the text, 200 at most.
-    line: Line of this fault, from 1.
-    column: Column, in characters from 1; for a flight log, the column of the table.
+    line: Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before
+        the call.
+    column: Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
+    value: The value at fault, in the unit of the key that path names.
+    minimum: Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+    maximum: Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+    path[96]: Path of the value at fault, as sins.scene_get_value() takes it; or of a section, "gyro", or an item,
+        "failure[0]"; terminated. Empty for a flight log, and if the text itself is at fault.
     sentence[256]: Sentence that names key, value and limit, and the key that was probably meant; UTF-8,
         terminated, cut if it is longer.
     """
@@ -1729,10 +1769,14 @@ class fault(_Struct):
     __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("flags", c_uint32),
         ("count", c_uint64),
         ("line", c_uint64),
         ("column", c_uint64),
+        ("value", c_double),
+        ("minimum", c_double),
+        ("maximum", c_double),
+        ("path", c_char * 96),
         ("sentence", c_char * 256),
     ]
 
@@ -1800,6 +1844,57 @@ class planned_failure(_Struct):
         ("interval_s", c_double),
         ("duration_s", c_double),
         ("probability", c_double),
+    ]
+
+
+class scene_key(_Struct):
+    """A key of the scene format.
+
+    flags: Flags of enum sins.scene_key_flags, or'ed.
+    count: Number of keys of the format.
+    kind: Kind of the value, of enum sins.scene_key_kind.
+    elements: Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
+    spread: Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not
+        enough.
+    si_per_unit: SI units in one unit of the key; 1 for the other kinds.
+    minimum: Least value of each number in the unit of the key, which is allowed itself: of all kinds of items.
+        Other values of the scene may narrow the limits.
+    maximum: Greatest value, likewise.
+    section[24]: Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
+    name[40]: Name, such as "bias_deg_h": its value is in the unit of data sheets.
+    si_name[40]: Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that
+        key.
+    unit[24]: Unit of name, such as "deg/h"; empty: a pure number, or no number.
+    si_unit[24]: Unit of si_name, such as "rad/s".
+    default_value[32]: Value of a scene that does not set it, as sins.scene_get_value() gives it; empty: it has
+        none then.
+    words[128]: Words of sins.SCENE_KEY_WORD, "exact|paper|polynomial".
+    condition[96]: Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these
+        words. Several conditions have a space between them. Empty: all.
+    meaning[128]: Meaning, without unit.
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("count", c_uint64),
+        ("kind", c_int32),
+        ("elements", c_int32),
+        ("spread", c_uint32),
+        ("reserved", c_uint32),
+        ("si_per_unit", c_double),
+        ("minimum", c_double),
+        ("maximum", c_double),
+        ("section", c_char * 24),
+        ("name", c_char * 40),
+        ("si_name", c_char * 40),
+        ("unit", c_char * 24),
+        ("si_unit", c_char * 24),
+        ("default_value", c_char * 32),
+        ("words", c_char * 128),
+        ("condition", c_char * 96),
+        ("meaning", c_char * 128),
     ]
 
 
@@ -2813,7 +2908,7 @@ def scene_create(scene):
 @_function(status, _Array(c_char, is_input=True), _New(scene))
 def scene_parse(text, scene):
     """Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
-    sins.scene_write_keys() lists the keys.
+    sins.scene_write_keys() and sins.scene_get_key() list the keys.
 
     sins.SCENE_HAS_FAULTS: the text is not a valid scene; sins.scene_get_fault() gives every fault and its place. The
     handle is made for that only: all other functions except sins.scene_destroy() return sins.ERROR_BAD_STATE.
@@ -2824,6 +2919,7 @@ def scene_parse(text, scene):
 @_function(status, scene, c_size_t, POINTER(fault))
 def scene_get_fault(scene, index, fault):
     """Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+    After sins.scene_set_values() and sins.scene_set_items() the faults are those of that call; none if it succeeded.
 
     sins.ERROR_INVALID_ARGUMENT: there is no such fault.
     """
@@ -3089,6 +3185,59 @@ def scene_add_failure(scene, failure):
 @_function(status, scene)
 def scene_clear_failures(scene):
     """Removes all planned failures."""
+
+
+@_function(status, c_size_t, POINTER(scene_key))
+def scene_get_key(index, key):
+    """Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+
+    sins.ERROR_INVALID_ARGUMENT: there are no more.
+    sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
+    """
+
+
+@_function(status, scene, _Text, _Array(c_char), POINTER(c_size_t))
+def scene_get_value(scene, path, buffer, needed):
+    """Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three),
+    "gyro.bias_deg_h[1]" (that of the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg",
+    "manoeuvre[3].sinusoid[0].channel", "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes.
+    The text is empty if the scene has no such value: flight.hours of a scene that flies the whole flight. A number
+    that has no equal in the unit of its key is rounded; in SI it is exact. A preset is not kept: its errors are.
+
+    "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins.scene_set_items(). A built-in flight and a log
+    have no manoeuvres here. buffer, capacity and needed as in sins.scene_write().
+
+    sins.ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+    """
+
+
+@_function(status, scene, _Text)
+def scene_set_values(scene, values):
+    """Sets values of the scene, all at once. values is a terminated text in UTF-8 with one path = value in each line;
+    blank lines and lines that begin with # are ignored. Paths are those of sins.scene_get_value(). A value is written
+    as in the text of a scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an
+    element 0. If a value is set twice, the last counts. A preset replaces all errors of its sensors. flight.file and
+    flight.builtin replace the flight.
+
+    The scene is checked as sins.scene_parse() checks a text: its values must go together. So set in one call what
+    belongs together, as a manoeuvre's kind and its quantities.
+
+    sins.ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins.scene_get_fault() gives every
+    fault with the line in values and the path. sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
+    """
+
+
+@_function(status, scene, _Text, _Text)
+def scene_set_items(scene, list, items):
+    """Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a
+    scene: [[manoeuvre]] and its keys, and so on; that of one item is what sins.scene_get_value() gives. So a host
+    adds, removes, moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a
+    built-in flight, with its start, or a log, with a start at latitude 0, longitude 0, height 0.
+
+    sins.ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was.
+    sins.scene_get_fault() gives every fault with the line in items and the path. sins.ERROR_OUT_OF_MEMORY: as
+    sins.scene_create().
+    """
 
 
 @_function(status, _Array(c_char, is_input=True), _New(log), POINTER(fault))

@@ -32,6 +32,7 @@ pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
+pub(crate) use read::Looked;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 

@@ -98,7 +98,7 @@ fn every_fault_of_a_scene_has_its_line() {
     assert_eq!((code, said.lines().count()), (2, 2), "{said}{errors}");
     let lines: Vec<&str> = errors.lines().collect();
     for (line, begin) in lines.iter().zip([
-        "bad.toml:4:1: no such key: bais_deg_h; bias_deg_h?",
+        "bad.toml:4:1: no such key: bais_deg_h; did you mean bias_deg_h?",
         "bad.toml:5:14: gyro.bias_deg_h = \"x\"",
         "bad.toml:7:1: options.subsamples = 9",
         "lost.toml:3: nowhere.csv: cannot be read",

@@ -20,7 +20,7 @@ use std::path::Path;
 use model::Interface;
 
 /// Subjects in the order in which a reader of the header wants them, with their sources.
-const SUBJECTS: [(&str, &[&str]); 16] = [
+const SUBJECTS: [(&str, &[&str]); 17] = [
     ("Version and statuses", &["version", "failure"]),
     ("Simulator", &["options", "simulator"]),
     ("Why a call failed", &["last_error"]),
@@ -41,6 +41,7 @@ const SUBJECTS: [(&str, &[&str]); 16] = [
         "Scenes",
         &["scene", "scene_prepare", "fault_report", "scene_settings", "scene_flight", "scene_failure"],
     ),
+    ("Values of a scene by their paths", &["scene_key", "scene_value"]),
     ("Flight logs", &["log"]),
     ("Which options, which effects matter", &["recommend", "budget", "budget_answer"]),
 ];

@@ -58,7 +58,7 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
         if let Some(field) = parameter.of(sensor) {
             let target = Target::Numbers {
                 field: field.path,
-                unit: Unit { text: field.key_unit, si: field.key_si },
+                unit: Unit { text: field.key_unit, si: field.key_si, si_text: field.unit },
                 shape: shape(parameter.shape),
                 limits: None,
                 place: Place::Parameter(sensor, row),
