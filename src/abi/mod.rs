@@ -69,6 +69,8 @@ mod scene_prepare;
 #[cfg(feature = "scenes")]
 mod scene_settings;
 #[cfg(feature = "scenes")]
+mod scene_text;
+#[cfg(feature = "scenes")]
 mod scene_value;
 mod sensor_failure;
 mod sensor_params;
@@ -128,6 +130,8 @@ pub use scene_key::*;
 pub use scene_prepare::*;
 #[cfg(feature = "scenes")]
 pub use scene_settings::*;
+#[cfg(feature = "scenes")]
+pub use scene_text::*;
 #[cfg(feature = "scenes")]
 pub use scene_value::*;
 pub use sensor_failure::*;
