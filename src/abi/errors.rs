@@ -150,16 +150,20 @@ pub unsafe extern "C" fn sins_get_errors(
         let source = ErrorSource::of("source", source)?;
         simulator.refuse_without(source)?;
         let written = match source {
-            ErrorSource::Navigation => simulator.make_and_see(Looked { truth: true, navigation: true }, |moment| {
-                output.fill(|place| {
-                    *place = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment))
-                })
-            })?,
-            ErrorSource::Model => simulator.make_and_see(Looked { truth: true, navigation: false }, |moment| {
-                output.fill(|place| {
-                    *place = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment))
-                })
-            })?,
+            ErrorSource::Navigation => {
+                simulator.make_and_see(Looked { truth: true, navigation: true }, |moment| {
+                    output.fill(|place| {
+                        *place = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment))
+                    })
+                })?
+            }
+            ErrorSource::Model => {
+                simulator.make_and_see(Looked { truth: true, navigation: false }, |moment| {
+                    output.fill(|place| {
+                        *place = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment))
+                    })
+                })?
+            }
         };
         Ok(written_or_need(written))
     })

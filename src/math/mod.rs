@@ -30,5 +30,5 @@ pub use rotation::{
 };
 pub use sine::{nearest_integer, sin_cos_each};
 pub use stencil::end_derivative_weights;
-pub use two::Two;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, ln, sin_cos, tan, tanh, wrap_angle};
+pub use two::Two;
