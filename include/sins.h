@@ -109,6 +109,43 @@
  *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
  *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
+ * Functions by subject, in the order of this file:
+ *
+ *   Version and statuses: sins_abi_version, sins_version_string, sins_status_string
+ *   Simulator: sins_create, sins_destroy, sins_get_options, sins_push_sample, sins_step, sins_move_time,
+ *     sins_move_truth, sins_reposition, sins_reset
+ *   Why a call failed: sins_last_error, sins_last_error_info
+ *   Sensor errors: sins_set_gyro, sins_get_gyro, sins_set_accel, sins_get_accel, sins_set_altimeter,
+ *     sins_get_altimeter
+ *   Failures of sensors: sins_set_failure, sins_get_failure
+ *   Start, mounting, gravity: sins_set_initial_errors, sins_get_initial_errors, sins_set_mounting,
+ *     sins_get_mounting, sins_set_gravity_disturbance, sins_get_gravity_disturbance
+ *   Many samples in one call: sins_run
+ *   Reads: sins_get_truth, sins_get_navigation, sins_get_imu, sins_get_errors, sins_get_accuracy,
+ *     sins_get_truth_summary, sins_get_covariance, sins_get_record
+ *   Navigation on increments: sins_start_navigation, sins_push_imu
+ *   Snapshots: sins_snapshot_size, sins_snapshot_save, sins_snapshot_load
+ *   Ensembles and statistics: sins_ensemble_create, sins_ensemble_destroy, sins_ensemble_push_sample,
+ *     sins_ensemble_step, sins_ensemble_run, sins_ensemble_reposition, sins_ensemble_reset,
+ *     sins_ensemble_set_failure, sins_ensemble_get_runs, sins_ensemble_get_truth, sins_ensemble_get_navigation,
+ *     sins_ensemble_get_errors, sins_ensemble_get_imu, sins_ensemble_get_diverged, sins_ensemble_get_statistics,
+ *     sins_statistics_merge, sins_statistics_figures, sins_ensemble_snapshot_size, sins_ensemble_snapshot_save,
+ *     sins_ensemble_snapshot_load
+ *   Presets of sensors: sins_gyro_preset, sins_accel_preset
+ *   Embedded flights: sins_flight_create, sins_flight_duration, sins_flight_sample_at, sins_flight_destroy
+ *   Scenes: sins_scene_create, sins_scene_parse, sins_scene_get_fault, sins_scene_create_builtin,
+ *     sins_scene_builtin_name, sins_scene_write, sins_scene_write_keys, sins_scene_create_simulator,
+ *     sins_scene_create_flight, sins_scene_destroy, sins_scene_prepare, sins_scene_prepare_ensemble,
+ *     sins_scene_get_options, sins_scene_set_options, sins_scene_get_gyro, sins_scene_set_gyro, sins_scene_get_accel,
+ *     sins_scene_set_accel, sins_scene_get_altimeter, sins_scene_set_altimeter, sins_scene_get_initial_errors,
+ *     sins_scene_set_initial_errors, sins_scene_get_mounting, sins_scene_set_mounting,
+ *     sins_scene_get_gravity_disturbance, sins_scene_set_gravity_disturbance, sins_scene_get_setup,
+ *     sins_scene_set_setup, sins_scene_get_manoeuvres, sins_scene_set_manoeuvres, sins_scene_get_text,
+ *     sins_scene_set_text, sins_scene_get_failure_count, sins_scene_get_failure, sins_scene_add_failure,
+ *     sins_scene_clear_failures
+ *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy
+ *   Which options, which effects matter: sins_recommend, sins_error_budget
+ *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
 
@@ -247,8 +284,8 @@ enum sins_scheme {
 /* What stabilizes the vertical channel. */
 enum sins_vertical {
     /*
-     * Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
-     * order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+     * Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
+     * 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
      */
     SINS_VERTICAL_DAMPED = 0,
     /* Height and vertical velocity set to the truth at each sample. */
@@ -319,7 +356,7 @@ enum sins_signal {
     /*
      * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
      * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-     * trim. If no sensor has errors, the trim costs no second navigator.
+     * trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
 };
@@ -640,8 +677,9 @@ typedef struct sins_options {
      */
     double sample_period_s;
     /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
-     * of 100 s cause 40 m of position error in 12 h, longer ones many times that.
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
+     * the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
+     * 91 m with intervals of 100 s.
      */
     double max_gap_s;
     /*
@@ -765,11 +803,11 @@ typedef struct sins_gyro_params {
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
     double markov_time_s[3];
     /*
-     * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-     * density of the noise, in the unit of the signal per sqrt(Hz).
+     * White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+     * the noise, in the unit of the signal per sqrt(Hz).
      */
     double random_walk_rad_sqrt_s[3];
-    /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
+    /* Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
     /* Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
@@ -874,11 +912,11 @@ typedef struct sins_accel_params {
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
     double markov_time_s[3];
     /*
-     * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-     * spectral density of the noise, in the unit of the signal per sqrt(Hz).
+     * White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+     * density of the noise, in the unit of the signal per sqrt(Hz).
      */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
+    /* Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
     /* Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
@@ -1443,8 +1481,8 @@ typedef struct sins_truth_summary {
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
  * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
  * current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
- * second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances) end at 1e30,
- * so all outputs are finite.
+ * second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
+ * outputs are finite.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
@@ -2040,8 +2078,8 @@ SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
  * misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
  * new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
  * and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
- * the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
- * sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+ * the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and the
+ * grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
  * solution is its velocity error alone until the next sample is pushed.
  *
  * If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
@@ -2100,7 +2138,7 @@ SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct 
 
 /*
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
- * effects do not change. Processes that were active continue.
+ * effects do not change. Random processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
@@ -2113,7 +2151,7 @@ SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_par
 
 /*
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
- * other effects do not change. Processes that were active continue.
+ * other effects do not change. Random processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
  */
@@ -2140,8 +2178,8 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  *
  * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
  * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
- * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
- * data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+ * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on error
+ * data 1 and on error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
  * so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
@@ -2199,9 +2237,9 @@ SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const
 SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
 
 /*
- * Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
- * flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
- * by sample.
+ * Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
+ * start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
+ * stepping sample by sample.
  *
  * samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
  * other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -2312,7 +2350,7 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
  * SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a rotation of half a turn or more in a part or in the interval.
  * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
  * readable, and sins_reset() and sins_start_navigation() start anew.
  */
@@ -2592,7 +2630,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  *
  * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
  * of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
- * sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
+ * sins_scene_prepare() and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is available. If memory
  * runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
  * that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
  */
@@ -2899,10 +2937,11 @@ SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
  * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
  * with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
- * start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
- * the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
- * duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
- * continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+ * start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
+ * solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+ * duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
+ * with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
+ * piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
  * as a height error, which grows e-fold every 569 s.
  *
  * The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
@@ -2955,8 +2994,8 @@ SINS_API sins_status SINS_CALL sins_recommend(
  *
  * The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
  * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
- * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
- * these. With limits it flies them once more in each run, and further times if effects do not add up.
+ * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
+ * random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
  * (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -73,7 +73,7 @@ address_sanitizer() {
 # The standard library has to be instrumented too, else its locks are not seen. Without address randomisation: the shadow
 # memory of ThreadSanitizer has a fixed place.
 thread_sanitizer() {
-    library thread staticlib -Zbuild-std || return 0
+    library thread staticlib -Zbuild-std=std,panic_unwind || return 0
     local runtime
     runtime=$(rustc "+$nightly" --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
     for name in planted threads destroyed; do

@@ -123,8 +123,8 @@ package Sins is
 
    --  What stabilizes the vertical channel.
    subtype sins_vertical is Integer_32;
-   --  Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
-   --  order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+   --  Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
+   --  3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
    SINS_VERTICAL_DAMPED : constant sins_vertical := 0;
    --  Height and vertical velocity set to the truth at each sample.
    SINS_VERTICAL_FOLLOW_TRUTH : constant sins_vertical := 1;
@@ -184,7 +184,7 @@ package Sins is
    SINS_SIGNAL_PHYSICAL : constant sins_signal := 0;
    --  As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
    --  free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-   --  trim. If no sensor has errors, the trim costs no second navigator.
+   --  trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
    SINS_SIGNAL_CLOSED_LOOP : constant sins_signal := 1;
 
    --  Flags of a sins_error_info.
@@ -487,8 +487,9 @@ package Sins is
       --  sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
       --  samples: each must be within 0.4 of a period of its multiple.
       sample_period_s : double := 0.0;
-      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
-      --  of 100 s cause 40 m of position error in 12 h, longer ones many times that.
+      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
+      --  the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
+      --  91 m with intervals of 100 s.
       max_gap_s : double := 0.0;
       --  Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
       --  the truth.
@@ -593,10 +594,10 @@ package Sins is
       markov_sigma_rad_s : sins_double_3 := (others => 0.0);
       --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
       markov_time_s : sins_double_3 := (others => 0.0);
-      --  White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-      --  density of the noise, in the unit of the signal per sqrt(Hz).
+      --  White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+      --  the noise, in the unit of the signal per sqrt(Hz).
       random_walk_rad_sqrt_s : sins_double_3 := (others => 0.0);
-      --  Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
+      --  Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
       rate_random_walk_rad_s_sqrt_s : sins_double_3 := (others => 0.0);
       --  Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
       rate_ramp_rad_s2 : sins_double_3 := (others => 0.0);
@@ -675,10 +676,10 @@ package Sins is
       markov_sigma_m_s2 : sins_double_3 := (others => 0.0);
       --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
       markov_time_s : sins_double_3 := (others => 0.0);
-      --  White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-      --  spectral density of the noise, in the unit of the signal per sqrt(Hz).
+      --  White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+      --  density of the noise, in the unit of the signal per sqrt(Hz).
       velocity_random_walk_m_s_sqrt_s : sins_double_3 := (others => 0.0);
-      --  Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+      --  Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
       acceleration_random_walk_m_s2_sqrt_s : sins_double_3 := (others => 0.0);
       --  Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
       ramp_m_s3 : sins_double_3 := (others => 0.0);
@@ -1188,8 +1189,8 @@ package Sins is
    --  It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
    --  One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
    --  current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-   --  second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances) end at 1e30,
-   --  so all outputs are finite.
+   --  second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
+   --  outputs are finite.
    type sins_covariance is record
       --  sizeof(sins_covariance)
       struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
@@ -1708,14 +1709,14 @@ package Sins is
    function sins_move_time (sim : sins_sim; time_s : double) return sins_status
      with Import, Convention => C, External_Name => "sins_move_time";
 
-   --  Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
-   --  sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
-   --  as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
-   --  misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
-   --  new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
-   --  and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
-   --  the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
-   --  sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+   --  Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
+   --  to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
+   --  position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
+   --  1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
+   --  sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
+   --  changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
+   --  Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
+   --  in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
    --  solution is its velocity error alone until the next sample is pushed.
    --
    --  If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
@@ -1770,7 +1771,7 @@ package Sins is
      with Import, Convention => C, External_Name => "sins_last_error_info";
 
    --  Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
-   --  effects do not change. Processes that were active continue.
+   --  effects do not change. Random processes that were active continue.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    --  SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
@@ -1783,7 +1784,7 @@ package Sins is
      with Import, Convention => C, External_Name => "sins_get_gyro";
 
    --  Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
-   --  other effects do not change. Processes that were active continue.
+   --  other effects do not change. Random processes that were active continue.
    --
    --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
    function sins_set_accel (sim : sins_sim; params : sins_accel_params) return sins_status
@@ -1808,11 +1809,12 @@ package Sins is
    --  interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
    --  outputs may fail at the same time.
    --
-   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
-   --  zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-   --  Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
-   --  data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
-   --  so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
+   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+   --  range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
+   --  processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
+   --  error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
+   --  failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
+   --  bits.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
    --  solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -1864,9 +1866,9 @@ package Sins is
    function sins_get_gravity_disturbance (sim : sins_sim; params : in out sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_gravity_disturbance";
 
-   --  Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
-   --  flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
-   --  by sample.
+   --  Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
+   --  start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
+   --  stepping sample by sample.
    --
    --  samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
    --  other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -1966,7 +1968,7 @@ package Sins is
    --  updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
    --
    --  SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a rotation of half a turn or more in a part or in the interval.
    --  SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
    --  readable, and sins_reset() and sins_start_navigation() start anew.
    function sins_push_imu (sim : sins_sim; increment : sins_imu_increment) return sins_status
@@ -2214,11 +2216,11 @@ package Sins is
    --  Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
    --  height 0, sampled at 100 Hz.
    --
-   --  On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
-   --  of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-   --  sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
-   --  runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
-   --  that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+   --  On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
+   --  scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
+   --  and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
+   --  available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does
+   --  the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
    function sins_scene_create (scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create";
 
@@ -2495,10 +2497,11 @@ package Sins is
    --  Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
    --  reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
    --  with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
-   --  start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
-   --  the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
-   --  duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
-   --  continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+   --  start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
+   --  solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+   --  duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
+   --  with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
+   --  piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
    --  as a height error, which grows e-fold every 569 s.
    --
    --  The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
@@ -2549,8 +2552,8 @@ package Sins is
    --
    --  The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
    --  allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
-   --  for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
-   --  these. With limits it flies them once more in each run, and further times if effects do not add up.
+   --  for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
+   --  random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
    --
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
    --  (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -56,7 +56,7 @@ pub(super) fn with_sound_scene(
 ///
 /// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
 /// of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-/// sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
+/// sins_scene_prepare() and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is available. If memory
 /// runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
 /// that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
 #[unsafe(no_mangle)]

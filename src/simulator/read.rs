@@ -131,7 +131,7 @@ impl Simulator {
             ));
         }
         match (&mut self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(current), _) => Ok(chain.covariance(current, &self.sensors)),
+            (Mode::Flying(chain), Some(current), _) => Ok(chain.covariance(current, &self.imperfections)),
             (_, _, Some(_)) => self.covariance_at_start(),
             _ => Ok(None),
         }
@@ -142,8 +142,8 @@ impl Simulator {
     fn covariance_at_start(&mut self) -> Result<Option<(f64, NavigationCovariance, bool)>, Error> {
         let mut chain = self.chain_from_first_sample()?;
         let Some(first) = self.intake.front() else { return Ok(None) };
-        chain.begin_covariance(core::mem::take(&mut self.covariance), first, &self.sensors);
-        let covariance = chain.covariance(first, &self.sensors);
+        chain.begin_covariance(core::mem::take(&mut self.covariance), first, &self.imperfections);
+        let covariance = chain.covariance(first, &self.imperfections);
         self.covariance = chain.covariance;
         Ok(covariance)
     }

@@ -129,7 +129,7 @@ fn a_scene_names_no_file_outside() {
 
 /// On Windows case does not matter, some names are devices, and a colon leads to another stream of a file.
 #[test]
-#[cfg(windows)]
+#[cfg_attr(not(windows), ignore = "of Windows: tests/windows_program.sh")]
 fn names_that_windows_has_for_something_else() {
     let folder = with_log("windows");
     for (arguments, words) in [

@@ -63,7 +63,8 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
                 limits: None,
                 place: Place::Parameter(sensor, row),
             };
-            keys[place] = Key { section: preset.section, name: field.key, doc: parameter.doc, target };
+            keys[place] =
+                Key { section: preset.section, name: field.key, doc: parameter.doc_of(&field), target };
             place += 1;
         }
         row += 1;
