@@ -64,10 +64,11 @@ protected:
     }
 
 private:
-    /* The time of the flight at hand; "": none flies. */
+    /* The time of the flight at hand, rounded up to milliseconds; "": none flies. */
     std::wstring now() const
     {
-        return document_.flight == NULL ? L"" : wide(shortest(document_.flight->status().time_s));
+        Flight *flight = document_.flight.get();
+        return flight == NULL ? L"" : wide(shortest(std::ceil(flight->status().time_s * 1000) / 1000));
     }
 
     /* Size and density have units of the sensor that is chosen. */
