@@ -122,7 +122,7 @@
  *     sins_get_mounting, sins_set_gravity_disturbance, sins_get_gravity_disturbance
  *   Many samples in one call: sins_run
  *   Reads: sins_get_truth, sins_get_navigation, sins_get_imu, sins_get_errors, sins_get_accuracy,
- *     sins_get_truth_summary, sins_get_covariance, sins_get_record
+ *     sins_get_truth_summary, sins_get_covariance, sins_get_record, sins_record_line
  *   Navigation on increments: sins_start_navigation, sins_push_imu
  *   Snapshots: sins_snapshot_size, sins_snapshot_save, sins_snapshot_load
  *   Ensembles and statistics: sins_ensemble_create, sins_ensemble_destroy, sins_ensemble_push_sample,
@@ -145,7 +145,7 @@
  *     sins_scene_clear_failures
  *   Values of a scene by their paths: sins_scene_get_key, sins_scene_get_value, sins_scene_set_values,
  *     sins_scene_set_items
- *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy
+ *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy, sins_scene_get_samples
  *   Which options, which effects matter: sins_recommend, sins_error_budget
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
@@ -1877,6 +1877,27 @@ typedef struct sins_log_info {
     char title[192];
 } sins_log_info;
 
+/* The samples that a scene flies. */
+typedef struct sins_scene_samples {
+    /* sizeof(sins_scene_samples) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Number of samples. */
+    uint64_t count;
+    /*
+     * Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
+     * records.
+     */
+    uint64_t record_every;
+    /* Time stamp of the first sample [s]. */
+    double start_s;
+    /* Time between two samples; of a log, the mean [s]. */
+    double period_s;
+    /* Time from the first to the last sample [s]. */
+    double duration_s;
+} sins_scene_samples;
+
 /*
  * Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
  * At least one limit is needed.
@@ -2070,6 +2091,7 @@ enum sins_sizeof {
     SINS_SIZEOF_PLANNED_FAILURE = 80,
     SINS_SIZEOF_SCENE_KEY = 592,
     SINS_SIZEOF_LOG_INFO = 216,
+    SINS_SIZEOF_SCENE_SAMPLES = 48,
     SINS_SIZEOF_REQUIREMENT = 48,
     SINS_SIZEOF_COST = 96,
     SINS_SIZEOF_BUDGET_REQUEST = 40,
@@ -2415,6 +2437,20 @@ SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_co
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
+
+/*
+ * Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
+ * records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
+ * errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
+ * covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
+ * line has at most 1600 bytes. Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+ */
+SINS_API sins_status SINS_CALL sins_record_line(
+    const struct sins_record *record, const double *sensor_errors, size_t count,
+    const struct sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed);
 
 /*
  * Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
@@ -3062,6 +3098,18 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
+
+/*
+ * Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+ * sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+ * sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+ * SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
+ * SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_samples(
+    const sins_scene *scene, const sins_log *log, struct sins_scene_samples *samples);
 
 /*
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No

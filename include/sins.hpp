@@ -303,6 +303,24 @@ public:
     bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(sim_, &covariance)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
 
+    /* A record as a line of a file; sensor_errors are six numbers or none, covariance may be NULL. */
+    static std::string record_line(const sins_record &record, const std::vector<double> &sensor_errors = {},
+                                   const sins_covariance *covariance = nullptr)
+    {
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_record_line(&record, sensor_errors.data(), sensor_errors.size(), covariance, buffer, capacity, needed);
+        });
+    }
+
+    /* The first line of such a file. */
+    static std::string record_head(bool has_covariance = false)
+    {
+        sins_covariance covariance = make<sins_covariance>();
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_record_line(nullptr, nullptr, 0, has_covariance ? &covariance : nullptr, buffer, capacity, needed);
+        });
+    }
+
     /* The options in effect, defaults in place of 0. */
     sins_options options() const
     {
@@ -602,6 +620,14 @@ public:
         return detail::text([](char *buffer, std::size_t capacity, std::size_t *needed) {
             return sins_scene_write_keys(buffer, capacity, needed);
         });
+    }
+
+    /* Which samples it flies: of its flight, or of a log (sins_log *). */
+    sins_scene_samples samples(const sins_log *log = nullptr) const
+    {
+        sins_scene_samples samples = make<sins_scene_samples>();
+        done(sins_scene_get_samples(scene_, log, &samples));
+        return samples;
     }
 
     Simulator create_simulator() const

@@ -451,6 +451,7 @@ package Sins is
    SINS_SIZEOF_PLANNED_FAILURE : constant Unsigned_32 := 80;
    SINS_SIZEOF_SCENE_KEY : constant Unsigned_32 := 592;
    SINS_SIZEOF_LOG_INFO : constant Unsigned_32 := 216;
+   SINS_SIZEOF_SCENE_SAMPLES : constant Unsigned_32 := 48;
    SINS_SIZEOF_REQUIREMENT : constant Unsigned_32 := 48;
    SINS_SIZEOF_COST : constant Unsigned_32 := 96;
    SINS_SIZEOF_BUDGET_REQUEST : constant Unsigned_32 := 40;
@@ -1565,6 +1566,26 @@ package Sins is
    end record with Convention => C;
    type sins_log_info_array is array (size_t range <>) of aliased sins_log_info with Convention => C;
 
+   --  The samples that a scene flies.
+   type sins_scene_samples is record
+      --  sizeof(sins_scene_samples)
+      struct_size : Unsigned_32 := SINS_SIZEOF_SCENE_SAMPLES;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Number of samples.
+      count : Unsigned_64 := 0;
+      --  Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
+      --  records.
+      record_every : Unsigned_64 := 0;
+      --  Time stamp of the first sample [s].
+      start_s : double := 0.0;
+      --  Time between two samples; of a log, the mean [s].
+      period_s : double := 0.0;
+      --  Time from the first to the last sample [s].
+      duration_s : double := 0.0;
+   end record with Convention => C;
+   type sins_scene_samples_array is array (size_t range <>) of aliased sins_scene_samples with Convention => C;
+
    --  Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
    --  At least one limit is needed.
    type sins_requirement is record
@@ -2029,6 +2050,18 @@ package Sins is
    --  SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
    function sins_get_record (sim : sins_sim; the_record : in out sins_record) return sins_status
      with Import, Convention => C, External_Name => "sins_get_record";
+
+   --  Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
+   --  records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
+   --  errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
+   --  covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
+   --  line has at most 1600 bytes. Not for a real-time frame: it allocates.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+   function sins_record_line (the_record : sins_record; sensor_errors : double_array; count : size_t; covariance : sins_covariance;
+       buffer : in out char_array; capacity : size_t; needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_record_line";
 
    --  Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
    --  gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
@@ -2613,6 +2646,16 @@ package Sins is
    --  SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
    function sins_log_destroy (log : sins_log) return sins_status
      with Import, Convention => C, External_Name => "sins_log_destroy";
+
+   --  Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+   --  sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+   --  sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+   --  SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
+   --  SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
+   function sins_scene_get_samples (scene : sins_scene; log : sins_log; samples : in out sins_scene_samples) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_samples";
 
    --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
    --  cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.

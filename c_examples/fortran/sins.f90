@@ -441,6 +441,7 @@ module sins
   integer(c_int32_t), parameter :: SINS_SIZEOF_PLANNED_FAILURE = 80
   integer(c_int32_t), parameter :: SINS_SIZEOF_SCENE_KEY = 592
   integer(c_int32_t), parameter :: SINS_SIZEOF_LOG_INFO = 216
+  integer(c_int32_t), parameter :: SINS_SIZEOF_SCENE_SAMPLES = 48
   integer(c_int32_t), parameter :: SINS_SIZEOF_REQUIREMENT = 48
   integer(c_int32_t), parameter :: SINS_SIZEOF_COST = 96
   integer(c_int32_t), parameter :: SINS_SIZEOF_BUDGET_REQUEST = 40
@@ -1507,6 +1508,25 @@ module sins
     character(kind=c_char) :: title(192) = c_null_char
   end type sins_log_info
 
+  !> The samples that a scene flies.
+  type, bind(C) :: sins_scene_samples
+    !> sizeof(sins_scene_samples)
+    integer(c_int32_t) :: struct_size = SINS_SIZEOF_SCENE_SAMPLES
+    !> 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    !> Number of samples.
+    integer(c_int64_t) :: count = 0_c_int64_t
+    !> Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
+    !> records.
+    integer(c_int64_t) :: record_every = 0_c_int64_t
+    !> Time stamp of the first sample [s].
+    real(c_double) :: start_s = 0.0_c_double
+    !> Time between two samples; of a log, the mean [s].
+    real(c_double) :: period_s = 0.0_c_double
+    !> Time from the first to the last sample [s].
+    real(c_double) :: duration_s = 0.0_c_double
+  end type sins_scene_samples
+
   !> Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
   !> At least one limit is needed.
   type, bind(C) :: sins_requirement
@@ -2117,6 +2137,26 @@ module sins
       type(sins_record), intent(inout) :: record
       integer(sins_status) :: sins_get_record
     end function sins_get_record
+
+    !> Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
+    !> records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
+    !> errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
+    !> covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
+    !> line has at most 1600 bytes. Not for a real-time frame: it allocates.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+    !> SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+    function sins_record_line(record, sensor_errors, count, covariance, buffer, capacity, needed) bind(C, name="sins_record_line")
+      import
+      type(sins_record), intent(in) :: record
+      real(c_double), intent(in) :: sensor_errors(*)
+      integer(c_size_t), value :: count
+      type(sins_covariance), intent(in) :: covariance
+      character(kind=c_char), intent(inout) :: buffer(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout) :: needed
+      integer(sins_status) :: sins_record_line
+    end function sins_record_line
 
     !> Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
     !> gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
@@ -3027,6 +3067,21 @@ module sins
       type(c_ptr), value :: log
       integer(sins_status) :: sins_log_destroy
     end function sins_log_destroy
+
+    !> Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+    !> sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+    !> sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
+    !>
+    !> SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+    !> SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
+    !> SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
+    function sins_scene_get_samples(scene, log, samples) bind(C, name="sins_scene_get_samples")
+      import
+      type(c_ptr), value :: scene
+      type(c_ptr), value :: log
+      type(sins_scene_samples), intent(inout) :: samples
+      integer(sins_status) :: sins_scene_get_samples
+    end function sins_scene_get_samples
 
     !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
     !> cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.

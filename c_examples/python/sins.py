@@ -1916,6 +1916,29 @@ class log_info(_Struct):
     ]
 
 
+class scene_samples(_Struct):
+    """The samples that a scene flies.
+
+    count: Number of samples.
+    record_every: Samples from one record of a program to the next, at least 1: by sins.scene_setup.every_s, or
+        else for about 2000 records.
+    start_s: Time stamp of the first sample [s].
+    period_s: Time between two samples; of a log, the mean [s].
+    duration_s: Time from the first to the last sample [s].
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_uint64),
+        ("record_every", c_uint64),
+        ("start_s", c_double),
+        ("period_s", c_double),
+        ("duration_s", c_double),
+    ]
+
+
 class requirement(_Struct):
     """Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a
     duration. At least one limit is needed.
@@ -2566,6 +2589,19 @@ def get_record(sim, record):
     sins.NEED_SAMPLE: no sample yet.
     sins.ERROR_BAD_STATE: navigating on increments, without a truth.
     sins.ERROR_SINGULAR, sins.ERROR_DIVERGED: as sins.get_navigation().
+    """
+
+
+@_function(status, POINTER(record), _Array(c_double, is_input=True), POINTER(covariance), _Array(c_char), POINTER(c_size_t))
+def record_line(record, sensor_errors, covariance, buffer, needed):
+    """Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its
+    files of records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors
+    are the mean errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is
+    6; NULL and 0: all 0. covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and
+    needed as in sins.last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
+
+    sins.ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+    sins.ERROR_OUT_OF_MEMORY: no memory for the text.
     """
 
 
@@ -3279,6 +3315,18 @@ def log_destroy(log):
     """Destroys a flight log.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
+    """
+
+
+@_function(status, scene, log, POINTER(scene_samples))
+def scene_get_samples(scene, log, samples):
+    """Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+    sins.flight_sample_at(flight, k / rate_hz) of sins.scene_create_flight(). For a log, sample k is
+    sins.log_get_sample(log, k); the samples end at the duration that the scene sets.
+
+    sins.ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+    sins.ERROR_BAD_HANDLE: scene or log is not a valid handle.
+    sins.ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins.scene_parse().
     """
 
 

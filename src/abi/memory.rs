@@ -220,6 +220,22 @@ impl<T: Struct> Array<T> {
     }
 }
 
+/// Numbers of the host; none if `count` is 0.
+///
+/// # Safety
+/// `pointer` is null or points to `count` readable numbers, of any alignment.
+pub(super) unsafe fn numbers_of(
+    pointer: *const f64,
+    count: usize,
+    name: &'static str,
+) -> Result<Vec<f64>, Failure> {
+    if pointer.is_null() && count > 0 {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not null, and within the array.
+    Ok((0..count).map(|index| unsafe { pointer.add(index).read_unaligned() }).collect())
+}
+
 /// Writes `value` to a place of the host.
 ///
 /// # Safety

@@ -52,6 +52,7 @@ mod preset;
 mod process;
 mod recommend;
 mod record;
+mod record_line;
 mod refusal;
 mod registry;
 mod run;
@@ -66,6 +67,8 @@ mod scene_flight;
 mod scene_key;
 #[cfg(feature = "scenes")]
 mod scene_prepare;
+#[cfg(feature = "scenes")]
+mod scene_samples;
 #[cfg(feature = "scenes")]
 mod scene_settings;
 #[cfg(feature = "scenes")]
@@ -116,6 +119,7 @@ pub use options::*;
 pub use preset::*;
 pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
+pub use record_line::sins_record_line;
 pub use run::sins_run;
 pub use sample::*;
 #[cfg(feature = "scenes")]
@@ -128,6 +132,8 @@ pub use scene_flight::*;
 pub use scene_key::*;
 #[cfg(feature = "scenes")]
 pub use scene_prepare::*;
+#[cfg(feature = "scenes")]
+pub use scene_samples::*;
 #[cfg(feature = "scenes")]
 pub use scene_settings::*;
 #[cfg(feature = "scenes")]

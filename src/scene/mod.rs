@@ -17,6 +17,7 @@ mod list;
 mod nesting;
 mod read;
 mod reader;
+mod samples;
 mod schedule;
 mod setting;
 mod site;
@@ -30,6 +31,7 @@ pub use fault::{About, Fault, MAX_FAULTS, nearest};
 pub use limits::Limits;
 pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, keys, keys_text};
+pub use samples::Samples;
 pub use schedule::TakesFailures;
 pub use write::ChangedKey;
 

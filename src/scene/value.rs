@@ -6,6 +6,7 @@ use super::draft::Draft;
 use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
 use super::nesting::too_deep;
+use crate::records;
 
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -236,12 +237,7 @@ fn numbers_text(shape: Shape, numbers: &[f64]) -> String {
 
 /// The shortest text that reads back to the bit; TOML wants digits on both sides of a point.
 fn number_text(number: f64) -> String {
-    let size = number.abs();
-    if size != 0.0 && !(1e-5..1e15).contains(&size) {
-        return format!("{number:e}");
-    }
-    let text = number.to_string();
-    if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { text }
+    if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { records::number(number) }
 }
 
 fn text_in_quotes(text: &str) -> String {

@@ -136,6 +136,7 @@ typedef struct {
     sins_fault fault;
     sins_flight_sample of_log;
     sins_scene_key key;
+    char line[2048];
     char value[128];
     sins_record of_scene;
     sins_statistics statistics, model_statistics;
@@ -257,6 +258,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_last_error(sim, found->sentence, sizeof found->sentence, NULL) == SINS_OK);
     CHECK(sins_last_error_info(sim, &found->info) == SINS_OK);
     CHECK(sins_get_record(sim, &found->record) == SINS_OK);
+    CHECK(sins_record_line(&found->record, NULL, 0, NULL, found->line, sizeof found->line, NULL) == SINS_OK);
     CHECK(sins_get_truth(sim, &found->truth) == SINS_OK);
     CHECK(sins_get_navigation(sim, &found->navigation) == SINS_OK);
     CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &found->errors) == SINS_OK);

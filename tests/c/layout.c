@@ -206,6 +206,11 @@ AT(sins_scene_setup, quiet, 16);
 AT(sins_scene_setup, duration_s, 24);
 AT(sins_scene_setup, every_s, 64);
 
+SIZE(sins_scene_samples, SINS_SIZEOF_SCENE_SAMPLES, 48);
+AT(sins_scene_samples, count, 8);
+AT(sins_scene_samples, start_s, 24);
+AT(sins_scene_samples, duration_s, 40);
+
 SIZE(sins_planned_failure, SINS_SIZEOF_PLANNED_FAILURE, 80);
 AT(sins_planned_failure, sensor, 8);
 AT(sins_planned_failure, from_s, 16);

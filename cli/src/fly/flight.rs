@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
+use sins::records;
 use sins::truth::{FlightSample, TruthSummary};
 use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
 
@@ -14,8 +15,7 @@ use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record, SIGMA_COLUMNS};
-use crate::rows::number;
+use crate::record::{NEAR_POLE, NOT_COMPUTED, Record};
 
 /// Samples between two looks at the clock, at the signals and at the disk.
 const CHUNK: usize = 4096;
@@ -101,10 +101,9 @@ struct InFlight<'a> {
 impl InFlight<'_> {
     fn fly(&mut self, quiet: bool) -> Result<(), Failure> {
         let given = self.given;
-        let sigmas = if given.scene.options.covariance { &SIGMA_COLUMNS[..] } else { &[] };
-        write_line(&mut self.files.records, &[&COLUMNS, sigmas].concat())?;
+        write_line(&mut self.files.records, &records::head(given.scene.options.covariance))?;
         if let Some(file) = &mut self.files.imu {
-            write_line(file, &imu::COLUMNS)?;
+            write_line(file, &imu::COLUMNS.join(","))?;
         }
         self.push(0, given.sample(0)?)?;
         if let Some(start) = self.record(0)? {
@@ -136,7 +135,7 @@ impl InFlight<'_> {
 
     /// Pushes the sample `index`, with the failures and the temperature that are due.
     fn push(&mut self, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
-        let prepared = self.given.scene.prepare(self.simulator, self.given.start_s(), &mut sample);
+        let prepared = self.given.scene.prepare(self.simulator, self.given.start_s, &mut sample);
         let pushed = prepared.and_then(|()| self.simulator.push_sample(&sample));
         pushed.map(|_| ()).map_err(|error| stopped(self.given, index, &error))
     }
@@ -179,9 +178,7 @@ fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
 /// Writes a record and takes its largest errors.
 fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(), Failure> {
     let sigmas = record.sigma.iter().flatten().copied();
-    let values: Vec<String> = record.values().into_iter().chain(sigmas).map(number).collect();
-    let text = values.join(",") + "\n";
-    file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
+    write_line(file, &records::line(record.values().into_iter().chain(sigmas)))?;
     flown.records += 1;
 
     let (errors, model) = (&record.navigation_error, &record.model_error);
@@ -203,6 +200,6 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
     Ok(())
 }
 
-fn write_line(file: &mut OutputFile, columns: &[&str]) -> Result<(), Failure> {
-    writeln!(file, "{}", columns.join(",")).map_err(|error| Failure::of_output(file.path(), &error))
+fn write_line(file: &mut OutputFile, line: &str) -> Result<(), Failure> {
+    writeln!(file, "{line}").map_err(|error| Failure::of_output(file.path(), &error))
 }

@@ -65,7 +65,7 @@ fn records_are_spaced_as_they_are_wanted() {
     assert_eq!(fly(&[]).len(), 2001);
     let errors = rejected(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);
     assert!(
-        errors.contains("output.every_s = 0.001: expected at least the sample interval, 0.01"),
+        errors.contains("output.every_s = 0.001: must be at least the sample interval, 0.01"),
         "{errors}"
     );
 }

@@ -28,7 +28,10 @@ const SUBJECTS: [(&str, &[&str]); 17] = [
     ("Failures of sensors", &["sensor_failure"]),
     ("Start, mounting, gravity", &["initial", "mounting", "gravity"]),
     ("Many samples in one call", &["sample", "run"]),
-    ("Reads", &["solution", "imu", "errors", "accuracy", "truth_summary", "covariance", "record"]),
+    (
+        "Reads",
+        &["solution", "imu", "errors", "accuracy", "truth_summary", "covariance", "record", "record_line"],
+    ),
     ("Navigation on increments", &["navigator"]),
     ("Snapshots", &["snapshot"]),
     (
@@ -50,7 +53,7 @@ const SUBJECTS: [(&str, &[&str]); 17] = [
         ],
     ),
     ("Values of a scene by their paths", &["scene_key", "scene_value"]),
-    ("Flight logs", &["log"]),
+    ("Flight logs", &["log", "scene_samples"]),
     ("Which options, which effects matter", &["recommend", "budget", "budget_answer"]),
 ];
 

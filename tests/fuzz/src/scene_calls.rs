@@ -171,8 +171,13 @@ impl Host {
             let item = written(|buffer, capacity, needed| {
                 call!(sins_scene_get_value(scene, path.as_ptr(), buffer, capacity, needed))
             });
-            let other = self.input.pick(&["", "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 9\n", "[output]\nquiet = true\n"]);
-            items.push_str(&item.map_or(other.to_owned(), |item| String::from_utf8_lossy(&item).into_owned()));
+            let other = self.input.pick(&[
+                "",
+                "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 9\n",
+                "[output]\nquiet = true\n",
+            ]);
+            items
+                .push_str(&item.map_or(other.to_owned(), |item| String::from_utf8_lossy(&item).into_owned()));
         }
         let list = CString::new(list).unwrap_or_default();
         let items = CString::new(items).unwrap_or_default();
@@ -251,6 +256,10 @@ impl Host {
             || call!(sins_scene_create_simulator(self.scene, &mut sim)) != SINS_OK
         {
             return;
+        }
+        let mut samples = init::<sins_scene_samples>();
+        if call!(sins_scene_get_samples(self.scene, null(), &mut samples)) == SINS_OK {
+            assert!(samples.count >= 1 && samples.record_every >= 1 && samples.duration_s >= 0.0);
         }
         if setup.flown_s <= LONG_S && call!(sins_scene_create_flight(self.scene, &mut flight)) == SINS_OK {
             for k in 0..self.input.below(16) {
