@@ -123,6 +123,10 @@
     X(sins_status, sins_scene_get_failure, (const sins_scene *scene, size_t index, sins_planned_failure *failure)) \
     X(sins_status, sins_scene_add_failure, (sins_scene *scene, const sins_planned_failure *failure)) \
     X(sins_status, sins_scene_clear_failures, (sins_scene *scene)) \
+    X(sins_status, sins_scene_get_key, (size_t index, sins_scene_key *key)) \
+    X(sins_status, sins_scene_get_value, (const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_set_values, (sins_scene *scene, const char *values)) \
+    X(sins_status, sins_scene_set_items, (sins_scene *scene, const char *list, const char *items)) \
     X(sins_status, sins_log_parse, (const char *text, size_t size, sins_log **log, sins_fault *fault)) \
     X(sins_status, sins_log_get_info, (const sins_log *log, sins_log_info *info)) \
     X(sins_status, sins_log_get_sample, (const sins_log *log, size_t index, sins_flight_sample *sample, uint64_t *line)) \

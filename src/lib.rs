@@ -183,6 +183,7 @@ mod memory;
 pub mod mounting;
 #[forbid(unsafe_code)]
 pub mod recommend;
+mod register;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod scene;

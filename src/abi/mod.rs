@@ -63,9 +63,13 @@ mod scene_failure;
 #[cfg(feature = "scenes")]
 mod scene_flight;
 #[cfg(feature = "scenes")]
+mod scene_key;
+#[cfg(feature = "scenes")]
 mod scene_prepare;
 #[cfg(feature = "scenes")]
 mod scene_settings;
+#[cfg(feature = "scenes")]
+mod scene_value;
 mod sensor_failure;
 mod sensor_params;
 mod simulator;
@@ -119,9 +123,13 @@ pub use scene_failure::*;
 #[cfg(feature = "scenes")]
 pub use scene_flight::*;
 #[cfg(feature = "scenes")]
+pub use scene_key::*;
+#[cfg(feature = "scenes")]
 pub use scene_prepare::*;
 #[cfg(feature = "scenes")]
 pub use scene_settings::*;
+#[cfg(feature = "scenes")]
+pub use scene_value::*;
 pub use sensor_failure::*;
 pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;

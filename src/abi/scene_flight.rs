@@ -141,10 +141,23 @@ pub unsafe extern "C" fn sins_scene_set_setup(
             let rule = Rule::Sentence("must be 0: a flight log has its own time stamps");
             return Err(Error::invalid("setup.rate_hz", setup.rate_hz, rule).into());
         }
-        changed.check_limits()?;
+        changed.check_limits().map_err(of_setup)?;
         *scene = changed;
         Ok(SINS_OK)
     })
+}
+
+/// `error` with the field of a sins_scene_setup in place of the key of a scene.
+fn of_setup(error: Error) -> Error {
+    let field = match error.field {
+        "flight.duration_s" => "setup.duration_s",
+        "flight.rate_hz" => "setup.rate_hz",
+        "flight.temperature_c" => "setup.temperature_c",
+        "flight.temperature_change_c_s" => "setup.temperature_change_c_s",
+        "output.every_s" => "setup.every_s",
+        field => field,
+    };
+    Error { field, ..error }
 }
 
 /// Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
@@ -207,7 +220,9 @@ pub unsafe extern "C" fn sins_scene_set_manoeuvres(
         let (mut start, manoeuvres) = unsafe { flight::read_flight(start, manoeuvres, count)? };
         start.ellipsoid = scene.options.ellipsoid;
         let path = FlightPath { start, manoeuvres, repeat };
-        path.length_s()?;
+        path.check_repeat("repeat")?;
+        // The index in the host's array, whichever time its manoeuvre is flown.
+        path.length_s().map_err(|error| Error { index: error.index.map(|index| index % count), ..error })?;
         scene.flight = FlightSource::Path(path);
         Ok(SINS_OK)
     })
@@ -296,7 +311,7 @@ pub unsafe extern "C" fn sins_scene_set_text(
             SINS_SCENE_TEXT_FOLDER => scene.output.folder = text.to_owned(),
             SINS_SCENE_TEXT_NAME => {
                 let output = scene::Output { name: text.to_owned(), ..scene.output.clone() };
-                output.validate()?;
+                output.validate().map_err(|error| Error { field: "text", ..error })?;
                 scene.output = output;
             }
             SINS_SCENE_TEXT_IMU => scene.output.imu = text.to_owned(),

@@ -1,33 +1,39 @@
 //! Scenes: a flight, the simulator that flies it, and the failures on the way, as a text in TOML.
 //!
 //! [`Scene::parse`] reads a scene, and reports every fault of a text at once. [`Scene::write`] writes a text that reads
-//! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text. The keys of a scene,
-//! with unit and meaning, are one table (`table`); reading, writing and the list of keys ([`keys`]) use it.
+//! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text; [`Scene::value`],
+//! [`Scene::set`] and [`Scene::set_items`] read and change a scene key by key. The keys of a scene, with unit and meaning, are one
+//! table (`table`); reading, writing and the list of keys ([`keys`]) use it.
 
 mod builtin;
+mod change;
 mod check;
 mod draft;
 mod examine;
 mod fault;
 mod key;
+mod limits;
 mod list;
 mod nesting;
 mod read;
 mod reader;
 mod schedule;
 mod setting;
+mod site;
 mod table;
 mod value;
 mod write;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
-pub use fault::{Fault, MAX_FAULTS, nearest};
+pub use fault::{About, Fault, MAX_FAULTS, nearest};
+pub use limits::Limits;
+pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, keys, keys_text};
 pub use schedule::TakesFailures;
 pub use write::ChangedKey;
 
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, check_integer};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
 use crate::sensors::{Failure, SensorOutput};
@@ -155,9 +161,14 @@ impl FlightPath {
         Flight::length_s(&self.start, &self.all()?)
     }
 
-    fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
+    /// Checks how many times the manoeuvres are flown, as the field `repeat`.
+    pub(crate) fn check_repeat(&self, repeat: &'static str) -> Result<(), Error> {
         let most = (MAX_MANOEUVRES / self.manoeuvres.len().max(1)).max(1);
-        check_range("flight.repeat", self.repeat as f64, 1.0, most as f64)?;
+        check_integer(repeat, self.repeat, 1, most as i64)
+    }
+
+    fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
+        self.check_repeat("flight.repeat")?;
         let mut manoeuvres = room(self.manoeuvres.len() * self.repeat)?;
         for _ in 0..self.repeat {
             manoeuvres.extend_from_slice(&self.manoeuvres);
@@ -172,11 +183,11 @@ impl Scene {
         matches!(self.flight, FlightSource::Log(_))
     }
 
-    /// How many manoeuvres the scene itself has.
-    pub(crate) fn manoeuvre_count(&self) -> usize {
+    /// The manoeuvres of the scene itself.
+    pub(crate) fn manoeuvres(&self) -> &[Manoeuvre] {
         match &self.flight {
-            FlightSource::Path(path) => path.manoeuvres.len(),
-            FlightSource::Log(_) | FlightSource::Builtin(_) => 0,
+            FlightSource::Path(path) => &path.manoeuvres,
+            FlightSource::Log(_) | FlightSource::Builtin(_) => &[],
         }
     }
 

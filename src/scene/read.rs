@@ -5,7 +5,7 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
-use super::fault::{Fault, Faults, excerpt, nearest, unknown};
+use super::fault::{About, Fault, Faults, excerpt, nearest, unknown};
 use super::key::{Key, Section};
 use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
@@ -23,17 +23,17 @@ impl Scene {
     }
 
     /// The scene of a text, with these values in the place of those that the text gives the same keys: `("gyro.bias_deg_h",
-    /// "0.01")`. A value is written as in the text, but a string needs no quotes. If a key is set twice, the last value counts. Keys
-    /// of sections in double brackets cannot be set in this way.
+    /// "0.01")`, `("gyro.bias_deg_h[1]", "0.01")`, `("manoeuvre[3].bank_deg", "30")`. A value is written as in the text, but a string
+    /// needs no quotes; an empty value is the default. If a key is set twice, the last value counts.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
-        let whole = |sentence: String| vec![Fault { line: 1, column: 1, sentence }];
+        let at = |line, sentence| vec![Fault { line, column: 1, sentence, about: About::default() }];
         if text.len() > MAX_TEXT {
-            return Err(whole(format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
+            return Err(at(1, format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
         }
         let text = core::str::from_utf8(text).map_err(|error| {
             let before = &text[..error.valid_up_to()];
             let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            vec![Fault { line, column: 1, sentence: "not UTF-8".to_owned() }]
+            at(line, "not UTF-8".to_owned())
         })?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         if let Some(at) = too_deep(text) {
@@ -50,9 +50,10 @@ impl Scene {
         let mut reader = Reader {
             faults,
             draft: Draft::from(&Self::default()),
-            sections: Section::ALL.map(|_| Item::default()),
+            sections: Section::ALL.map(|section| Item::empty(section.into(), 0..0)),
             manoeuvres: Vec::new(),
             items: Vec::new(),
+            place: [0; 2],
             settings,
         };
         for error in &errors {
@@ -60,6 +61,7 @@ impl Scene {
         }
         if errors.is_empty() {
             reader.read_root(root.get_ref());
+            reader.check_settings();
             reader.check_together();
             reader.check_values();
         }
@@ -70,8 +72,8 @@ impl Scene {
 impl Reader<'_> {
     fn read_root(&mut self, root: &DeTable<'_>) {
         for section in Section::ALL {
-            let is_set = self.settings.iter().any(|setting| setting.section == section);
-            if is_set && !root.contains_key(section.name()) {
+            let is_set = self.settings.iter().any(|setting| setting.path.site == section.into());
+            if is_set && !section.is_list() && !root.contains_key(section.name()) {
                 self.sections[section as usize] = self.read_keys(section, 0..0, &DeTable::new());
             }
         }
@@ -87,11 +89,12 @@ impl Reader<'_> {
                     self.sections[section as usize] = item;
                 }
                 (Some(section), DeValue::Array(array)) if section.is_list() => {
-                    for element in array.iter() {
+                    for (place, element) in array.iter().enumerate() {
                         if self.faults.are_many() {
                             return;
                         }
                         let head = element.span();
+                        self.place = [place, 0];
                         match element.get_ref() {
                             DeValue::Table(item) if section == Section::Manoeuvre => {
                                 self.read_manoeuvre(head, item);
@@ -100,6 +103,7 @@ impl Reader<'_> {
                             _ => self.faults.add(&head, format!("expected [[{name}]]")),
                         }
                     }
+                    self.place = [0; 2];
                 }
                 (Some(section), _) if section.is_list() => {
                     self.faults.add(&span, format!("{name}: expected [[{name}]], in double brackets"));
@@ -121,7 +125,8 @@ impl Reader<'_> {
         self.draft.manoeuvre = ManoeuvreFields::default();
         let item = self.read_keys(Section::Manoeuvre, head.clone(), section_table);
         if let Some(DeValue::Array(sinusoids)) = section_table.get("sinusoid").map(|value| value.get_ref()) {
-            for sinusoid in sinusoids.iter() {
+            for (place, sinusoid) in sinusoids.iter().enumerate() {
+                self.place[1] = place;
                 match sinusoid.get_ref() {
                     DeValue::Table(item) => self.read_sinusoid(sinusoid.span(), item),
                     _ => self.faults.add(&sinusoid.span(), "expected [[manoeuvre.sinusoid]]"),

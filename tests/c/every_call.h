@@ -92,8 +92,8 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
 /* Likewise of an ensemble, all but sins_ensemble_destroy(). */
 static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
 {
-    static unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
-    static sins_statistics statistics;
+    unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
+    sins_statistics statistics;
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
     sins_errors errors = {.struct_size = sizeof errors};
@@ -168,6 +168,9 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_get_gravity_disturbance(scene, &gravity));
     EVERY_CALL(sins_scene_get_setup(scene, &setup));
     EVERY_CALL(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, text, sizeof text, NULL));
+    EVERY_CALL(sins_scene_set_values(scene, "gyro.bias_deg_h[1] = 0.5\nfailure[0].from_s = 3"));
+    EVERY_CALL(sins_scene_get_value(scene, "gyro.bias_deg_h[1]", text, sizeof text, NULL));
+    EVERY_CALL(sins_scene_set_items(scene, "manoeuvre", "[[manoeuvre]]\nkind = \"straight\"\nduration_s = 60\n"));
     EVERY_CALL(sins_scene_get_failure_count(scene, &count));
     EVERY_CALL(sins_scene_get_failure(scene, 0, &failure));
     EVERY_CALL(sins_scene_write(scene, text, sizeof text, NULL));

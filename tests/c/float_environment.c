@@ -135,6 +135,8 @@ typedef struct {
     char sentence[200], written[8192], keys[32768], name[32];
     sins_fault fault;
     sins_flight_sample of_log;
+    sins_scene_key key;
+    char value[128];
     sins_record of_scene;
     sins_statistics statistics, model_statistics;
     sins_figures figures;
@@ -167,6 +169,10 @@ static void fly_scene(results *found)
     CHECK(sins_scene_write(scene, found->written, sizeof found->written, NULL) == SINS_OK);
     CHECK(sins_scene_builtin_name(1, found->name, sizeof found->name, NULL) == SINS_OK);
     CHECK(sins_scene_write_keys(found->keys, sizeof found->keys, NULL) == SINS_OK);
+    SINS_INIT(found->key);
+    CHECK(sins_scene_get_key(25, &found->key) == SINS_OK && found->key.si_per_unit != 1.0);
+    CHECK(sins_scene_set_values(scene, "gyro.bias_deg_h[2] = 1e-3") == SINS_OK);
+    CHECK(sins_scene_get_value(scene, "gyro.bias_rad_s", found->value, sizeof found->value, NULL) == SINS_OK);
     CHECK(sins_scene_create_simulator(scene, &sim) == SINS_OK);
     CHECK(sins_scene_create_flight(scene, &flight) == SINS_OK);
     for (k = 0; k < COUNT; k++) {

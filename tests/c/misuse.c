@@ -150,6 +150,7 @@ static void null_pointers_of_scenes(sins_sim *sim)
     sins_log *log = scene_log(), *made_log = NULL;
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre manoeuvres[4] = {{.struct_size = sizeof manoeuvres[0]}};
+    char text[16];
     size_t count;
     NULL_POINTER(sins_scene_create(NULL));
     NULL_POINTER(sins_scene_create_builtin(NULL, &made));
@@ -159,6 +160,12 @@ static void null_pointers_of_scenes(sins_sim *sim)
     NULL_POINTER(sins_scene_get_fault(scene, 0, NULL));
     NULL_POINTER(sins_scene_write(scene, NULL, 100, NULL));
     NULL_POINTER(sins_scene_write_keys(NULL, 100, NULL));
+    NULL_POINTER(sins_scene_get_key(0, NULL));
+    NULL_POINTER(sins_scene_get_value(scene, NULL, text, sizeof text, NULL));
+    NULL_POINTER(sins_scene_get_value(scene, "gyro.bias_deg_h", NULL, 100, NULL));
+    NULL_POINTER(sins_scene_set_values(scene, NULL));
+    NULL_POINTER(sins_scene_set_items(scene, NULL, ""));
+    NULL_POINTER(sins_scene_set_items(scene, "failure", NULL));
     NULL_POINTER(sins_scene_create_simulator(scene, NULL));
     NULL_POINTER(sins_scene_create_flight(scene, NULL));
     NULL_POINTER(sins_scene_prepare(scene, sim, 0.0, NULL));

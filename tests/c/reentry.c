@@ -17,8 +17,10 @@ enum { INTERRUPTIONS = 200, FORKS = 30, PATIENCE_S = 120 };
 
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_record expected[SCENE_COUNT - 1], found[SCENE_COUNT - 1];
+static sins_statistics expected_end, found_end;
 static sins_sim *used, *other;
-static volatile sig_atomic_t interruptions;
+static sins_ensemble *used_ensemble;
+static volatile sig_atomic_t interruptions, ensemble_interruptions;
 static sigjmp_buf *volatile way_out;
 
 /* Ends a program that waits for ever. */
@@ -48,12 +50,32 @@ static int is_held(sins_sim *sim)
     return 1;
 }
 
+/* Likewise of an ensemble. */
+static int is_ensemble_held(sins_ensemble *ensemble)
+{
+    static const sins_status bad_state = SINS_ERROR_BAD_STATE;
+    uint64_t first_run;
+    size_t runs;
+    char text[100];
+    sins_status status = sins_ensemble_get_runs(ensemble, &first_run, &runs);
+    if (status == SINS_OK) {
+        return 0;
+    }
+    CHECK(status == SINS_ERROR_BAD_STATE);
+    every_ensemble_call(ensemble, every_answer_is, (void *)&bad_state);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "ensemble: is in use") == text);
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_ERROR_BAD_STATE);
+    return 1;
+}
+
 /* Another handle is used as ever. */
 static void interrupt(int signal)
 {
+    int held = is_held(used), ensemble_held = is_ensemble_held(used_ensemble);
     (void)signal;
-    if (is_held(used)) {
-        interruptions++;
+    interruptions += held;
+    ensemble_interruptions += ensemble_held;
+    if (held || ensemble_held) {
         CHECK(sins_step(other) == SINS_NEED_SAMPLE);
         if (way_out != NULL) {
             siglongjmp(*way_out, 1);
@@ -74,6 +96,20 @@ static void fly_and_compare(sins_sim *sim)
     scene_fly(sim, samples, found);
     CHECK(memcmp(found, expected, sizeof expected) == 0);
     CHECK(sins_reset(sim) == SINS_OK);
+}
+
+static void fly_ensemble(sins_ensemble *ensemble, sins_statistics *end)
+{
+    SINS_INIT(*end);
+    CHECK(sins_ensemble_run(ensemble, samples, SCENE_COUNT) == SINS_OK);
+    CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, end) == SINS_OK);
+    CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
+}
+
+static void fly_and_compare_ensemble(sins_ensemble *ensemble)
+{
+    fly_ensemble(ensemble, &found_end);
+    CHECK(memcmp(&found_end, &expected_end, sizeof found_end) == 0);
 }
 
 static volatile int over;
@@ -103,8 +139,9 @@ static void signal_handlers(void)
     pthread_t reader;
     CHECK(pthread_create(&reader, NULL, read_all_the_time, NULL) == 0);
     interrupt_every_half_millisecond(1);
-    while (interruptions < INTERRUPTIONS) {
+    while (interruptions < INTERRUPTIONS || ensemble_interruptions < INTERRUPTIONS) {
         fly_and_compare(used);
+        fly_and_compare_ensemble(used_ensemble);
     }
     interrupt_every_half_millisecond(0);
     over = 1;
@@ -112,13 +149,15 @@ static void signal_handlers(void)
 }
 
 /* The handle is lost; its memory too. */
-static void long_jumps(void)
+static void long_jump(int out_of_ensemble)
 {
     sigjmp_buf buffer;
     way_out = &buffer;
-    used = scene_simulator(NULL, 4);
     if (sigsetjmp(buffer, 1) == 0) {
         interrupt_every_half_millisecond(1);
+        while (out_of_ensemble) {
+            fly_ensemble(used_ensemble, &found_end);
+        }
         for (;;) {
             scene_fly(used, samples, found);
             CHECK(sins_reset(used) == SINS_OK);
@@ -126,28 +165,32 @@ static void long_jumps(void)
     }
     interrupt_every_half_millisecond(0);
     way_out = NULL;
-    CHECK(is_held(used));
+    CHECK(out_of_ensemble ? is_ensemble_held(used_ensemble) : is_held(used));
 }
 
 static sins_sim *shared;
+static sins_ensemble *shared_ensemble;
 
 static void *fly_all_the_time(void *unused)
 {
     static sins_record records[SCENE_COUNT - 1];
+    static sins_statistics end;
     alarms(SIG_BLOCK);
     while (!over) {
         scene_fly(shared, samples, records);
         CHECK(sins_reset(shared) == SINS_OK);
+        fly_ensemble(shared_ensemble, &end);
     }
     return unused;
 }
 
-/* What another thread of the parent had in use; all else is there. Gives how often that was so. */
-static int forks(void)
+/* What another thread of the parent had in use; all else is there. Counts how often that was a simulator, and an ensemble. */
+static void forks(int held[2])
 {
     pthread_t flier;
-    int i, held = 0;
+    int i;
     shared = scene_simulator(NULL, 4);
+    shared_ensemble = scene_ensemble();
     over = 0;
     CHECK(pthread_create(&flier, NULL, fly_all_the_time, NULL) == 0);
     for (i = 0; i < FORKS; i++) {
@@ -157,20 +200,23 @@ static int forks(void)
         child = fork();
         CHECK(child >= 0);
         if (child == 0) {
-            int is = is_held(shared);
+            int is = is_held(shared), is_ensemble = is_ensemble_held(shared_ensemble);
             alarm(PATIENCE_S);
             CHECK(is || sins_destroy(shared) == SINS_OK);
+            CHECK(is_ensemble || sins_ensemble_destroy(shared_ensemble) == SINS_OK);
             CHECK(sins_destroy(other) == SINS_OK);
             fly_and_compare(scene_simulator(NULL, 4));
-            _exit(2 + is);
+            fly_and_compare_ensemble(scene_ensemble());
+            _exit(4 + is + 2 * is_ensemble);
         }
-        CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) >= 2);
-        held += WEXITSTATUS(status) - 2;
+        CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) >= 4);
+        held[0] += WEXITSTATUS(status) % 2;
+        held[1] += WEXITSTATUS(status) / 2 % 2;
     }
     over = 1;
     CHECK(pthread_join(flier, NULL) == 0);
     CHECK(!is_held(shared) && sins_destroy(shared) == SINS_OK);
-    return held;
+    CHECK(!is_ensemble_held(shared_ensemble) && sins_ensemble_destroy(shared_ensemble) == SINS_OK);
 }
 
 int main(void)
@@ -178,7 +224,7 @@ int main(void)
     pthread_t watcher;
     struct sigaction action;
     sins_sim *sim;
-    int held;
+    int held[2] = {0, 0};
 
     memset(&action, 0, sizeof action);
     action.sa_handler = interrupt;
@@ -186,6 +232,8 @@ int main(void)
     used = scene_simulator(NULL, 4);
     scene_fly(used, samples, expected);
     CHECK(sins_reset(used) == SINS_OK);
+    used_ensemble = scene_ensemble();
+    fly_ensemble(used_ensemble, &expected_end);
     CHECK(sins_create(NULL, &other) == SINS_OK);
     alarms(SIG_BLOCK);
     CHECK(pthread_create(&watcher, NULL, watch, NULL) == 0);
@@ -193,16 +241,19 @@ int main(void)
     alarms(SIG_UNBLOCK);
 
     signal_handlers();
+    long_jump(0);
+    CHECK(sins_destroy(used) == SINS_ERROR_BAD_STATE);
+    used = scene_simulator(NULL, 4);
+    long_jump(1);
     CHECK(sins_destroy(used) == SINS_OK);
-    long_jumps();
     sim = scene_simulator(NULL, 4);
     fly_and_compare(sim);
     CHECK(sins_destroy(sim) == SINS_OK);
     CHECK(signal(SIGALRM, SIG_DFL) != SIG_ERR);
-    held = forks();
-    CHECK(held > 0);
+    forks(held);
+    CHECK(held[0] > 0 && held[1] > 0);
     CHECK(sins_destroy(other) == SINS_OK);
-    printf("reentry: %d calls from signal handlers, a jump out of a call, %d of %d forks within one: none waits\n",
-           (int)interruptions, held, FORKS);
+    printf("reentry: %d calls from signal handlers, two jumps out of a call, %d of %d forks within one: none waits\n",
+           (int)(interruptions + ensemble_interruptions), held[0] + held[1], FORKS);
     return 0;
 }

@@ -229,6 +229,7 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     OUTPUT_SIZES(sins_scene_setup, sins_scene_get_setup(scene, pointer));
     OUTPUT_SIZES(sins_fault, sins_scene_get_fault(faulty, 0, pointer));
     OUTPUT_SIZES(sins_fault, fault_of_log(pointer));
+    OUTPUT_SIZES(sins_scene_key, sins_scene_get_key(0, pointer));
     OUTPUT_SIZES(sins_log_info, sins_log_get_info(log, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
     INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));

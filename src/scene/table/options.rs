@@ -1,7 +1,7 @@
 //! The simulator and what a program writes: `[options]`, `[output]`.
 
 use super::super::key::{Key, Section, Shape, Target, one};
-use super::{choice, numbers, unit, within};
+use super::{choice, numbers, si, within};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::state::BodyAxes;
@@ -83,7 +83,7 @@ pub const OPTIONS: &[Key] = &[
     ]),
     numbers(
         O,
-        ("closed_loop_time_s", unit("s", 1.0), "time constant of that trim"),
+        ("closed_loop_time_s", si("s"), "time constant of that trim"),
         N,
         "options.closed_loop_time_s",
         |d| one(&mut d.closed_loop_time_s),
@@ -104,23 +104,19 @@ pub const OPTIONS: &[Key] = &[
     ),
     numbers(
         O,
-        ("sample_period_s", unit("s", 1.0), "stated period of a log; default its own time stamps"),
+        ("sample_period_s", si("s"), "stated period of a log; default its own time stamps"),
         N,
         "options.sample_period_s",
         |d| one(&mut d.sample_period_s),
     ),
-    numbers(
-        O,
-        ("max_gap_s", unit("s", 1.0), "longest interval between samples"),
-        N,
-        "options.max_gap_s",
-        |d| one(&mut d.scene.options.intake.max_gap_s),
-    ),
+    numbers(O, ("max_gap_s", si("s"), "longest interval between samples"), N, "options.max_gap_s", |d| {
+        one(&mut d.scene.options.intake.max_gap_s)
+    }),
     numbers(
         O,
         (
             "max_acceleration_m_s2",
-            unit("m/s2", 1.0),
+            si("m/s2"),
             "mean acceleration between two samples beyond which truth has jumped",
         ),
         N,
@@ -148,7 +144,7 @@ pub const OUTPUT: &[Key] = &[
     }),
     within(
         P,
-        ("every_s", unit("s", 1.0), "spacing of the records; default about 2000 of them"),
+        ("every_s", si("s"), "spacing of the records; default about 2000 of them"),
         (5e-5, 1e7),
         "output.every_s",
         |d| one(&mut d.every_s),

@@ -58,12 +58,13 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
         if let Some(field) = parameter.of(sensor) {
             let target = Target::Numbers {
                 field: field.path,
-                unit: Unit { text: field.key_unit, si: field.key_si },
+                unit: Unit { text: field.key_unit, si: field.key_si, si_text: field.unit },
                 shape: shape(parameter.shape),
                 limits: None,
                 place: Place::Parameter(sensor, row),
             };
-            keys[place] = Key { section: preset.section, name: field.key, doc: parameter.doc, target };
+            keys[place] =
+                Key { section: preset.section, name: field.key, doc: parameter.doc_of(&field), target };
             place += 1;
         }
         row += 1;

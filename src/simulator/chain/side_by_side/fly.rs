@@ -134,12 +134,20 @@ impl Work for Sensing<'_> {
         let Block { lanes, gyro, accel, measured: sums, reports, failures, .. } = block;
         let [gyro_failures, accel_failures] = failures;
         let Workspace { measured, saturated: marks, is_unaided, .. } = workspace;
-        let &Interval { sensors, shared, dt, count, .. } = interval;
+        let &Interval { imperfections, shared, dt, count, .. } = interval;
         let (lanes, measured) = (*lanes, &mut measured[..count]);
 
         *marks = [[0; RUNS]; 2];
-        sensors.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0], lanes);
-        sensors.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1], lanes);
+        imperfections.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0], lanes);
+        imperfections.accel.sense_block(
+            &shared[1],
+            dt,
+            accel,
+            accel_failures,
+            measured,
+            &mut marks[1],
+            lanes,
+        );
         for (lane, report) in reports.iter_mut().enumerate() {
             let is_silent =
                 |failures: &[FailingTriad]| failures.get(lane).is_some_and(FailingTriad::are_silent);
@@ -147,8 +155,8 @@ impl Work for Sensing<'_> {
                 flags: ImuFlags {
                     gyro_saturated: marks[0][lane] != 0,
                     accel_saturated: marks[1][lane] != 0,
-                    gyro_invalid: sensors.gyro.has_failed() && is_silent(gyro_failures),
-                    accel_invalid: sensors.accel.has_failed() && is_silent(accel_failures),
+                    gyro_invalid: imperfections.gyro.has_failed() && is_silent(gyro_failures),
+                    accel_invalid: imperfections.accel.has_failed() && is_silent(accel_failures),
                 },
                 is_unaided: is_unaided[lane],
             };

@@ -8,14 +8,14 @@ use crate::mechanization::VerticalAid;
 use crate::mounting;
 use crate::sensors::SharedInput;
 use crate::signal::{Increment, IntervalMotion};
-use crate::simulator::{Options, SensorSuite};
+use crate::simulator::{Imperfections, Options};
 use crate::truth::Recent;
 
 /// What an interval brings to all blocks.
 pub(super) struct Interval<'a> {
     pub earth: &'a Earth,
     pub options: &'a Options,
-    pub sensors: &'a SensorSuite,
+    pub imperfections: &'a Imperfections,
     pub shared: &'a [SharedInput; 2],
     /// At its start.
     pub last_good: LastGood,
@@ -44,7 +44,7 @@ pub(super) struct Interval<'a> {
 impl Interval<'_> {
     /// Whether a gyro and whether an accelerometer has failed.
     pub fn have_failed(&self) -> [bool; 2] {
-        [self.sensors.gyro.has_failed(), self.sensors.accel.has_failed()]
+        [self.imperfections.gyro.has_failed(), self.imperfections.accel.has_failed()]
     }
 
     /// The mounting of a run, as its sensors see it that gave `measured` in the whole interval.
