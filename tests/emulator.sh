@@ -203,7 +203,7 @@ check() {
     grep -Eq '^(scheme|subsamples|updates_per_sample) = ' "$folder/flown/adopted.toml" || fail "the scene has no recommended options"
     drive controls wheel "$(path "$folder/flown")" -- /language en /scene "$(path "$folder/flown/increments.toml")"
     ! cmp -s "$folder/flown/whole.png" "$folder/flown/near.png" || fail "the wheel does not zoom"
-    cmp "$folder/flown/whole.png" "$folder/flown/again.png"
+    cmp "$folder/flown/whole.png" "$folder/flown/far.png"
     drive controls dll -- /language en
 
     # Two at once, by the command line: failures, temperature, a log.

@@ -19,7 +19,7 @@ public:
             log_ = sins::Log(read_file(log_path));
             all = scene->samples(log_->handle());
         } catch (const sins::Error &error) {
-            throw Refusal(log_path.wstring() + L":" + told(error));
+            throw Refusal(log_path.wstring() + L": " + told(error));
         }
     }
 

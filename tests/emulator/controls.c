@@ -5,7 +5,7 @@
  *                          the letter of a label leads to the field behind it
  *     controls language    the language changes in flight, which goes on to its end
  *     controls adopt       the recommended options are put into the scene, which is saved
- *     controls wheel DIR   the wheel and a double-click zoom the diagram: DIR\whole.png, DIR\near.png, DIR\again.png
+ *     controls wheel DIR   the wheel and a double-click zoom the diagram: DIR\whole.png, DIR\near.png, DIR\far.png
  *     controls dll         the library that is in use cannot be deleted; a second window opens beside the first
  */
 #include <ctype.h>
@@ -241,7 +241,7 @@ static void wheel(const wchar_t *folder)
     }
     name_file(ID_PICTURE, IN_FOLDER(L"near.png"));
     ask(plot, WM_LBUTTONDBLCLK, MK_LBUTTON, MAKELPARAM(100, 100));
-    name_file(ID_PICTURE, IN_FOLDER(L"again.png"));
+    name_file(ID_PICTURE, IN_FOLDER(L"far.png"));
     close_window();
     printf("zoomed by the wheel, and back\n");
 }
