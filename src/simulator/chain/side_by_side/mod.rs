@@ -106,6 +106,7 @@ impl SideBySide {
             options,
             sensors,
             shared,
+            have_failed: [sensors.gyro.has_failed(), sensors.accel.has_failed()],
             last_good,
             t,
             dt,
