@@ -32,7 +32,7 @@ use super::{
 };
 use crate::earth::{Earth, GravityModel};
 use crate::math::AxisTurn;
-use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of};
+use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
 
 /// Navigators of one frame that get the same intervals.
 #[derive(Debug, Clone)]
@@ -105,8 +105,7 @@ impl NavigatorBlock {
     #[inline(always)]
     pub fn navigate(
         &mut self,
-        before: &Self,
-        shift_e: Option<&Vector3<f64>>,
+        (before, shift_e): (&Self, Option<&Vector3<f64>>),
         (earth, scheme): (&Earth, Scheme),
         subsamples: usize,
         measured: &[IncrementRows],

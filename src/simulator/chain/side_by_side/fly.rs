@@ -193,8 +193,14 @@ impl Work for Navigating<'_> {
         };
         let kind = (earth, options.scheme);
         let mounting_of = |lane: usize| interval.mounting_of(&increment_of(sums, lane));
-        let shift_e = interval.shift_e.as_ref();
-        navigators.navigate(before, shift_e, kind, options.subsamples, measured, t, scratch);
+        navigators.navigate(
+            (before, interval.shift_e.as_ref()),
+            kind,
+            options.subsamples,
+            measured,
+            t,
+            scratch,
+        );
         if interval.mounting.is_none() {
             navigators.aid_vertical(kind, &aid, t, is_good);
         } else {
